@@ -182,7 +182,7 @@ def test_gauss_quadrature_is_as_accurate_as_promised_with_few_nodes_to_spare(
 @pytest.mark.parametrize("coefficients", [[0.0, 0.0], [400.0, 200.0], [-400.0, 200.0]])
 def test_more_nodes_never_promise_less(coefficients: list[float], v: float) -> None:
     g = hankel.growth(np.array([coefficients]), 0.0, v)
-    errors = [hankel.quadrature_error(g, n) for n in range(1, 700)]
+    errors = [hankel.quadrature_error(g, n, 0.0) for n in range(1, 700)]
     assert all(later <= earlier for earlier, later in itertools.pairwise(errors))
     assert errors[-1] < 1e-15
 

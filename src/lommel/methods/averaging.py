@@ -81,7 +81,7 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, in_mean: bool = F
     return c, highest, gain
 
 
-def pair_stride(step: float, error: float, stride: int, sides: tuple[int, ...], *, in_mean: bool = False) -> int:
+def pair_stride(step: float, error: float, stride: int, sides: tuple[int, ...], *, in_mean: bool) -> int:
     """Return the number of samples per two pixels: 2 `stride`, or fewer if this saves time; `sides` in pixels."""
     # Wider spacing requires longer filters, and therefore more samples beyond the edges of the window.
 
@@ -98,7 +98,7 @@ def pair_stride(step: float, error: float, stride: int, sides: tuple[int, ...], 
     return cheapest if cost(cheapest) < (1.0 if in_mean else _PAIR_COST_LIMIT) * cost(2 * stride) else 2 * stride
 
 
-def _half_length(step: float, error: float, s: int, *, in_mean: bool = False) -> int:
+def _half_length(step: float, error: float, s: int, *, in_mean: bool) -> int:
     """Estimate the number of samples on each side of the middle of a filter, at s samples per two pixels."""
     # Gap between the band of I and its first alias, divided by the sampling frequency 2 pi / h. The filter length is
     # proportional to 1 / gap (certificate, "Samples that pixels share").
@@ -439,7 +439,7 @@ def _sinc(step: float) -> Callable[[Array], Array]:
 
 
 @lru_cache(maxsize=64)
-def _cheapest_filter(step: float, error: float, shape: tuple[int, int], *, in_mean: bool = False) -> Taps:
+def _cheapest_filter(step: float, error: float, shape: tuple[int, int], *, in_mean: bool) -> Taps:
     """Return the averaging filter of least cost for a window of `shape`; two pixels may share samples."""
     s = pair_stride(step, error, samples_across(step), shape, in_mean=in_mean)
     if s % 2 == 0:

@@ -207,7 +207,7 @@ def _nodes(terms: dict[tuple[int, int], float], eps: float, largest_v: float, er
     growth = eps * largest_v * np.sinh(_B)
     for (n, m), w in terms.items():
         growth = growth + w * abs(float(zernike.radial(n, m, np.array(eps)))) * np.sinh(np.minimum(m * _B, 700.0))
-    return max(1, math.ceil(float(((growth + math.log(2.0 / error + 1.0)) / _B).min())))
+    return math.ceil(float(((growth + math.log(2.0 / error + 1.0)) / _B).min()))
 
 
 def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, vx: Array, vy: Array) -> NDArray[np.complex128]:

@@ -100,13 +100,13 @@ def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
     return np.asarray((np.maximum(phase[:, :-1], phase[:, 1:]) + kernel).max(axis=1) + curved * phase.max(axis=1))
 
 
-def quadrature_error(g: Array, n: int, low: float = 0.0) -> float:
+def quadrature_error(g: Array, n: int, low: float) -> float:
     """Bound the error of n-point Gauss-Legendre quadrature over ``[low, 1]``, from the :func:`growth` `g`."""
     # The limit of 700 prevents overflow; a bound this large has no use.
     return math.exp(min(float((_quadrature_log(g, low) - 2.0 * n * _ETA).min()), 700.0))
 
 
-def quadrature_nodes(g: Array, error: float, low: float = 0.0) -> int:
+def quadrature_nodes(g: Array, error: float, low: float) -> int:
     """Return the smallest number of nodes for which :func:`quadrature_error` is at most `error`."""
     # The bound is solved for n at each eta.
     counts = (_quadrature_log(g, low) - math.log(error)) / (2.0 * _ETA)

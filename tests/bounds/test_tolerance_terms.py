@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from types import SimpleNamespace
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from lommel.methods import (
     NonuniformFFT,
     Polychromatic,
     averaging,
+    nonuniform_fft,
     polychromatic,
 )
 from lommel.methods import method as method_module
@@ -468,3 +470,149 @@ def test_either_of_what_phase_and_light_leave_out_counts_and_is_refused_where_it
                 with_model_error(made, pupil, asked, normalized=False)
         else:
             assert with_model_error(made, pupil, asked, normalized=False).error[1] == pytest.approx(worst, rel=1e-9)
+
+
+def aperture(count=1, **more):
+    wavefront = lm.Wavefront(np.linspace(0.5, 1.0, count), nonradial={(3, 1): 0.7})
+    return lm.Pupil(wavefront, spider=lm.Spider.equal(3, width=0.1), apodization=0.4, **more)
+
+
+@pytest.mark.parametrize(("scale", "everywhere", "times", "share", "outer", "asked_for", "looked_for"), [
+    (1.0, False, 0.1, 0.3, 9.0, 1, 0), (1.0, False, 6.0, 0.3, 0.0, 2, 1), (1.0, False, 6.0, 0.3, 9.0, 1, 1),
+    (1.0, True, 0.1, 0.99, 9.0, 1, 1), (1.0, True, 0.1, 1.01, 9.0, 1, 0), (None, True, 6.0, 0.3, 9.0, 2, 0),
+    (1.0, False, 6.0, 9.0, 0.0, 2, 1),
+])  # fmt: skip
+@pytest.mark.parametrize(("tol", "kind"), [(1e-2, np.float32), (1e-9, np.float64)])
+def test_samples_of_any_aperture_are_asked_for_until_a_peak_that_is_known_allows_their_error(
+    tol, kind, scale, everywhere, times, share, outer, asked_for, looked_for, monkeypatch
+):
+    """First as of light that is spread over the blur, then as of the peak there is, and at most half as wrong."""
+    pupil, grid, asked, looked, wanted = aperture(2), Grid((3, 4), 0.5), [], [], Wanted(scale, kind)
+    slopes = sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1)
+    likely = pupil.amplitude / (1.0 + slopes)
+    values = np.full((2, 3, 4), share * likely**2) * np.array([1.0, 4.0])[:, None, None]
+
+    def sums(pupil, grid, error, wanted):
+        asked.append(error)
+        return values, None, np.full(2, error * (times if len(asked) == 1 else 0.1)), None
+
+    monkeypatch.setattr(nonuniform_fft, "_sums", sums)
+    monkeypatch.setattr(nonuniform_fft, "_peak_bound", lambda *of: looked.append(of[1]) or np.array([outer, outer]))
+    found = nonuniform_fft._sample_images(pupil, grid, tol, wanted, everywhere=everywhere)
+    budget = (tol - (1.0 + tol) * STORED[kind]) * (1.0 if scale else 0.49)
+    first = 0.45 * budget * likely / pupil.amplitude
+    peak = np.maximum(np.array([1.0, 4.0]) * share * likely**2, outer if looked_for else 0.0)
+    second = 0.45 * budget * min(0.9 * math.sqrt(peak[0]), 0.5 * likely) / pupil.amplitude
+    assert asked == pytest.approx([first, second][:asked_for], rel=1e-9)
+    assert looked == pytest.approx([max(first, 1e-4 * likely / pupil.amplitude)] * looked_for, rel=1e-9)
+    e = asked[-1] * (times if asked_for == 1 else 0.1)
+    off = (2.0 * np.sqrt(peak) * e + e * e) / (np.sqrt(peak) - e) ** 2
+    off = off if scale else 2.0 * off / (1.0 - off)
+    assert found.error == pytest.approx(off + (1.0 + off) * STORED[kind], rel=1e-9)
+    assert found.peak == pytest.approx(peak)
+    assert found.error.max() <= tol
+
+
+def test_samples_that_rounding_does_not_allow_are_refused_after_a_last_attempt(monkeypatch):
+    """At 4e-15 of the largest field there is; and what a lattice over the blur finds is less by its error."""
+    asked, values = [], np.full((1, 2, 2), 0.25)
+    monkeypatch.setattr(
+        nonuniform_fft, "_sums", lambda *of: asked.append(of[2]) or (values, None, np.full(1, 0.1), None)
+    )
+    assert nonuniform_fft._peak_bound(aperture(), 1e-9, 1) == pytest.approx([0.16], rel=1e-12)
+    with pytest.raises(ToleranceError, match="cannot be met in double precision"):
+        nonuniform_fft._sample_images(aperture(), Grid(2, 0.5), 1e-12, Wanted(1.0))
+    assert asked[-1] == 4e-15
+    assert asked.count(4e-15) == 1
+
+
+class Edges(NamedTuple):
+    """An opening of two rules, which rounding displaces."""
+
+    phases: tuple[tuple[float, ...], ...] = ((0.0,) * 3,) * 2
+
+    def rows(self, degree, error):
+        assert (degree, error) == (64, pytest.approx(1e-8, rel=1e-12))
+        nodes = np.array([[0.1, 0.3], [0.2, 0.2], [0.3, 0.2]])
+        return SimpleNamespace(nodes=nodes, lost=1e-13), SimpleNamespace(nodes=nodes, lost=3e-13)
+
+
+@pytest.mark.parametrize("single", [False, True])
+def test_moments_are_off_by_their_roundings_and_by_edges(single):
+    rule = nonuniform_fft.moment_rule(Edges(), 9, 33, 1e-7)
+    assert (rule.rows, rule.edge_error) == (34, pytest.approx(4e-13))
+    assert [nonuniform_fft._round_up_degrees(32, 7, e) for e in (1e-7, 1e-6, 9e-7)] == [
+        (32, 32, -8), (32, 32, -6), (32, 32, -8)
+    ]  # fmt: skip
+    pupil = aperture(3)
+    terms, edge = pupil.wavefront.terms, pupil.wavefront.flattened().edge
+    phases = max(
+        sum(abs(c) * (4 * (n * n + 1) + len(terms) + 10) for (n, _), c in zip(terms, row, strict=True))
+        for row in edge
+    )
+    units = phases + 6.0 * 7.5 + 20.0 * 34 + pupil.illumination.slope + 40.0
+    more = SINGLE * (36.0 + 0.875 * 34) + 7.4e-10 * (len(terms) + 6)
+    expected = (U * units + single * more) * rule.total + rule.edge_error
+    found = nonuniform_fft.roundings(rule, pupil, 7.5, single_precision=single)
+    assert found == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("way", ["moments", "rows", "mask"])
+def test_sums_over_any_aperture_add_what_polynomials_sums_and_roundings_are_off_by(way, monkeypatch):
+    segments = lm.Segments.hexagonal(1, 0.01).phased(np.arange(6.0), 0.1, 0.2)
+    pupil = lm.Pupil(lm.Wavefront(1.0), stop=segments, mask=lm.Mask(np.ones((8, 8))) if way == "mask" else None)
+    error, grid, asked, made = 1e-6, Grid((3, 4), 0.5), {}, np.ones((1, 3, 4))
+    allowed, amplitude = 0.3 * error * pupil.amplitude, pupil.amplitude
+    monkeypatch.setattr(
+        nonuniform_fft, "moment_rule_is_faster", lambda *of: asked.update(pays=of[5]) or way == "moments"
+    )
+    monkeypatch.setattr(nonuniform_fft, "moment_rule", lambda *of: asked.update(rule=of[3]))
+    monkeypatch.setattr(nonuniform_fft, "field_sums", lambda *_: (made, None, np.array([2e-8, 5e-8])))
+    monkeypatch.setattr(nonuniform_fft, "row_images", lambda *of: asked.update(sums=of[4]) or (made, made, 3e-7))
+    monkeypatch.setattr(lm.optics.aperture.opening.Opening, "rows", lambda *of: asked.update(rows=of[2]))
+    _, _, *bounds = nonuniform_fft._sums(pupil, grid, error, Wanted(1.0, terms=((2, 0),)))
+    rounded = 8.0 * U * np.abs(pupil.opening.phases).sum(axis=1).max() * math.sqrt(amplitude)
+    polynomials = 1.1 * allowed + (1.0 + allowed) * allowed + rounded
+    if way == "moments":
+        assert (asked["pays"], asked["rule"]) == (allowed, allowed)
+        expected = [polynomials + 1.1 * allowed + 2e-8, polynomials + 1.1 * allowed + 5e-8]
+    else:
+        assert asked["sums"] == pytest.approx(0.5 * 0.25 * error, rel=1e-12)
+        assert way == "mask" or asked["rows"] == allowed
+        expected = [(rounded if way == "mask" else polynomials) + 3e-7] * 2
+    assert [float(np.max(bound)) for bound in bounds] == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("single", [False, True])
+@pytest.mark.parametrize("room", [0.5001, 0.4999])
+def test_averages_of_any_aperture_are_off_by_polynomials_and_roundings_of_which_single_may_take_half(
+    single, room, monkeypatch
+):
+    pupil, asked, tol = aperture(4), [], 1e-5
+    monkeypatch.setattr(nonuniform_fft, "aperture_averages", lambda *of: asked.append(of[6]))
+    monkeypatch.setattr(nonuniform_fft, "moment_rule", lambda *of: asked.append(of[3]))
+    monkeypatch.setattr(nonuniform_fft, "quadrant_weights", lambda *_: None)
+    monkeypatch.setattr(nonuniform_fft, "_nodes_are_faster", lambda *_: True)
+    monkeypatch.setattr(
+        nonuniform_fft, "roundings", lambda *_, single_precision=False: room * tol if single_precision else 1e-9
+    )
+    assert nonuniform_fft.averaged_apertures(pupil, Grid(5, 1.0, integrate=True), tol, Wanted(1.0)) is None
+    _, error, taken = asked[0](3.0, tol, single, 5, 5)
+    a = 0.15 * tol
+    assert asked[1] == pytest.approx(a, rel=1e-12)
+    assert taken == (single and room < 0.5)
+    expected = 2.2 * a + (1.0 + a) * a + (room * tol if taken else 1e-9)
+    assert error == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize(("count", "terms", "error", "pays"), [
+    (4, (), 1e-6, True), (3, (), 1e-6, False), (2, ((12, 0),), 1e-6, True), (1, ((12, 0),), 1e-6, False),
+    (2, ((13, 1),), 1e-6, False), (4, (), 3.001e-12, True), (4, (), 2.999e-12, False),
+])  # fmt: skip
+def test_moments_are_taken_for_four_fields_of_degrees_to_12_where_rounding_allows(
+    count, terms, error, pays, monkeypatch
+):
+    pupil = aperture(count)
+    monkeypatch.setattr(nonuniform_fft, "_count_nodes", lambda *_: 10**9)
+    found = nonuniform_fft.moment_rule_is_faster(pupil, Grid(5, 0.5), terms, 20, 20, error * pupil.amplitude)
+    assert found == pays

@@ -10,11 +10,12 @@ import pytest
 import lommel as lm
 from lommel.core.answers import Samples, Slopes, Wanted
 from lommel.core.engine import least_average
-from lommel.methods import NonuniformFFT, derivatives, nonuniform_fft
+from lommel.methods import ChordalGauss, NonuniformFFT, derivatives, nonuniform_fft
 from lommel.methods.averaging import averaging_filter, pixel_averages, slope_filter
 from lommel.methods.derivative_names import Parts
 from lommel.methods.derivatives import Piece, Slope
 from lommel.optics.grid import Grid
+from lommel.special import zernike
 
 U = 2.0**-53
 STORED = {np.float64: 6.0 * U, np.float32: 6.0 * U + 2.0**-24}
@@ -91,7 +92,7 @@ def test_what_is_brightest_is_less_by_its_error():
     assert derivatives._least_peak(alone)[1] == pytest.approx(made.values[1].max() / 1.2, rel=1e-14, abs=0.0)
 
 
-class Engine(lm.methods.ChordalGauss):
+class Engine(ChordalGauss):
     """Answers with ones, and with the errors that it is told to."""
 
     def tightened(self, tol=None):
@@ -104,16 +105,17 @@ class Engine(lm.methods.ChordalGauss):
         return Samples(values, np.ones(2), np.array([1e-7, 2e-7]), made, np.array([1.5, 2.0]))
 
 
+@pytest.mark.parametrize("tol", [1e-6, 1e-11])
 @pytest.mark.parametrize("integrate", [False, True])
-def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
+def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate, tol):
     grid = Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
-    step, engine = 0.5 * math.pi, Engine(1e-6)
+    step, engine = 0.5 * math.pi, Engine(tol)
     tilts = [(np.full((2, 3, 5), 0.25), np.array([1e-6, 2e-6])), (np.full((2, 3, 5), -0.5), np.array([3e-6, 1e-6]))]
     _, found = derivatives.scaling_derivative(engine, PUPIL, grid, tilts)
     far = step * np.array([4.5, 1.5])
     expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)
     if integrate:
-        aim = 1e-3 * 1e-6 * least_average(step)
+        aim = max(1e-3 * tol * least_average(step), 1e-13)
         plain, growing = averaging_filter(step, aim), averaging_filter(step, aim, by_pitch=True)
         bright = PUPIL.amplitude**2
         expected += 2.0 * (2.0 * plain.error + (1.0 + plain.error) * growing.error) * bright
@@ -122,6 +124,103 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
         samples = np.array([1.5, 2.0]) * (np.array([1e-7, 2e-7]) + (4 * size + 16) * U)
         expected += 2.0 * plain.gain * growing.gain * samples
     assert found == pytest.approx(expected, rel=1e-9, abs=0.0)
+
+
+@pytest.mark.parametrize("tol", [1e-6, 1e-11])
+@pytest.mark.parametrize("integrate", [False, True])
+def test_shifts_are_those_of_samples_and_off_by_what_filters_and_finer_samples_are(integrate, tol):
+    grid, off = Grid((3, 5), 0.5, integrate=integrate), np.array([1e-15, 2e-15])
+    step, fine = 0.5 * math.pi, []
+
+    def ramps(method, pupil, samples, wanted):
+        fine.append(samples)
+        y, x = (step / 0.5 * samples.pixel * side for side in (samples.y / samples.pixel, samples.x / samples.pixel))
+        values = 9.0 + 0.2 * x + 0.1 * y[:, None] + np.zeros((2, 1, 1))
+        return Samples(values, np.ones(2), off, None, np.array([1.5, 2.0]))
+
+    (across, of_across), (down, of_down) = derivatives.tilted(Engine(tol), PUPIL, grid, compute=ramps)
+    assert across == pytest.approx(-0.2, abs=1e-3)
+    assert down == pytest.approx(-0.1, abs=1e-3)
+    aim = max(1e-3 * tol * (least_average(step) if integrate else 1.0), 1e-13)
+    slope, plain = slope_filter(step, aim, averages=integrate), averaging_filter(step, aim)
+    error, gain, size = (plain.error, plain.gain, plain.weights.size) if integrate else (0.0, 1.0, 1)
+    expected = (slope.error * (1.0 + error) + 2.0 * error) * PUPIL.amplitude**2
+    rounding = (4 * max(slope.weights.size, size) + 16) * U
+    expected += gain * slope.gain * np.array([1.5, 2.0]) * (off + rounding)
+    assert of_across == pytest.approx(expected, rel=1e-9, abs=0.0)
+    assert of_down == pytest.approx(expected, rel=1e-9, abs=0.0)
+
+
+@pytest.mark.parametrize(("terms", "v", "error"), [
+    ({}, 0.0, 1.0), ({}, 30.0, 1e-3), ({(3, 1): 2.0}, 7.0, 0.3), ({(4, 2): 9.0, (2, 0): 3.0}, 50.0, 1e-11),
+    ({(5, 5): 40.0}, 0.0, 1e-15), ({(1, 1): 1e-3}, 1e-3, 2.0),
+])  # fmt: skip
+def test_nodes_of_the_rim_are_the_fewest_of_which_the_trapezoidal_rule_errs_by_no_more(terms, v, error):
+    """Twice the largest integrand over e^(k b) - 1, on the displacements b that are tried."""
+    curves = np.geomspace(1e-3, 8.0, 128)
+    sizes = {key: w * abs(float(zernike.radial(*key, np.array(0.4)))) for key, w in terms.items()}
+
+    def off(k):
+        logs = [
+            sum(size * math.sinh(m * b) for (_, m), size in sizes.items()) + 0.4 * v * math.sinh(b) for b in curves
+        ]
+        return min(
+            2.0 * math.exp(min(g, 600.0)) / math.expm1(min(k * b, 700.0)) for g, b in zip(logs, curves, strict=True)
+        )
+
+    found = derivatives._nodes(terms, 0.4, v, error)
+    assert off(found) <= error * (1.0 + 1e-9)
+    assert found == 1 or off(found - 1) > error
+
+
+@pytest.mark.parametrize(("first", "second", "asked"), [
+    (1.0, -0.9, []), (1.0, 1.0, []), (1.0, -1.5, [1e-6 / 2.5]), (300.0, 300.0, [1e-6 / 321.0]),
+])  # fmt: skip
+def test_powers_that_cancel_are_asked_for_as_much_more(first, second, asked):
+    found = []
+
+    class Asked(Engine):
+        def tightened(self, tol=None):
+            found.append(tol)
+            return self
+
+        def images(self, pupil, grid, wanted):
+            return super().images(pupil, grid, wanted._replace(terms=wanted.terms + wanted.powers))
+
+    made = Samples(np.ones((2, 3, 3)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
+    sums = [Parts({1: 0.1}), Parts({1: first, 2: np.array([second, 0.1]), (3, 1): 9.0})]
+    derivatives._sum_terms(Asked(1e-6), Asked(1e-6), PUPIL, Grid(3, 0.5), made, Wanted(0.3), sums)
+    assert found == pytest.approx(asked, rel=1e-12)
+
+
+def test_shifts_by_samples_leave_out_what_the_wavefront_does(monkeypatch):
+    found = np.array([1e-6, 3e-6])
+    monkeypatch.setattr(derivatives, "tilted", lambda *_: [(np.ones((2, 3, 3)), found)] * 2)
+    made = Samples(np.ones((2, 3, 3)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
+    engine = lm.methods.NijboerZernike()
+    sums = [Parts({(1, 1): 1.0})]
+    pieces = derivatives._sum_terms(engine, engine, PUPIL, Grid(3, 0.5), made, Wanted(0.3), sums)
+    assert pieces[1, 1].error == pytest.approx(0.3 * (found + 4.0 * E * PUPIL.amplitude**2), rel=1e-12, abs=0.0)
+
+
+@pytest.mark.parametrize("names", [((3, 1), (2, 2)), ("defocus",), ("defocus", "column", (3, 1))])
+def test_a_phase_in_error_widens_the_bound_of_images_with_derivatives_as_of_those_without(names):
+    exact, wrong = (
+        lm.psf(lm.Pupil(lm.Wavefront(1.0, error=e)), 5, 0.5, tol=1e-3, dtype=np.float64, derivatives=names)
+        for e in (0.0, 1e-5)
+    )
+    top = float(exact.values.max() / exact.scale)
+    assert wrong.error_bound - exact.error_bound == pytest.approx(1e-5 * 2.0 / math.sqrt(top), rel=1e-3)
+
+
+@pytest.mark.parametrize(("radial", "names", "kind"), [
+    (True, ((2, 0), (4, 0)), None), (True, ((2, 0), (3, 1)), ChordalGauss), (True, ((2, 0), (2, 0)), None),
+    (False, ((2, 0),), ChordalGauss), (True, ("defocus",), None), (True, ((10, 0),), ChordalGauss),
+])  # fmt: skip
+def test_terms_alone_are_differentiated_at_once_by_chords_unless_all_are_radial(radial, names, kind):
+    pupil = lm.Pupil(lm.Wavefront(1.0, nonradial={} if radial else {(3, 1): 1.0}))
+    found = derivatives._rule_of_terms(None, pupil, names, 1e-5)
+    assert found == (None if kind is None else kind(1e-5))
 
 
 def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are():
@@ -139,11 +238,15 @@ def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are
     size = max(plain.weights.size, slope.weights.size)
     expected = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * PUPIL.amplitude**2
     expected += plain.gain * slope.gain * (off + (4 * size + 16) * U * (np.array([1.5, 2.0]) + off))
+    # Of the images themselves by what averages are, with a tenth of the tolerance for sums of dark samples.
+    light, own = np.array([1.5, 2.0]) - off, tol - (1.0 + tol) * STORED[np.float64]
+    added = (2 * size + 8) * U * plain.gain**2 + 1.01 * 0.1 * own * least_average(step)
+    whole = plain.gain**2 * off + (2.0 + plain.error) * plain.error * PUPIL.amplitude**2 + added * light
+    assert found.error[0] == pytest.approx(whole / found.peak, rel=1e-6, abs=0.0)
     assert found.error[1:] * found.peak == pytest.approx(np.array([expected, expected]), rel=1e-6, abs=0.0)
 
 
-@pytest.mark.parametrize("integrate", [False, True])
-@pytest.mark.parametrize("error", [1e-4, 1e-12])
+@pytest.mark.parametrize(("integrate", "error"), [(False, 1e-4), (True, 1e-4), (False, 1e-15), (True, 1e-12)])
 def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
     grid = Grid((3, 4), 0.5, center=(1.0, 2.0), integrate=integrate)
     _, found = derivatives.obscuration_derivative(PUPIL, grid, error)
@@ -186,7 +289,7 @@ def test_what_is_left_out_is_in_each_part():
     # The rim is asked for a tenth of the tolerance of the faintest peak.
     _, bound = derivatives.obscuration_derivative(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
     assert found["obscuration"].error == pytest.approx(0.3 * bound, rel=1e-12, abs=0.0)
-    white = lm.methods.Polychromatic([4e-7, 5e-7], [1, 3], lm.methods.ChordalGauss())
+    white = lm.methods.Polychromatic([4e-7, 5e-7], [1, 3], ChordalGauss())
     parts = white.components(pupil)
     found = derivatives._sum_terms(white, engine, pupil, grid, made, derivatives.Wanted(0.3), [Parts({(3, 1): 1.0})])
     left = [(part.pupil.wavefront.left_out + 6e-10) * pupil.amplitude**2 for part in parts]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,9 +12,9 @@ import pytest
 import lommel as lm
 from disk_questions import disk_question
 from lommel import _core
-from lommel.core.answers import Declined
+from lommel.core.answers import Declined, Samples, Wanted
 from lommel.core.engine import Window, disk_costs
-from lommel.methods import ChordalGauss, NijboerZernike, NonuniformFFT, choice
+from lommel.methods import ChordalGauss, Hankel, NijboerZernike, NonuniformFFT, choice, nijboer_zernike
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.optics.grid import Grid
 
@@ -152,6 +153,85 @@ def test_the_next_method_is_asked_where_one_proves_nothing_and_the_last_one_says
     asked.clear()
     with pytest.raises(lm.ToleranceError, match=r"0\.0001 is not proven"):
         choice.first_within_tolerance(ways[:2], ask)
+
+
+@pytest.mark.parametrize(("faults", "told"), [
+    ("dt", 1), ("td", 0), ("dd", 0), ("ddd", 1), ("tt", 1), ("tdt", 2), ("dtd", 1), ("d", 0), ("ddt", 2),
+])  # fmt: skip
+def test_of_methods_that_all_fail_a_tolerance_is_told_rather_than_why_one_declines(faults, told):
+    """The last tolerance or, without one, the last reason but that of the chordal rule, which is asked last."""
+    ways = tuple(NijboerZernike(10.0 ** (-k - 2)) for k in range(len(faults)))
+
+    def fail(way):
+        k = ways.index(way)
+        raise {"d": Declined, "t": lm.ToleranceError}[faults[k]](str(k))
+
+    with pytest.raises((Declined, lm.ToleranceError), match=f"^{told}$"):
+        choice.first_within_tolerance(ways, fail)
+
+
+@pytest.mark.parametrize("aberrated", [False, True])
+@pytest.mark.parametrize("radial", [False, True])
+def test_derivatives_of_objectives_try_chords_first_where_the_light_depends_on_the_azimuth(aberrated, radial):
+    pupil = SimpleNamespace(aberrated=aberrated, light=SimpleNamespace(radial=radial))
+    for methods in ((NijboerZernike(1e-4),), (NijboerZernike(1e-4), NijboerZernike(1e-5))):
+        *tried, last = choice.of_derivatives(pupil, methods)
+        assert (type(last).__name__, last.tol) == ("ChordalDebye", 1e-4)
+        first = [] if aberrated or radial else [("ChordalDebyeIfCheaper", 1e-4)]
+        assert [(type(one).__name__, one.tol) for one in tried[: len(first)]] == first
+        assert tuple(tried[len(first) :]) == methods
+
+
+def test_references_are_exact_to_a_billionth_or_by_quadrature():
+    objective = lm.Objective(
+        NA=1.2, magnification=60, immersion=1.33, working_distance=3e-4, coverslip=None, sample=1.33
+    )
+    measured = objective.pupil(depth=0.0, wavelength=500e-9, aberrations=lm.Wavefront(spherical=1.0))
+    vanes = lm.Pupil(spider=lm.Spider.equal(3, width=0.05))
+    for pupil in (objective.pupil(depth=0.0, wavelength=500e-9), measured, COMA, vanes):
+        assert [way.tol for way in choice.references(pupil)] == [1e-9] * (2 if pupil is COMA else 1)
+    assert choice.references(lm.Pupil()) == (Hankel(),)
+
+
+@pytest.mark.parametrize(("kind", "pupil"), [(ChordalGauss, COMA), (NijboerZernike, lm.Pupil())])
+def test_plans_are_of_one_axis_of_amplitudes_without_an_error_and_those_of_chords_of_samples(kind, pupil):
+    def planned(pupil, grid):
+        return kind().plan(pupil, grid, Wanted(1.0)) is not None
+
+    vague = lm.Pupil(pupil.wavefront, apodization=lm.Apodization([0.5], error=1e-9))
+    assert planned(pupil, Grid(5, 0.5))
+    assert planned(pupil, Grid(5, 0.5, integrate=True)) == (kind is NijboerZernike)
+    assert not planned(vague, Grid(5, 0.5))
+    assert not planned(pupil, Grid(5, 0.5, center=(np.array([2.0, 2.1]), np.array([2.0, 2.0]))).broadcast((2,)))
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+@pytest.mark.parametrize(("pays", "of_slopes", "powers", "sampled"), [
+    (False, False, (1,), [False]), (False, True, (1,), [False, True]), (True, False, (1,), [True, True]),
+    (True, True, (), [True]), (False, True, (), [False]),
+])  # fmt: skip
+def test_averages_and_their_derivatives_are_each_by_filters_where_these_pay(
+    pays, of_slopes, powers, sampled, integrate, monkeypatch
+):
+    asked, made = [], Samples(np.ones((1, 5, 5)), np.ones(1), np.zeros(1))
+    monkeypatch.setattr(
+        nijboer_zernike, "filters_pay", lambda *_, derivatives=False: of_slopes if derivatives else pays
+    )
+    monkeypatch.setattr(nijboer_zernike, "disk_images", lambda *_: asked.append(True) or made)
+    monkeypatch.setattr(nijboer_zernike, "radial_images", lambda *_, **__: asked.append(False) or made)
+    NijboerZernike().images(lm.Pupil(), Grid(5, 1.0, integrate=integrate), Wanted(1.0, powers=powers))
+    assert asked == (sampled if integrate else [False])
+
+
+@pytest.mark.parametrize("error", [1e-6, 1e-3])
+def test_a_phase_in_error_counts_twice_where_images_are_divided_by_their_largest_value(error):
+    exact, wrong = (
+        lm.psf(lm.Pupil(lm.Wavefront(1.0, error=e)), 5, 0.5, tol=1e-2, dtype=np.float64, normalize="peak")
+        for e in (0.0, error)
+    )
+    root = 1.0 / math.sqrt(exact.scale)
+    off = (2.0 * root * error + error**2) / (root - error) ** 2
+    assert wrong.error_bound - exact.error_bound == pytest.approx(2.0 * off / (1.0 - off), rel=1e-3)
 
 
 def test_a_tolerance_below_that_of_the_only_method_is_refused():

@@ -5,11 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.core.answers import Intensities
+import lommel as lm
+from lommel.core.answers import Intensities, ToleranceError
+from lommel.methods import Hankel, NijboerZernike, polychromatic
 from lommel.methods.polychromatic import Polychromatic, sum_wavelengths
 from lommel.optics.colour.spectrum import Component
+from lommel.optics.grid import Grid
 
-KEPT = Polychromatic([5e-7])
+KEPT, VAGUE = Polychromatic([5e-7]), Polychromatic([5e-7], method=Hankel())
 PARTS = [Component(1.0, stretch, None) for stretch in (1.0, 1.25, 0.8)]
 SHARES = np.array([[0.0, 0.75, 0.25], [0.5, 0.25, 0.25], [1.0, 0.0, 0.0]])
 RNG = np.random.default_rng(4)
@@ -50,6 +53,34 @@ def test_parts_are_asked_for_more_until_every_sum_is_exact_enough():
     found = sum_wavelengths(PARTS, SHARES, ask, KEPT, 1e-6)
     assert max(made.error.max() for made in found) <= 1e-6
     assert asked[0] == 1e-6 > asked[-1]
+
+
+def test_sums_of_no_light_have_no_bound_that_holds():
+    none = Intensities(np.zeros((2, 7)), np.zeros(2), np.zeros(2))
+    (found,) = sum_wavelengths(PARTS, SHARES[:1], lambda *_: none, VAGUE, 1e-6)
+    assert found.error.tolist() == [np.inf, np.inf]
+
+
+@pytest.mark.parametrize(("named", "least"), [(None, 1e-12), (Hankel(), 1e-15)])
+def test_parts_are_asked_of_methods_of_their_tolerance(named, least, monkeypatch):
+    """Less by what they exceed it, and no less than the least that the method has."""
+    asked, made = [], Intensities(VALUES[0], np.full(2, 1e-3), PEAKS[0])
+    monkeypatch.setattr(Hankel, "keeps_tol", True)
+    monkeypatch.setattr(Hankel, "profile", lambda self, *_: asked.append(self.tol) or made)
+    monkeypatch.setattr(NijboerZernike, "profile", lambda self, *_: asked.append(self.tol) or made)
+    monkeypatch.setattr(
+        polychromatic, "first_within_tolerance", lambda ways, _: asked.append(ways[0].tol) or (ways[0], made)
+    )
+    white, pupil = Polychromatic([5e-7], method=named, tol=3e-9), lm.Pupil(wavelength=5e-7, f_number=4.0)
+    for way in (
+        lambda: white.profile(pupil, np.linspace(0.0, 1.0, 7)),
+        lambda: white.intensity(pupil, Grid(5, 1e-6), 1),
+    ):
+        asked.clear()
+        with pytest.raises(ToleranceError, match="cannot be met"):
+            way()
+        thousandths = [3e-9, 3e-12] if named is None else [3e-9, 3e-12, 3e-15]
+        assert asked == pytest.approx([*thousandths, least], rel=1e-9, abs=0.0)
 
 
 def test_a_part_without_a_bound_leaves_its_sums_without_one():

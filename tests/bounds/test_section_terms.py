@@ -11,10 +11,7 @@ import pytest
 from scipy.special import j0
 
 import lommel as lm
-from lommel import methods
-from lommel.core.answers import Intensities, ToleranceError
 from lommel.field.maps import Vignetting
-from lommel.methods import polychromatic
 from lommel.methods.paper import closed_form
 from lommel.optics.layers import debye, projection
 from lommel.optics.layers.debye import ETA, Model
@@ -286,37 +283,6 @@ def test_a_chunked_stack_has_the_largest_of_its_bounds(tmp_path):
     assert stack[0:3].error_bound == each.max()
     assert stack[1].error_bound == each[1]
     assert len(set(each.tolist())) >= 1
-
-
-@pytest.mark.parametrize("worst", [[3e-6, 0.9e-6], [1e-3, 3e-6, 1e-6], [1e-6]])
-def test_parts_of_a_spectrum_are_tightened_until_their_sum_is_within_the_tolerance(worst, monkeypatch):
-    asked, method = [], methods.Polychromatic([4e-7, 5e-7])
-
-    def sums(parts, weights, compute, part_tol, window):
-        asked.append(part_tol)
-        return [Intensities(np.ones((1, 1)), np.array([worst[len(asked) - 1]]), np.ones(1))]
-
-    monkeypatch.setattr(polychromatic, "_sums", sums)
-    names = [
-        one
-        for one in vars(polychromatic).values()
-        if callable(one) and "least_tol" in getattr(getattr(one, "__code__", None), "co_varnames", ())
-    ]
-    parts = method.components(lm.Pupil(wavelength=5e-7, f_number=4.0))
-    given = {"parts": parts, "shares": np.ones(2), "compute": None, "method": method, "tol": 1e-6, "window": False}
-    call = names[0]
-    known = call.__code__.co_varnames[: call.__code__.co_argcount + call.__code__.co_kwonlyargcount]
-    call(**{name: given[name] for name in known})
-    expected, tol = [], 1e-6
-    for one in worst:
-        expected.append(tol)
-        tol = max(1e-12, tol * max(1e-3, min(0.5, 0.5 * 1e-6 / one)))
-    assert asked == pytest.approx(expected, rel=1e-12)
-    monkeypatch.setattr(
-        polychromatic, "_sums", lambda *_: [Intensities(np.ones((1, 1)), np.array([1.1e-6]), np.ones(1))]
-    )
-    with pytest.raises(ToleranceError):
-        call(**{name: given[name] for name in known})
 
 
 def test_discs_hold_the_products_quotients_and_roots_of_their_points():

@@ -110,19 +110,19 @@ def test_the_first_length_of_a_filter_is_about_the_shortest_that_serves(step, er
 
 
 @pytest.mark.parametrize("in_mean", [False, True])
-@pytest.mark.parametrize("step", [0.2, 0.63, 1.0, 1.9, 3.0, 4.9, 6.2])
-@pytest.mark.parametrize("side", [4, 60, 400])
-def test_pixels_share_as_many_samples_as_are_cheapest(step, side, in_mean):
+@pytest.mark.parametrize("step", [0.2, 0.63, 1.0, 1.9, 3.0, 4.9, 6.2, 0.5 * math.pi, math.pi, 1.5 * math.pi])
+@pytest.mark.parametrize(("side", "error"), [(4, 1e-7), (60, 1e-7), (400, 1e-7), (400, 1e-4)])
+def test_pixels_share_as_many_samples_as_are_cheapest(step, side, error, in_mean):
     """Samples, and a fiftieth for each weight; up to h = pi / 2 for light in the mean, half-way ones up to 1.27."""
     stride, costs = math.ceil(step / 1.05), {}
     for count in range(2, 2 * stride + 1):
         h = 2.0 * step / count
         if h <= (0.5 * math.pi if in_mean else 1.27) and (count % 2 == 0 or h <= 1.27):
-            taps = 2 * averaging._half_length(step, 1e-7, count, in_mean=in_mean)
+            taps = 2 * averaging._half_length(step, error, count, in_mean=in_mean)
             across = 0.5 * count * side + taps
             costs[count] = across**2 + (0.02 * taps * side * (across + side) if in_mean else 0.0)
     best = min(costs, key=costs.get)
-    found = averaging.pair_stride(step, 1e-7, stride, (side, side), in_mean=in_mean)
+    found = averaging.pair_stride(step, error, stride, (side, side), in_mean=in_mean)
     assert found == (best if costs[best] < (1.0 if in_mean else 0.85) * costs[2 * stride] else 2 * stride)
 
 
@@ -520,7 +520,7 @@ def test_sums_over_any_aperture_add_what_polynomials_sums_and_roundings_are_off_
         moment_rule_is_faster=lambda *of: asked.update(pays=of[5]) or way == "moments",
         moment_rule=lambda *of: asked.update(rule=of[3]),
         field_sums=lambda *_: (made, None, np.array([2e-8, 5e-8])),
-        row_images=lambda *of: asked.update(sums=of[4]) or (made, made, 3e-7),
+        row_images=lambda *of: asked.update(sums=of[4], regions=len(of[1])) or (made, made, 3e-7),
     )
     swap(Opening, rows=lambda *of: asked.update(rows=of[2]))
     _, _, *bounds = nonuniform_fft._sums(pupil, Grid((3, 4), 0.5), error, Wanted(1.0, terms=((2, 0),)))
@@ -530,7 +530,8 @@ def test_sums_over_any_aperture_add_what_polynomials_sums_and_roundings_are_off_
         assert (asked["pays"], asked["rule"]) == (allowed, allowed)
         expected = [polynomials + 1.1 * allowed + 2e-8, polynomials + 1.1 * allowed + 5e-8]
     else:
-        assert asked["sums"] == pytest.approx(0.5 * 0.25 * error, rel=1e-12)
+        assert asked["sums"] == pytest.approx(0.5 * 0.25 * error, rel=1e-12, abs=0.0)
+        assert asked["regions"] == (1 if way == "mask" else 6)
         assert way == "mask" or asked["rows"] == allowed
         expected = [(rounded if way == "mask" else polynomials) + 3e-7] * 2
     assert [float(np.max(bound)) for bound in bounds] == pytest.approx(expected, rel=1e-9, abs=0.0)

@@ -55,6 +55,28 @@ def test_parts_are_asked_for_more_until_every_sum_is_exact_enough():
     assert asked[0] == 1e-6 > asked[-1]
 
 
+@pytest.mark.parametrize("worst", [[3e-6, 0.9e-6], [1e-3, 3e-6, 1e-6], [1e-6], [1.9e-6] * 21])
+def test_parts_are_tightened_until_their_sum_is_within_the_tolerance(worst, monkeypatch):
+    """By the excess and by two, a thousandth at a time at most, down to the least that there is."""
+    asked, expected = [], [1e-6]
+
+    def sums(parts, weights, compute, part_tol, window):
+        asked.append(part_tol)
+        return [Intensities(np.ones((1, 1)), np.array([worst[len(asked) - 1]]), np.ones(1))]
+
+    monkeypatch.setattr(polychromatic, "_sums", sums)
+    for one in worst[:-1]:
+        expected.append(max(1e-12, expected[-1] * max(1e-3, 0.5 * 1e-6 / one)))
+    if worst[-1] > 1e-6:
+        with pytest.raises(ToleranceError, match="cannot be met"):
+            sum_wavelengths(PARTS, SHARES, None, KEPT, 1e-6)
+        expected = expected[: len(asked)]
+        assert asked[-1] == 1e-12 < asked[-2]
+    else:
+        sum_wavelengths(PARTS, SHARES, None, KEPT, 1e-6)
+    assert asked == pytest.approx(expected, rel=1e-12, abs=0.0)
+
+
 def test_sums_of_no_light_have_no_bound_that_holds():
     none = Intensities(np.zeros((2, 7)), np.zeros(2), np.zeros(2))
     (found,) = sum_wavelengths(PARTS, SHARES[:1], lambda *_: none, VAGUE, 1e-6)

@@ -49,7 +49,7 @@ def sum_wavelengths(
         if part_tol <= least_tol:
             raise not_met(method.tol, worst_error, "the largest value in the window" if window else "the peak")
         # The next tolerance is reduced by the excess of the error, and halved for safety.
-        part_tol = max(least_tol, part_tol * max(1e-3, min(0.5, 0.5 * tol / worst_error)))
+        part_tol = max(least_tol, part_tol * max(1e-3, 0.5 * tol / worst_error))
 
 
 def _sums(

@@ -220,13 +220,13 @@ def test_the_derivative_by_defocus_is_twice_that_by_the_power_and_so_is_its_boun
 def test_the_bounds_of_two_disks_add_up_the_inner_one_by_its_area():
     def disk(coefficients, v):
         scale = float(np.abs(coefficients).max())
-        return lm.methods.method.FieldValues(np.ones((1, v.size)) + 0j, np.array([0.125 * scale]))
+        return lm.methods.method.FieldValues(np.full((1, v.size), 0.5 + 0j), np.array([0.125 * scale]))
 
     pupil = lm.Pupil(lm.Wavefront(0.0, 8.0), obscuration=0.5)
     found = annulus(disk, pupil, np.linspace(0, 1, 3))
     # 8 t^2 at half the radius is 0.5 t^2; a quarter of the area.
     assert found.error[0] == pytest.approx(0.125 * 8.0 + 0.25 * 0.125 * 0.5, rel=1e-12, abs=0.0)
-    assert np.allclose(found.values, 0.75)
+    assert np.allclose(found.values, 0.375)
 
 
 @few

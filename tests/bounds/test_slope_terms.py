@@ -110,7 +110,8 @@ class Engine(ChordalGauss):
 def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate, tol):
     grid = Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
     step, engine = 0.5 * math.pi, Engine(tol)
-    tilts = [(np.full((2, 3, 5), 0.25), np.array([1e-6, 2e-6])), (np.full((2, 3, 5), -0.5), np.array([3e-6, 1e-6]))]
+    off = np.array([[1e-15, 2e-15], [3e-15, 1e-15]])
+    tilts = [(np.full((2, 3, 5), 0.25), off[0]), (np.full((2, 3, 5), -0.5), off[1])]
     _, found = derivatives.scaling_derivative(engine, PUPIL, grid, tilts)
     far = step * np.array([4.5, 1.5])
     expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)

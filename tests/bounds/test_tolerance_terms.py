@@ -429,6 +429,20 @@ def test_either_of_what_phase_and_light_leave_out_counts_and_is_refused_where_it
         assert with_model_error(images, pupil, asked, normalized=False).error[1] == pytest.approx(worst, rel=1e-9)
 
 
+@pytest.mark.parametrize(("names", "normalize"), [
+    ((), "energy"), ((), "peak"), (((3, 1), (2, 2)), "strehl"), (("defocus",), "energy"),
+    (("defocus", "column", (3, 1)), "energy"),
+])  # fmt: skip
+@pytest.mark.parametrize("error", [1e-6, 1e-4])
+def test_a_phase_in_error_widens_the_bound_by_what_it_changes_the_peak_at_most(names, normalize, error):
+    """Twice where values are divided by their largest one, and no more where there are derivatives."""
+    asked = {"tol": 1e-2, "dtype": np.float64, "normalize": normalize, "derivatives": names}
+    exact, wrong = (lm.psf(lm.Pupil(lm.Wavefront(1.0, error=e)), 5, 0.5, **asked) for e in (0.0, error))
+    off = roots(float(exact.values.max() / exact.scale), error)
+    off = 2.0 * off / (1.0 - off) if normalize == "peak" else off
+    assert wrong.error_bound - exact.error_bound == pytest.approx(off, rel=1e-3, abs=0.0)
+
+
 def aperture(count=1):
     wavefront = lm.Wavefront(np.linspace(0.5, 1.0, count), nonradial={(3, 1): 0.7})
     return lm.Pupil(wavefront, spider=lm.Spider.equal(3, width=0.1), apodization=0.4)

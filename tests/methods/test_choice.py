@@ -223,17 +223,6 @@ def test_averages_and_their_derivatives_are_each_by_filters_where_these_pay(
     assert asked == (sampled if integrate else [False])
 
 
-@pytest.mark.parametrize("error", [1e-6, 1e-3])
-def test_a_phase_in_error_counts_twice_where_images_are_divided_by_their_largest_value(error):
-    exact, wrong = (
-        lm.psf(lm.Pupil(lm.Wavefront(1.0, error=e)), 5, 0.5, tol=1e-2, dtype=np.float64, normalize="peak")
-        for e in (0.0, error)
-    )
-    root = 1.0 / math.sqrt(exact.scale)
-    off = (2.0 * root * error + error**2) / (root - error) ** 2
-    assert wrong.error_bound - exact.error_bound == pytest.approx(2.0 * off / (1.0 - off), rel=1e-3)
-
-
 def test_a_tolerance_below_that_of_the_only_method_is_refused():
     with pytest.raises(ValueError, match=r"tol must be >= 1e-12 and < 0\.1, got 1e-13"):
         lm.psf(lm.Pupil(spider=lm.Spider.equal(3, width=0.05)), 9, 0.5, tol=1e-13)

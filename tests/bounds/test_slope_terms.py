@@ -92,6 +92,18 @@ def test_what_is_brightest_is_less_by_its_error():
     assert derivatives._least_peak(alone)[1] == pytest.approx(made.values[1].max() / 1.2, rel=1e-14, abs=0.0)
 
 
+@pytest.fixture
+def aims(monkeypatch):
+    """Return the errors that filters of derivatives are asked for."""
+    asked = []
+    for name in ("averaging_filter", "slope_filter"):
+        made = getattr(derivatives, name)
+        monkeypatch.setattr(
+            derivatives, name, lambda *of, made=made, **more: asked.append(of[1]) or made(*of, **more)
+        )
+    return asked
+
+
 class Engine(ChordalGauss):
     """Answers with ones, and with the errors that it is told to."""
 
@@ -107,7 +119,7 @@ class Engine(ChordalGauss):
 
 @pytest.mark.parametrize("tol", [1e-6, 1e-11])
 @pytest.mark.parametrize("integrate", [False, True])
-def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate, tol):
+def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate, tol, aims):
     grid = Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
     step, engine = 0.5 * math.pi, Engine(tol)
     off = np.array([[1e-15, 2e-15], [3e-15, 1e-15]])
@@ -117,6 +129,7 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate, tol):
     expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)
     if integrate:
         aim = max(1e-3 * tol * least_average(step), 1e-13)
+        assert aims == pytest.approx([aim, aim], rel=1e-9, abs=0.0)
         plain, growing = averaging_filter(step, aim), averaging_filter(step, aim, by_pitch=True)
         bright = PUPIL.amplitude**2
         expected += 2.0 * (2.0 * plain.error + (1.0 + plain.error) * growing.error) * bright
@@ -129,12 +142,10 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate, tol):
 
 @pytest.mark.parametrize("tol", [1e-6, 1e-11])
 @pytest.mark.parametrize("integrate", [False, True])
-def test_shifts_are_those_of_samples_and_off_by_what_filters_and_finer_samples_are(integrate, tol):
-    grid, off = Grid((3, 5), 0.5, integrate=integrate), np.array([1e-15, 2e-15])
-    step, fine = 0.5 * math.pi, []
+def test_shifts_are_those_of_samples_and_off_by_what_filters_and_finer_samples_are(integrate, tol, aims):
+    grid, off, step = Grid((3, 5), 0.5, integrate=integrate), np.array([1e-15, 2e-15]), 0.5 * math.pi
 
     def ramps(method, pupil, samples, wanted):
-        fine.append(samples)
         y, x = (step / 0.5 * samples.pixel * side for side in (samples.y / samples.pixel, samples.x / samples.pixel))
         values = 9.0 + 0.2 * x + 0.1 * y[:, None] + np.zeros((2, 1, 1))
         return Samples(values, np.ones(2), off, None, np.array([1.5, 2.0]))
@@ -143,6 +154,7 @@ def test_shifts_are_those_of_samples_and_off_by_what_filters_and_finer_samples_a
     assert across == pytest.approx(-0.2, abs=1e-3)
     assert down == pytest.approx(-0.1, abs=1e-3)
     aim = max(1e-3 * tol * (least_average(step) if integrate else 1.0), 1e-13)
+    assert aims == pytest.approx([aim] * (1 + integrate), rel=1e-9, abs=0.0)
     slope, plain = slope_filter(step, aim, averages=integrate), averaging_filter(step, aim)
     error, gain, size = (plain.error, plain.gain, plain.weights.size) if integrate else (0.0, 1.0, 1)
     expected = (slope.error * (1.0 + error) + 2.0 * error) * PUPIL.amplitude**2
@@ -238,14 +250,16 @@ def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are
 
 
 @pytest.mark.parametrize(("integrate", "error"), [(False, 1e-4), (True, 1e-4), (False, 1e-15), (True, 1e-12)])
-def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
+def test_the_rim_is_off_by_what_both_fields_are(integrate, error, aims):
     grid = Grid((3, 4), 0.5, center=(1.0, 2.0), integrate=integrate)
     _, found = derivatives.obscuration_derivative(PUPIL, grid, error)
     a, eps = PUPIL.amplitude, 0.4
     light = 2.0 * eps * float(PUPIL.illumination.at(np.array(eps**2)))
     step, fine = 0.5 * math.pi, grid
     if integrate:
-        taps = averaging_filter(step, max(0.1 * error * least_average(step), 1e-13))
+        aim = max(0.1 * error * least_average(step), 1e-13)
+        taps = averaging_filter(step, aim)
+        assert aims == pytest.approx([aim], rel=1e-9, abs=0.0)
         fine = derivatives.sample_grid(grid, taps)
         error = 0.3 * error
     aim = max(0.1 * error / (a + light), 1e-15)

@@ -173,6 +173,8 @@ def test_samples_and_filters_are_each_asked_for_as_much_more_as_they_exceed_thei
     taps, then = (choose(step, one, 1.05, (3, 3), gradients=False, in_mean=True)[0] for one in filters[:2])
     first = 0.5 * own * min(4.0 * lowest, 1.0)
     assert asked[0][0] == pytest.approx(first / taps.gain**2, rel=1e-9, abs=0.0)
+    ease = 2.0 ** math.floor(math.log2(64.0 * pupil.amplitude**2))
+    assert filters[0] == pytest.approx(2e-3 * own * lowest * ease, rel=1e-9, abs=0.0)
     light = top * (1.0 - times * asked[0][0])
     peak = value if scale is None else max(value, lowest * light)
     excess = times * first * top / peak / (0.5 * own)
@@ -218,8 +220,9 @@ def test_dark_is_what_is_dark_for_the_faintest_pupil_and_single_precision_serves
 
 
 @pytest.mark.parametrize("tol", [1e-12, 1e-6])
-def test_gradients_ask_samples_for_what_averages_do_first(tol):
-    pupil, grid, asked = lm.Pupil(obscuration=0.3), Grid(3, 0.4), []
+def test_gradients_ask_filters_and_samples_for_what_averages_do_first(tol, swap):
+    pupil, grid, asked, made = lm.Pupil(obscuration=0.3), Grid(3, 0.4), [], averaging_filter
+    swap(averaging, averaging_filter=lambda step, error, spacing: asked.append(error) or made(step, error, spacing))
 
     def gradient(one, fine, least, weights):
         asked.append(least)
@@ -227,8 +230,8 @@ def test_gradients_ask_samples_for_what_averages_do_first(tol):
 
     averaging.averaged_gradient(gradient, pupil, grid, tol, np.ones((1, 3, 3)))
     own, lowest = tol - (1.0 + tol) * STORED[np.float64], least_average(grid.step(pupil))
-    taps = averaging_filter(grid.step(pupil), 2e-3 * own * lowest)
-    assert asked == [pytest.approx(0.5 * own * min(4.0 * lowest, 1.0) / taps.gain**2, rel=1e-9, abs=0.0)]
+    first = [2e-3 * own * lowest, 0.5 * own * min(4.0 * lowest, 1.0) / made(grid.step(pupil), asked[0]).gain ** 2]
+    assert asked == pytest.approx(first, rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize("pixel", [0.2, 3.0, 40.0])

@@ -62,7 +62,7 @@ def test_parts_are_tightened_until_their_sum_is_within_the_tolerance(worst, monk
 
     def sums(parts, weights, compute, part_tol, window):
         asked.append(part_tol)
-        return [Intensities(np.ones((1, 1)), np.array([worst[len(asked) - 1]]), np.ones(1))]
+        return [Intensities(np.ones((2, 1)), worst[len(asked) - 1] * np.array([0.1, 1.0]), np.ones(2))]
 
     monkeypatch.setattr(polychromatic, "_sums", sums)
     for one in worst[:-1]:

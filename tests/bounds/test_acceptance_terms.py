@@ -69,31 +69,29 @@ def test_far_pixels_take_the_share_of_the_tolerance_that_the_peak_allows(own_pea
     allowed = (0.4 if own_peak else 1.0) * (tol - (1.0 + tol) * STORED[np.float64])
     peak, near_error, wanted = 0.25, 1e-4, Wanted(None if own_peak else 1.0, np.float64)
     sizes = iter([0.6 * tol * peak / (0.4 if own_peak else 0.5), 0.3 * allowed * peak])
-    used = []
+    used, worse = [], np.array([0.01, 1.0])
 
     def far(pupil, whole, limit, share, threads):
         asked.append(share)
         used.append(next(sizes))
-        values = np.full((1, 9, 10), 0.2 if own_peak else 0.01)
-        return SimpleNamespace(
-            axes=np.array([[4.0, 5.0]]), nearest=np.array([2.0]), values=values, error=np.array(used[-1:])
-        )
+        values, axes = np.full((2, 9, 10), 0.2 if own_peak else 0.01), np.array([[4.0, 5.0]] * 2)
+        return SimpleNamespace(axes=axes, nearest=np.full(2, 2.0), values=values, error=used[-1] * worse)
 
     def near(sample, pupil, box, tol, wanted):
         assert (box.shape, *map(float, box.center)) == ((5, 5), 2.0, 2.0)
-        return Averages(np.full((1, 1, 5, 5), 0.15), np.full((1, 1), near_error), np.array([peak]))
+        return Averages(np.full((1, 2, 5, 5), 0.15), np.full((1, 2), near_error), np.full(2, peak))
 
     monkeypatch.setattr(averaging, "largest_far_start", lambda *_: 5.0)
     monkeypatch.setattr(averaging, "pixel_averages", near)
-    found = averaging._near_and_far(None, far, lm.Pupil(), grid, tol, wanted)
+    found = averaging._near_and_far(None, far, lm.Pupil(lm.Wavefront([0.0, 1.0])), grid, tol, wanted)
     off = np.array(used) / peak
     whole = 2.0 * off / (1.0 - off) if own_peak else off
     whole = whole + (1.0 + whole) * STORED[np.float64]
     assert whole[0] > tol >= whole[1]
     assert asked == pytest.approx([0.7 * allowed, 0.7 * allowed * 0.8 * allowed / off[0]], rel=1e-9)
-    assert found.error[0, 0] == pytest.approx(max(near_error, whole[1]), rel=1e-9)
-    assert found.peak == pytest.approx([peak])
-    assert np.count_nonzero(found.values == 0.15) == 25
+    assert found.error[0] == pytest.approx([near_error, max(near_error, whole[1])], rel=1e-9)
+    assert found.peak == pytest.approx([peak, peak])
+    assert np.count_nonzero(found.values == 0.15) == 50
 
 
 def test_derivatives_by_chords_are_those_of_the_rule_times_their_factors():

@@ -143,11 +143,11 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate, tol, aims)
 @pytest.mark.parametrize("tol", [1e-6, 1e-11])
 @pytest.mark.parametrize("integrate", [False, True])
 def test_shifts_are_those_of_samples_and_off_by_what_filters_and_finer_samples_are(integrate, tol, aims):
-    grid, off, step = Grid((3, 5), 0.5, integrate=integrate), np.array([1e-15, 2e-15]), 0.5 * math.pi
+    """Over three samples a pixel; over an even number one difference of samples would be exact."""
+    grid, off, step = Grid((3, 5), 0.7, integrate=integrate), np.array([1e-15, 2e-15]), 0.7 * math.pi
 
-    def ramps(method, pupil, samples, wanted):
-        y, x = (step / 0.5 * samples.pixel * side for side in (samples.y / samples.pixel, samples.x / samples.pixel))
-        values = 9.0 + 0.2 * x + 0.1 * y[:, None] + np.zeros((2, 1, 1))
+    def ramps(method, pupil, fine, wanted):
+        values = 9.0 + step / 0.7 * (0.2 * fine.x + 0.1 * fine.y[:, None]) + np.zeros((2, 1, 1))
         return Samples(values, np.ones(2), off, None, np.array([1.5, 2.0]))
 
     (across, of_across), (down, of_down) = derivatives.tilted(Engine(tol), PUPIL, grid, compute=ramps)
@@ -227,7 +227,7 @@ def test_terms_alone_are_differentiated_at_once_by_chords_unless_all_are_radial(
 
 
 def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are():
-    grid, tol, off = Grid((3, 5), 0.5, integrate=True), 1e-6, np.array([3e-10, 4e-10])
+    grid, tol, off = Grid((3, 5), 0.7, integrate=True), 1e-6, np.array([3e-10, 4e-10])
 
     def sample(pupil, fine, tol, wanted):
         return Samples(np.ones((2, *fine.shape)), np.ones(2), off / [1.5, 2.0], None, np.array([1.5, 2.0]))

@@ -237,6 +237,13 @@ def test_gradients_ask_filters_and_samples_for_what_averages_do_first(tol, swap)
     assert asked == pytest.approx(first, rel=1e-9, abs=0.0)
 
 
+def test_what_storing_adds_to_derivatives_is_of_what_they_may_be():
+    made = averaging.Averages(np.array([[[[2.0]]], [[[-0.6]]]]), np.array([[0.1], [0.5]]), np.array([2.0]))
+    found = averaging.to_images(made, Wanted(3.0, np.float32)).slopes
+    assert found.values == pytest.approx(-1.8, rel=1e-6)
+    assert found.error - 0.5 == pytest.approx((0.3 + 0.5) * STORED[np.float32], rel=1e-6)
+
+
 @pytest.mark.parametrize("pixel", [0.2, 3.0, 40.0])
 @pytest.mark.parametrize("tol", [1e-4, 1e-7])
 def test_far_pixels_begin_where_rings_are_what_they_may_be_off_by(pixel, tol, swap):

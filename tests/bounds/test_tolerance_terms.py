@@ -386,7 +386,17 @@ def test_what_adds_more_than_a_fifth_of_the_tolerance_is_reduced(own, profile, o
     top = np.maximum(0.5 - off, plane)
     assert (found.error, found.peak) == (pytest.approx(off / top, rel=1e-9), pytest.approx(top))
     assert (len(looked), len(asked)) == (len(parts) - 1, len(parts))
+    # A fifth of the tolerance, of half the range of the intensity.
+    assert asked[0][0] == math.ceil(-math.log10(0.2 * tol / 0.5))
     assert asked[-1] == (min(15, asked[0][0] + levels), pytest.approx(1e-6 * 0.125**eighth, abs=0.0))
+
+
+def test_profiles_without_a_bound_are_interpolated_to_ten_digits(swap):
+    asked, values = [], np.full((1, 2, 2), 0.5)
+    swap(base, _pixel_sums=lambda *of: asked.append(of[3]) or (values, None, np.full(1, 1e-9)))
+    swap(NijboerZernike, profile=lambda *_: Intensities(np.ones((1, 1)), None, None))
+    assert NijboerZernike(1e-3).on_pixels(lm.Pupil(), Grid(2, 0.5), 1).error is None
+    assert asked == [10]
 
 
 def test_a_profile_is_asked_for_more_to_a_hundred_thousandth_of_the_tolerance(swap):
@@ -481,7 +491,8 @@ def test_samples_of_any_aperture_are_asked_for_until_a_peak_that_is_known_allows
         return values, None, np.full(2, error * (times if len(asked) == 1 else 0.1)), None
 
     swap(nonuniform_fft, _sums=sums, _peak_bound=lambda *of: looked.append(of[1]) or np.array([outer, outer]))
-    found = nonuniform_fft._sample_images(pupil, grid, tol, wanted, everywhere=everywhere)
+    where = {"everywhere": True} if everywhere else {}
+    found = nonuniform_fft._sample_images(pupil, grid, tol, wanted, **where)
     budget = (tol - (1.0 + tol) * STORED[kind]) * (1.0 if scale else 0.49)
     first = 0.45 * budget * likely / pupil.amplitude
     peak = np.maximum(np.array([1.0, 4.0]) * share * likely**2, outer if looked_for else 0.0)

@@ -106,7 +106,26 @@ def test_blur_is_in_the_curve_without_aberration_too():
     assert np.all(found["along x"][1] <= exact + 2e-6)
 
 
+@pytest.mark.parametrize(("pixel", "drawn"), [(1.001 * 1.1e-6, True), (0.999 * 1.1e-6, False)])
+def test_the_pixels_are_in_both_curves_and_their_nyquist_frequency_up_to_the_cutoff(pixel, drawn, monkeypatch):
+    monkeypatch.setattr(curves, "_POINTS", 3)
+    pupil = lm.Pupil(COMA, **CAMERA)
+    axes = lm.show.mtf(pupil, pixel=pixel)
+    found, f = lines(axes), pupil.cutoff * np.array([0.0, 0.5, 1.0])
+    for name, place in (("along x", (f, 0.0)), ("along y", (0.0, f))):
+        np.testing.assert_allclose(found[name][1], lm.mtf(pupil, *place) * np.sinc(f * pixel), atol=2e-6)
+    assert ("Nyquist of pixels" in found) == drawn
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("spatial frequency (cycles/mm)", "MTF")
+    assert axes.get_xlim() == (0.0, pytest.approx(1e-3 * f[2]))
+
+
 # Light within circles.
+
+
+@pytest.mark.parametrize("center", [(1, 10), (3, 10)])
+def test_light_is_drawn_up_to_the_circle_that_the_window_holds(center):
+    psf = lm.psf(lm.Pupil(**CAMERA), (5, 21), (2e-6, 1e-6), center=center)
+    assert curves._window_radius(psf) == pytest.approx(2e-6 + 0.5e-6, rel=1e-12)
 
 
 def test_the_light_within_circles_is_that_of_airy():
@@ -117,6 +136,7 @@ def test_the_light_within_circles_is_that_of_airy():
     np.testing.assert_allclose(values, 1.0 - j0(v) ** 2 - j1(v) ** 2, atol=2e-6)
     np.testing.assert_allclose(found["without aberration"][1], values, atol=1e-12)
     assert radius[-1] == pytest.approx(16.5 * 0.25)  # to the edges of the outer pixels
+    assert axes.get_xlim() == (0.0, radius[-1])
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("radius (λN)", "fraction of all light")
     assert axes.get_title() == "encircled energy, 50 % within 0.535 λN, 80 % within 0.897 λN"
 

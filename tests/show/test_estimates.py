@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 
+import matplotlib.figure
 import numpy as np
 import pytest
 
@@ -59,3 +60,79 @@ def test_depth_maps_fill_their_figure_and_their_labels_are_apart(shape):
     assert not any(a.overlaps(b) for k, a in enumerate(boxes) for b in boxes[k + 1 :])
     area = sum(box.width * box.height for box in boxes)
     assert area > 0.6 * figure.bbox.width * figure.bbox.height
+
+
+IMAGE = np.arange(25.0).reshape(5, 5)
+
+
+def test_error_bars_are_as_long_as_the_errors_and_stand_beside_as_numbers():
+    terms = ["a", "b", "c"], [1.0, -2.0, 3.0], [0.25, math.inf, 0.04], "um"
+    figure = estimates.fit(IMAGE[None], IMAGE[None], 0.0 * IMAGE[None], terms, "fit", ["star"])
+    (graph,) = [axes for axes in figure.axes if axes.containers]
+    bars = next(each for each in graph.containers if hasattr(each, "has_xerr")).lines[2][0]
+    ends = [[[0.75, 0], [1.25, 0]], [[-2.0, 1], [-2.0, 1]], [[2.96, 2], [3.04, 2]]]
+    np.testing.assert_allclose(bars.get_segments(), ends, rtol=1e-12)
+    assert [text.get_text() for text in graph.texts] == ["1.00 ± 0.25", "−2 ± ∞", "3.000 ± 0.040"]
+    assert all(1.0 < text.get_position()[0] < 1.1 for text in graph.texts)
+    assert graph.get_title() == "fit\nfitted coefficients ± standard errors"
+    assert "residual / noise" in {axes.get_ylabel() for axes in figure.axes}
+
+
+def test_errors_of_depth_are_drawn_in_millimetres_and_said_to_be_such():
+    distance, curve = np.array([1.0, 2.0, 3.0]), np.array([1e-3, math.inf, 4e-3])
+    axes = estimates.precision(distance, {"": curve}, "")
+    np.testing.assert_allclose(axes.lines[0].get_ydata(), [1.0, math.nan, 4.0])
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("distance (m)", "standard error of depth (mm)")
+    assert axes.get_ylim() == pytest.approx((0.7, 6.0))
+    errors = np.where(IMAGE == 7.0, math.inf, 1e-3 * (IMAGE + 1.0))
+    _, shown, *_ = (axes := estimates.maps(IMAGE, errors, None).axes)
+    np.testing.assert_allclose(shown.images[0].get_array(), np.where(IMAGE == 7.0, math.nan, IMAGE + 1.0))
+    assert [each.get_title() for each in axes[:2]] == ["depth, known at 96 %", "standard error"]
+
+
+def test_residuals_of_stacks_are_drawn_in_units_of_the_noise():
+    pair = IMAGE, IMAGE[:3]
+    figure = estimates.projections([("", [pair, pair, (IMAGE - 9.0, IMAGE[:3])])], (1e-6, 1e-6), "")
+    assert figure.axes[-1].get_ylabel() == "residual / noise"
+    residual = figure.axes[2].images[0]
+    np.testing.assert_array_equal(residual.get_array(), IMAGE - 9.0)
+    assert residual.get_clim() == (-5.0, 5.0)
+
+
+@pytest.mark.parametrize("rejected", [False, True])
+def test_terms_over_the_sensor_are_drawn_with_the_median_of_their_errors(rejected, monkeypatch):
+    monkeypatch.setattr(estimates, "_stars", lambda *_: None)
+    names = ["a term of twenty-two l", "a term of twenty three l"]
+    maps = [(names[0], IMAGE - 20.0, np.linspace(0.1, 0.5, 9)), (names[1], 0.0 * IMAGE, np.array([1.0, 2.0, 70.0]))]
+    x = np.linspace(-1e-3, 1e-3, 5)
+    used = np.array([True, True, not rejected, True, True])
+    figure = estimates.field(maps, (x, x, "m"), (x, x, np.ones(5), used), (IMAGE, IMAGE), "nm", "")
+    first, second, stars = figure.axes[:3]
+    assert [first.get_title(), second.get_title()] == [
+        f"{names[0]}\n± 0.3",
+        "a term of twenty three\nl\n± 2",
+    ]
+    assert first.images[0].get_clim() == (-20.0, 20.0)
+    low, high = second.images[0].get_clim()
+    assert -1e-9 < low < 0.0 < high < 1e-9
+    assert stars.get_title() == "stars, chi2" + "\ncrosses: rejected" * rejected
+    assert figure.subfigs[0].get_suptitle() == "Zernike terms over the sensor (nm rms), ± median standard error"
+
+
+def test_residuals_of_stars_are_drawn_in_units_of_their_photon_noise():
+    model = np.tile(4.0 * IMAGE, (1, 1, 1, 1))
+    place = np.zeros(1)
+    estimates._stars(figure := matplotlib.figure.Figure(), (model + 6.0, model), (place, place, place == 0.0))
+    assert figure.axes[-1].get_ylabel() == "residual / photon noise"
+    shown = figure.axes[10].images[0].get_array()
+    np.testing.assert_allclose(shown, 6.0 / np.sqrt(np.maximum(4.0 * IMAGE, 1.0)), rtol=1e-12)
+
+
+def test_a_molecule_is_as_wide_as_the_root_mean_square_of_its_errors():
+    kinds = [(name, float) for name in ("x", "y", "x_error", "y_error")]
+    rows = np.array([(30.5, 30.5, 3.0, 4.0)], kinds)
+    for name in rows.dtype.names:
+        rows[name] *= 0.5
+    profile = estimates.rendered(rows, (30.5, 30.5), 0.5, np.ones((1, 3)))[30, 30:, 0] ** 2
+    # sqrt((9 + 16) / 2) = 3.54 pixels, of the widths 2.83 and 4 nearer to 4
+    assert profile[9] / profile[6] == pytest.approx(math.exp(-(81 - 36) / 32), rel=1e-3)

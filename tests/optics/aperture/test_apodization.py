@@ -83,3 +83,25 @@ def test_a_number_stays_a_number_and_means_a_gaussian(tmp_path):
         answer = lm.psf(lm.Pupil(apodization=apodization), 5, 0.5)
         answer.save(tmp_path / "a.npz")
         assert lm.PSF.load(tmp_path / "a.npz").pupil == answer.pupil
+
+
+@pytest.mark.parametrize(("sine", "power"), [(0.95, 0.5), (0.95, -1.0), (0.3, 2.0), (0.02, 0.5)])
+def test_the_error_of_a_cosine_is_that_of_its_tail_and_of_roundings(sine, power):
+    found = lm.Apodization.cosine(sine, power)
+    n = len(found.powers)
+    cosine = math.sqrt(1.0 - sine**2)
+    q = (1.0 - cosine) / (1.0 + cosine)
+    tail = abs(power) * q ** (n + 1) / ((n + 1) * (1.0 - q))
+    constant = sum((-1) ** k * power * q**k / k for k in range(1, n + 1))
+    sizes = abs(constant) + sum(map(abs, found.powers))
+    assert found.error == pytest.approx(math.expm1(tail + 2.0**-47 * sizes), rel=1e-6)
+
+
+def test_errors_are_kept_and_are_not_negative():
+    assert lm.Apodization((1.0,)).error == 0.0
+    assert lm.Apodization((1.0, 2.0), error=0.25).scaled(0.5) == lm.Apodization((0.25, 0.125), error=0.25)
+    assert lm.Apodization.zernike({2: 0.5}).powers == pytest.approx((-math.sqrt(3.0),), rel=1e-12)
+    with pytest.raises(ValueError, match="error must be"):
+        lm.Apodization((1.0,), error=-1e-300)
+    with pytest.raises(TypeError):
+        lm.Apodization((1.0,), 0.25)

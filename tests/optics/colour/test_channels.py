@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.optics.colour import spectrum
 from lommel.optics.colour.spectrum import Spectrum, fit_wavelengths
 from lommel.optics.wavefront.wavefront import same_path
 
@@ -61,6 +62,48 @@ def test_few_wavelengths_are_off_by_no_more_than_they_say(paths, tol):
         found = max(found, np.abs((sums - exact) / (light @ dense**-2.0)).max())
     assert found <= error + 1e-7
     assert found > 0.01 * error  # no more wavelengths than it takes
+
+
+@pytest.mark.parametrize(("paths", "tol"), [(8e-6, 1e-2), (1e-6, 0.4)])
+def test_the_bound_is_that_at_samples_of_the_path_and_of_a_tenth_between_them(paths, tol, monkeypatch):
+    sampled = []
+
+    def waves(nodes, path, middle):
+        sampled.append(path)
+        return np.exp(2j * math.pi * np.outer(path, 1.0 / nodes - middle))
+
+    monkeypatch.setattr(spectrum, "_waves", waves)
+    nodes, weights, error = fit_wavelengths(WAVES, CURVES, paths, tol)
+    path = max(sampled, key=len)
+    assert (path[0], path[-1]) == (0.0, paths)
+    # By the rule of Simpson, with 40 steps in each of the 30 intervals of the table.
+    dense, rule = np.linspace(WAVES[0], WAVES[-1], 30 * 40 + 1), np.tile([2.0, 4.0], 601)[:-1]
+    light = np.stack([np.interp(dense, WAVES, curve) for curve in CURVES]) * rule
+    light[:, [0, -1]] *= 0.5
+    light /= light.sum(axis=1, keepdims=True)
+    exact = (light / dense**2) @ np.exp(2j * math.pi * np.outer(1.0 / dense, path))
+    sums = (weights / nodes**2) @ np.exp(2j * math.pi * np.outer(1.0 / nodes, path))
+    largest = np.abs((sums - exact) / (light @ dense**-2.0)[:, None]).max()
+    # Half of the phases between two samples: (2 + tol) / 8 of its square, and a little more.
+    phase = math.pi * (1.0 / WAVES[0] - 1.0 / WAVES[-1]) * paths / (len(path) - 1)
+    between = 0.25 * (1.0 + tol) * phase**2
+    assert error == pytest.approx(largest + between, abs=2e-3 * between)
+    assert between <= 0.1 * (1.0 + tol) * tol
+    assert error <= tol
+
+
+def test_limits_of_tolerances_and_the_scale_of_curves():
+    assert spectrum.checked_paths(1e-6, 1e-6) == (1e-6, 1e-6)
+    assert spectrum.checked_paths(1e-6, 0.4999) == (1e-6, 0.4999)
+    for tol in (0.999e-6, 0.5):
+        with pytest.raises(ValueError, match="tol must be"):
+            spectrum.checked_paths(1e-6, tol)
+    curve = np.array([[0.0, 1.0, 2.0, 0.0]])
+    waves = np.array([400, 500, 600, 700]) * 1e-9
+    made = lm.Channels.from_curves(waves, curve)
+    assert made == lm.Channels.from_curves(waves, curve, tol=1e-3)
+    assert lm.Channels.from_curves(waves, 1e-200 * curve).error == pytest.approx(made.error, rel=1e-9)
+    assert lm.Channels([550e-9], [[1.0]]).error == 0.0
 
 
 def test_a_psf_by_few_wavelengths_is_that_of_the_whole_spectrum():

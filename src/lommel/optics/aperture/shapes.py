@@ -443,9 +443,9 @@ class Polygon(Shape):
         ValueError if `offset` is not from -2 to 2.
         """
         turn, limit = validation.angle("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
-        # A square of half-width 4 extends beyond the aperture for every offset: only one side of the square crosses
-        # the aperture.
-        corners = ((limit, -4.0), (limit, 4.0), (-4.0, 4.0), (-4.0, -4.0))
+        # A square that extends beyond the aperture for every offset: only one side of it crosses the aperture.
+        far = 4.0
+        corners = ((limit, -far), (limit, far), (-far, far), (-far, -far))
         return cls(tuple(_rotate_point(corner, turn) for corner in corners))
 
     @property

@@ -166,9 +166,7 @@ def _fit_terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dic
     return {t: float(c) for t, c in zip(terms, coefficients, strict=True) if t != (0, 0)}
 
 
-def _pupil_from_image(
-    traced: TracedField, wavelength: float, degree: int, tol: float, obscuration: float = 0.0
-) -> Pupil:
+def _pupil_from_image(traced: TracedField, wavelength: float, degree: int, tol: float, obscuration: float) -> Pupil:
     """Return the pupil seen from the image, an ellipse off the axis."""
     transform = _fit_transform(traced)
     # The semi-axes are n sin(angle) at the ends of the axes of the ellipse.

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel import channel_psf
 from lommel.io import registry
 from lommel.methods import NijboerZernike, Polychromatic
 
@@ -119,24 +120,45 @@ def test_each_wavelength_is_computed_once_for_all_channels(monkeypatch):
 
 
 def test_blocks_of_a_stack_are_those_of_the_whole(monkeypatch):
-    import lommel.channel_psf as module
-
     pupil = LENS.pupil(np.linspace(1.8, 2.2, 6).reshape(2, 3))
     whole = lm.colour_psf(pupil, 9, 3e-6, CHANNELS, center=(np.array([3.0, 4.0, 5.0]), 4.0))
-    counts, together = [], module.sum_spectra
+    counts, errors, together, bounded = [], [], channel_psf.sum_spectra, channel_psf.with_model_error
 
     def counted(sums, pupil, *rest, **more):
         counts.append(pupil.shape)
         return together(sums, pupil, *rest, **more)
 
-    monkeypatch.setattr(module, "sum_spectra", counted)
-    monkeypatch.setattr(module, "_BLOCK_VALUES", 200)
+    def known(*given, **more):
+        images = bounded(*given, **more)
+        errors.append(images.error.max())
+        return images
+
+    monkeypatch.setattr(channel_psf, "sum_spectra", counted)
+    monkeypatch.setattr(channel_psf, "with_model_error", known)
+    monkeypatch.setattr(channel_psf, "_BLOCK_VALUES", 200)
     parts = lm.colour_psf(pupil, 9, 3e-6, CHANNELS, center=(np.array([3.0, 4.0, 5.0]), 4.0))
     assert np.abs(whole.values - parts.values).max() <= 1e-6 * whole.values.max()
     assert counts == [(2,)] * 3  # of 81 values each
+    assert [psf.error_bound for _, psf in parts] == [max(errors[c::3]) for c in range(3)]
     assert parts["red"].scale == pytest.approx(whole["red"].scale, rel=1e-15)
     assert whole.part((1, slice(None))).values == pytest.approx(whole.values[1], abs=0.0)
     assert whole.part((1, 2))["blue"].values.shape == (9, 9)
+
+
+@pytest.mark.parametrize(("normalize", "times"), [("peak", 2.0), ("energy", 1.0)])
+def test_what_is_aimed_at_leaves_room_for_the_division_and_the_rounding_of_the_values(normalize, times, monkeypatch):
+    aims, together = [], channel_psf.sum_spectra
+
+    def noted(sums, pupil, grid, threads, aim, **more):
+        aims.append(aim)
+        return together(sums, pupil, grid, threads, aim, **more)
+
+    monkeypatch.setattr(channel_psf, "sum_spectra", noted)
+    alone = lm.Channels([550e-9], [[1.0]], ["green"])
+    answer = lm.colour_psf(LENS.pupil(1.98), 5, 3e-6, alone, normalize=normalize, tol=1e-6, dtype="float32")
+    assert 0.94e-6 - 1.2 * 2.0**-24 <= times * aims[0] <= 1e-6 - 2.0**-24
+    assert answer["green"].error_bound <= 1e-6
+    assert lm.colour_psf(LENS.pupil(1.98), 5, 3e-6, alone, method="matrix-fourier")["green"].error_bound is None
 
 
 def test_derivatives_are_those_of_each_channel():

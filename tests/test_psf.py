@@ -200,3 +200,12 @@ def test_an_image_survives_pickling_and_copying(method):
     for twin in (pickle.loads(pickle.dumps(image)), copy.deepcopy(image)):
         np.testing.assert_array_equal(twin.values, image.values)
         assert (twin.method, twin.pupil, twin.pixel) == (image.method, image.pupil, image.pixel)
+
+
+def test_a_stack_of_apertures_has_the_largest_of_their_bounds_or_none():
+    eyes = lm.field.maps.Vignetting([0.0, 1e-2], shift=[0.0, 0.8], radius=[0.9, 1.0])
+    field = lm.FieldMap.from_seidel(1e-2, W131=0.1, wavelength=550e-9, f_number=8.0).seen_through(eyes)
+    places = [0.0, 4e-3, 9e-3], [0.0, 0.0, 0.0]
+    bounds = [lm.psf(field.pupil(x, y), 3, 2e-6).error_bound for x, y in zip(*places, strict=True)]
+    assert field.psf(*places, 3, 2e-6).error_bound == max(bounds) > min(bounds)
+    assert field.psf(*places, 3, 2e-6, method=lm.methods.MatrixFourier(16)).error_bound is None

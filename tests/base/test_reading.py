@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import io
+import logging
 import os
 import struct
 import zlib
@@ -165,3 +166,21 @@ def test_arrays_of_hdf5_that_are_not_numbers_of_the_file_itself_are_refused(tmp_
         np.testing.assert_array_equal(reading.hdf5_values(good), np.arange(6.0))
         with pytest.raises(ValueError, match="must be an array of numbers in the file itself"):
             reading.hdf5_values(bad)
+
+
+def test_what_is_at_a_limit_is_read_and_what_is_beyond_it_is_told(tmp_path):
+    (tmp_path / "six").write_bytes(b"sixsix")
+    assert reading.contents(tmp_path / "six", 6) == b"sixsix"
+    with pytest.raises(OSError, match="has 6 bytes; the limit is 5"):
+        reading.contents(tmp_path / "six", 5)
+    np.save(tmp_path / "six.npy", np.zeros((2, 3)))
+    assert reading.npy((tmp_path / "six.npy").read_bytes(), 6)[0].shape == (2, 3)
+    with pytest.raises(ValueError, match="has 2 x 3 values; the limit is 5"):
+        reading.npy((tmp_path / "six.npy").read_bytes(), 5)
+    assert reading.reason(ValueError("a " * 120)) == ("a " * 120).strip()
+    assert reading.reason(ValueError("a" * 240)) == "a" * 240
+    assert reading.reason(ValueError("a" * 241)) == f"{'a' * 220}...{'a' * 17}"
+    assert reading.reason(ValueError(" ")) == "ValueError"
+    with reading.quietly() as errors:
+        logging.getLogger("tifffile").error("page 3")
+    assert errors == ["page 3"]

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel.base.units import format_length, parse_angle, parse_length, parse_radius, with_units
+from lommel.base.units import format_length, parse_angle, parse_length, parse_radius, with_error, with_units
 
 LENGTHS = {
     "m": 1.0, "km": 1e3, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e-9, "pm": 1e-12,
@@ -147,3 +147,20 @@ def test_a_radius_on_the_sensor_is_a_length_or_an_angle_on_the_sky():
     assert parse_radius("28 um", 57.6) == pytest.approx(28e-6)
     assert parse_radius("0.1 arcsec", 57.6) == pytest.approx(57.6 * 0.1 * math.pi / 648000)
     assert parse_radius("1 mrad", 2.0) == pytest.approx(2e-3)
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "texts"),
+    [
+        (1.23456, 0.0123, ("1.235", "0.012")),
+        (-1.23456, 0.99, ("-1.23", "0.99")),
+        (123.4, 23.4, ("123", "23")),
+        (1.23456, 3.4, ("1.2", "3.4")),
+        (1.2345678, 0.0, ("1.23457", "0")),
+        (1.2345678, math.inf, ("1.23457", "inf")),
+        (0.5, 4e-308, (f"0.5{'0' * 299}", f"0.{'0' * 300}")),
+    ],
+)
+def test_a_number_has_as_many_digits_as_its_error_allows(value, error, texts):
+    assert with_error(value, error) == texts
+    assert with_error(value, error, most=1)[0] == (f"{value:.1f}" if 0.0 < error < 10.0 else texts[0])

@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.report import Report
 from lommel.report.image_quality import IN_FOCUS
-from lommel.report.optics import describe_lens, summarize_lens
+from lommel.report.optics import describe_lens, how_made, summarize_lens
+from lommel.report.table import tables
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 
@@ -75,6 +77,29 @@ def test_the_first_dark_ring_is_of_the_obscured_aperture(phone, obscuration):
     assert light[-1] < 1e-9
     assert (np.diff(light) < 1e-9).all()  # none is nearer
     assert ring == pytest.approx(facts["airy_radius"] * {0.0: 1, 0.25: 0.93596, 0.95: 0.64364}[obscuration], rel=1e-5)
+
+
+def test_each_psf_of_a_stack_has_its_peak_and_the_sum_that_is_not_its_light():
+    made = how_made(lm.psf(lm.Pupil(lm.Wavefront([0.0, 2.0])), (3, 5), 3.0, integrate=False), 0.5)
+    values = lm.psf(lm.Pupil(lm.Wavefront([0.0, 2.0])), (3, 5), 3.0, integrate=False).values
+    assert made["peak"] == [values[0].max(), values[1].max()]
+    assert made["sum"] == pytest.approx([values[0].sum(), values[1].sum()])
+    assert how_made(lm.psf(lm.Pupil(), 3, 0.5), 0.5)["sum"] is None
+
+
+def test_values_are_told_with_their_errors_and_none_as_a_dash():
+    facts = {
+        "terms": {"a": 1.234, "b": 2.0}, "others": {"a": 1.0, "c": 2.0}, "images": ["x.tif", "y.tif"],
+        "blur": [1.234, None], "counts": [1, 2], "text": "blur",
+        "errors": {"a": 0.05, "b": 0.5, "blur": [0.012, 0.1]}, "units": {"a": "nm", "blur": "px"},
+    }  # fmt: skip
+    (values, _, columns) = tables(facts, {"a": "noll 4"})
+    shown = [[*map(str, column._cells)] for column in values.columns]
+    assert shown == [["noll 4", "b"], ["1.234", "2.00"], ["0.050", "0.50"], ["nm", ""]]
+    assert [str(column.header) for column in values.columns] == ["terms", "value", "std. error", "unit"]
+    assert [[*column._cells] for column in columns.columns] == [["x.tif", "y.tif"], ["1.234+-0.012", "-"]]
+    assert [Report({"reliable": given}, []).exit_code for given in (True, False, None)] == [0, 4, 0]
+    assert Report({"reliable": False}, [], succeeded=False).exit_code == 3
 
 
 def test_tilt_moves_the_image_and_is_told_apart(lenses, monkeypatch):

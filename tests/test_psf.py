@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from scipy.special import j1
 
 import lommel as lm
+from lommel.field.maps import Vignetting
 from lommel.methods import METHODS, ChordalGauss, Hankel, NijboerZernike, NonuniformFFT, RadialMethod
 from lommel.paper import Fraunhofer, Geometric, TunedClosedForm
 
@@ -203,7 +204,7 @@ def test_an_image_survives_pickling_and_copying(method):
 
 
 def test_a_stack_of_apertures_has_the_largest_of_their_bounds_or_none():
-    eyes = lm.field.maps.Vignetting([0.0, 1e-2], shift=[0.0, 0.8], radius=[0.9, 1.0])
+    eyes = Vignetting([0.0, 1e-2], shift=[0.0, 0.8], radius=[0.9, 1.0])
     field = lm.FieldMap.from_seidel(1e-2, W131=0.1, wavelength=550e-9, f_number=8.0).seen_through(eyes)
     places = [0.0, 4e-3, 9e-3], [0.0, 0.0, 0.0]
     bounds = [lm.psf(field.pupil(x, y), 3, 2e-6).error_bound for x, y in zip(*places, strict=True)]

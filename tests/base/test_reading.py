@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import errno
 import io
 import logging
 import os
 import struct
 import zlib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,7 +18,9 @@ import tifffile
 import lommel as lm
 from lommel import imaging
 from lommel.base import reading
+from lommel.io import text_files
 from lommel.io.photos import PhotoError
+from lommel.lensfiles import tables
 from lommel.lensfiles.lens_files import LensFileError
 
 LENS = '[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\nshape = 9\n'
@@ -184,3 +188,33 @@ def test_what_is_at_a_limit_is_read_and_what_is_beyond_it_is_told(tmp_path):
     with reading.quietly() as errors:
         logging.getLogger("tifffile").error("page 3")
     assert errors == ["page 3"]
+
+
+@pytest.mark.parametrize(
+    ("count", "ending"),
+    [
+        (1, "e0"),
+        (12, "; e11"),
+        (13, "; e11; and 1 more"),
+        (1000, "; and 988 more"),
+        (1001, "; and at least 989 more"),
+    ],
+)
+def test_of_the_errors_of_a_table_twelve_are_told_and_how_many_there_are(count, ending):
+    errors = [f"e{k}" for k in range(count)]
+    with pytest.raises(ValueError, match="e0") as caught:
+        text_files.refuse(errors)
+    assert str(caught.value).endswith(ending)
+    lines = text_files.joined_errors(Path("a"), errors).splitlines()
+    assert lines == (["a: e0"] if count == 1 else ["a: ", *(f"  {each}" for each in errors[:12]), *lines[13:]])
+    assert lines[13:] == [f"  and {count - 12} more"] * (count > 12)
+    with pytest.raises(ValueError, match="row 1 must have 3 cells") as caught:
+        tables.read_rows(["x", "y", "Z4"], [["0", "0"]] * (count if count < 1000 else 2 * count), "noll")
+    assert str(caught.value).endswith("at least 989 more") == (count >= 1000)
+
+
+def test_a_cell_in_quotes_is_one_and_a_line_may_be_as_long_as_a_cell():
+    long = "x" * csv.field_size_limit()
+    assert list(text_files.rows(f'"a, b", c\n# no\n{long}')) == [(1, ["a, b", "c"]), (3, [long])]
+    with pytest.raises(ValueError, match="in line 1"):
+        list(text_files.rows(f"{long}x"))

@@ -7,6 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.base.units import LENGTHS
+from lommel.lensfiles import tables
 
 WAVES = np.arange(400, 701, 20)
 
@@ -206,3 +207,46 @@ def test_what_is_wrong_with_a_table_of_numbers_is_said(tmp_path, content, option
     path.write_bytes(content)
     with pytest.raises(ValueError, match=message):
         lm.load_channels(path, **options)
+
+
+@pytest.mark.parametrize("limit", [0.999, 1.001])
+def test_lines_between_points_are_finer_until_twice_their_error_is_small(limit):
+    def parabolas(waves):
+        return np.stack([waves**2, 3.0 + 0.0 * waves])
+
+    points = np.array([0.0, 0.25, 1.0])
+    found = {}
+    for waves in (points, np.array([0.0, 0.125, 0.25, 0.625, 1.0])):
+        light, step = np.trapezoid(waves**2, waves), np.diff(waves)
+        # Half way a parabola is below its chord by a quarter of the square of the step.
+        found[waves.size] = 2.0 * np.sum(step**3 / 4.0) / light
+    waves, values, error = tables._refined(parabolas, points, limit * found[3])
+    assert waves.size == (5 if limit < 1.0 else 3)
+    assert error == pytest.approx(found[waves.size], rel=1e-12)
+    np.testing.assert_array_equal(values, parabolas(waves))
+    assert tables._refined(lambda waves: 0.0 * parabolas(waves), points, 0.1)[2] == 0.0
+
+
+def test_the_error_of_lines_is_part_of_the_tolerance(tmp_path, sensor, monkeypatch):
+    (tmp_path / "filter.csv").write_text("nm,t\n400,1\n700,1\n")
+    share, limits = [0.0], []
+
+    def lines(product_at, points, most):
+        limits.append(most)
+        return points, product_at(points), share[0]
+
+    monkeypatch.setattr(tables, "_refined", lines)
+    options = {"filters": tmp_path / "filter.csv", "tol": 1e-2, "paths": 1e-6}
+    plain = lm.load_channels(sensor, **options)
+    assert plain.error == lm.load_channels(sensor, tol=1e-2, paths=1e-6).error > 1e-4
+    share[0] = 4e-3
+    assert lm.load_channels(sensor, **options).error == pytest.approx(
+        lm.load_channels(sensor, tol=6e-3, paths=1e-6).error + 4e-3, rel=1e-9
+    )
+    assert limits == pytest.approx([1e-3, 1e-3])
+    share[0] = 1e-2
+    with pytest.raises(ValueError, match=r"tol=0\.01 is too small for products of these tables; give 0\.02"):
+        lm.load_channels(sensor, **options)
+    with pytest.raises(ValueError, match="tol must be"):
+        lm.load_channels(tmp_path / "none.csv", tol=0.9)
+    assert lm.load_channels(sensor, paths=1e-6) == lm.load_channels(sensor, tol=1e-3, paths=1e-6)

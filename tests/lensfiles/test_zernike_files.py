@@ -145,6 +145,14 @@ def test_a_fault_is_told_with_its_key_and_line(load, line, instead, told):
         ('"4": -12.5', '"4": -12.5, "4": 1', "4: is given twice"),
         ('"unit": "nm"', '"unit": "nm", "unit": "nm"', "unit: is given twice"),
         ('"4": -12.5', '"4": NaN', "terms.4: the coefficient must be finite, got nan"),
+        ('"unit": "nm"', '"unit": "kg"', "unit: must be one of radians, waves, metres"),
+        ('"terms": {', '"terms": {}, "not": {', "terms: is missing or empty; it holds the coefficients by index"),
+        ('"terms": {', '"terms": 5, "not": {', "terms: must map indices to coefficients, got 5"),
+        (
+            '"4": -12.5',
+            ", ".join(f'"{k}a": 0' for k in range(1, 4097)),
+            "terms: must be at most 4096 coefficients, got 4097",
+        ),
     ],
 )
 def test_a_fault_of_json_is_told_with_its_key(load, old, new, told):

@@ -5,41 +5,33 @@ from __future__ import annotations
 import math
 import re
 
-import matplotlib.figure
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from lommel.show import estimates
 
+IMAGE = np.arange(25.0).reshape(5, 5)
 
-def test_what_is_not_known_is_left_grey():
-    depth = np.linspace(1.0, 2.0, 48).reshape(6, 8)
-    depth[2, 3] = np.nan
-    errors = np.where(np.isnan(depth), np.inf, 1e-3 * depth)
-    figure = estimates.maps(depth, errors, np.ones((6, 8, 3)))
-    pictures = [axes.images[0].get_array() for axes in figure.axes if axes.images]
-    assert len(pictures) == 3
-    assert np.ma.getmaskarray(np.ma.masked_invalid(pictures[0]))[2, 3]
-    assert pictures[1][0, 0] == pytest.approx(1.0)  # mm
-    assert "known at 97.9 %" in figure.axes[0].get_title()
+
+def test_errors_of_depth_are_drawn_in_millimetres_and_what_is_not_known_is_left_grey():
+    errors = np.where(IMAGE == 7.0, math.inf, 1e-3 * (IMAGE + 1.0))
+    depth, error, picture, *_ = estimates.maps(IMAGE, errors, np.ones((5, 5, 3))).axes
+    np.testing.assert_allclose(error.images[0].get_array(), np.where(IMAGE == 7.0, math.nan, IMAGE + 1.0))
+    assert (depth.get_title(), error.get_title()) == ("depth, known at 96 %", "standard error")
+    assert len(picture.images) == 1
+    curve, distance = np.array([1e-3, math.inf, 4e-3]), np.array([1.0, 2.0, 3.0])
+    axes = estimates.precision(distance, {"near": curve, "far": 2.0 * curve}, "title")
+    np.testing.assert_allclose([line.get_ydata() for line in axes.lines], [[1, math.nan, 4], [2, math.nan, 8]])
+    assert (axes.get_ylabel(), axes.get_ylim()) == ("standard error of depth (mm)", pytest.approx((0.7, 12.0)))
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["near", "far"]
+
+
+def test_numbers_of_standard_errors_have_no_powers_of_ten_and_nothing_known_none():
     nothing = estimates.maps(np.full((4, 4), np.nan), np.full((4, 4), np.inf), None)
     assert "known at 0 %" in nothing.axes[0].get_title()
-    nothing.canvas.draw()
-
-
-def test_curves_of_precision_have_gaps_where_nothing_can_be_known():
-    distance = np.linspace(1.0, 2.0, 5)
-    curve = np.array([1e-3, 2e-3, np.inf, 2e-3, 1e-3])
-    axes = estimates.precision(distance, {"near": curve, "far": 2.0 * curve}, "title")
-    drawn = axes.lines[0].get_ydata()
-    assert np.isnan(drawn[2])
-    assert drawn[0] == pytest.approx(1.0)
-    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["near", "far"]
-    axes.figure.canvas.draw()
-    estimates.precision(distance, {"": np.full(5, np.inf)}, "nothing").figure.canvas.draw()
-
-
-def test_numbers_of_standard_errors_have_no_powers_of_ten():
+    for empty in (nothing, estimates.precision(IMAGE[0], {"": np.full(5, np.inf)}, "nothing").figure):
+        empty.canvas.draw()
     errors = np.geomspace(0.8e-3, 5e-3, 48).reshape(6, 8)
     figure = estimates.maps(1000.0 * errors, errors, None)
     figure.canvas.draw()
@@ -62,9 +54,6 @@ def test_depth_maps_fill_their_figure_and_their_labels_are_apart(shape):
     assert area > 0.6 * figure.bbox.width * figure.bbox.height
 
 
-IMAGE = np.arange(25.0).reshape(5, 5)
-
-
 def test_error_bars_are_as_long_as_the_errors_and_stand_beside_as_numbers():
     terms = ["a", "b", "c"], [1.0, -2.0, 3.0], [0.25, math.inf, 0.04], "um"
     figure = estimates.fit(IMAGE[None], IMAGE[None], 0.0 * IMAGE[None], terms, "fit", ["star"])
@@ -78,61 +67,36 @@ def test_error_bars_are_as_long_as_the_errors_and_stand_beside_as_numbers():
     assert "residual / noise" in {axes.get_ylabel() for axes in figure.axes}
 
 
-def test_errors_of_depth_are_drawn_in_millimetres_and_said_to_be_such():
-    distance, curve = np.array([1.0, 2.0, 3.0]), np.array([1e-3, math.inf, 4e-3])
-    axes = estimates.precision(distance, {"": curve}, "")
-    np.testing.assert_allclose(axes.lines[0].get_ydata(), [1.0, math.nan, 4.0])
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("distance (m)", "standard error of depth (mm)")
-    assert axes.get_ylim() == pytest.approx((0.7, 6.0))
-    errors = np.where(IMAGE == 7.0, math.inf, 1e-3 * (IMAGE + 1.0))
-    _, shown, *_ = (axes := estimates.maps(IMAGE, errors, None).axes)
-    np.testing.assert_allclose(shown.images[0].get_array(), np.where(IMAGE == 7.0, math.nan, IMAGE + 1.0))
-    assert [each.get_title() for each in axes[:2]] == ["depth, known at 96 %", "standard error"]
-
-
-def test_residuals_of_stacks_are_drawn_in_units_of_the_noise():
+def test_residuals_of_stacks_and_of_stars_are_drawn_in_units_of_the_noise():
     pair = IMAGE, IMAGE[:3]
-    figure = estimates.projections([("", [pair, pair, (IMAGE - 9.0, IMAGE[:3])])], (1e-6, 1e-6), "")
-    assert figure.axes[-1].get_ylabel() == "residual / noise"
-    residual = figure.axes[2].images[0]
-    np.testing.assert_array_equal(residual.get_array(), IMAGE - 9.0)
-    assert residual.get_clim() == (-5.0, 5.0)
-
-
-@pytest.mark.parametrize("rejected", [False, True])
-def test_terms_over_the_sensor_are_drawn_with_the_median_of_their_errors(rejected, monkeypatch):
-    monkeypatch.setattr(estimates, "_stars", lambda *_: None)
-    names = ["a term of twenty-two l", "a term of twenty three l"]
-    maps = [(names[0], IMAGE - 20.0, np.linspace(0.1, 0.5, 9)), (names[1], 0.0 * IMAGE, np.array([1.0, 2.0, 70.0]))]
-    x = np.linspace(-1e-3, 1e-3, 5)
-    used = np.array([True, True, not rejected, True, True])
-    figure = estimates.field(maps, (x, x, "m"), (x, x, np.ones(5), used), (IMAGE, IMAGE), "nm", "")
-    first, second, stars = figure.axes[:3]
-    assert [first.get_title(), second.get_title()] == [
-        f"{names[0]}\n± 0.3",
-        "a term of twenty three\nl\n± 2",
-    ]
-    assert first.images[0].get_clim() == (-20.0, 20.0)
-    low, high = second.images[0].get_clim()
-    assert -1e-9 < low < 0.0 < high < 1e-9
-    assert stars.get_title() == "stars, chi2" + "\ncrosses: rejected" * rejected
-    assert figure.subfigs[0].get_suptitle() == "Zernike terms over the sensor (nm rms), ± median standard error"
-
-
-def test_residuals_of_stars_are_drawn_in_units_of_their_photon_noise():
-    model = np.tile(4.0 * IMAGE, (1, 1, 1, 1))
-    place = np.zeros(1)
-    estimates._stars(figure := matplotlib.figure.Figure(), (model + 6.0, model), (place, place, place == 0.0))
+    axes = estimates.projections([("", [pair, pair, (IMAGE - 9.0, IMAGE[:3])])], (1e-6, 1e-6), "").axes
+    assert (axes[-1].get_ylabel(), axes[2].images[0].get_clim()) == ("residual / noise", (-5.0, 5.0))
+    np.testing.assert_array_equal(axes[2].images[0].get_array(), IMAGE - 9.0)
+    model, place = np.tile(4.0 * IMAGE, (1, 1, 1, 1)), np.zeros(1)
+    estimates._stars(figure := Figure(), (model + 6.0, model), (place, place, place == 0.0))
     assert figure.axes[-1].get_ylabel() == "residual / photon noise"
     shown = figure.axes[10].images[0].get_array()
     np.testing.assert_allclose(shown, 6.0 / np.sqrt(np.maximum(4.0 * IMAGE, 1.0)), rtol=1e-12)
 
 
+@pytest.mark.parametrize("rejected", [False, True])
+def test_terms_over_the_sensor_are_drawn_with_the_median_of_their_errors(rejected, monkeypatch):
+    monkeypatch.setattr(estimates, "_stars", lambda *_: None)
+    maps = [("a term of twenty-two l", IMAGE - 20.0, np.linspace(0.1, 0.5, 9))]
+    maps += [("a term of twenty three l", 0.0 * IMAGE, np.array([1.0, 2.0, 70.0]))]
+    x, used = np.linspace(-1e-3, 1e-3, 5), np.array([True, True, not rejected, True, True])
+    figure = estimates.field(maps, (x, x, "m"), (x, x, np.ones(5), used), (IMAGE, IMAGE), "nm", "")
+    first, second, stars = figure.axes[:3]
+    assert first.get_title() == "a term of twenty-two l\n± 0.3"
+    assert second.get_title() == "a term of twenty three\nl\n± 2"
+    assert first.images[0].get_clim() == (-20.0, 20.0)
+    assert -1e-9 < second.images[0].get_clim()[0] < 0.0 < second.images[0].get_clim()[1] < 1e-9
+    assert stars.get_title() == "stars, chi2" + "\ncrosses: rejected" * rejected
+    assert figure.subfigs[0].get_suptitle() == "Zernike terms over the sensor (nm rms), ± median standard error"
+
+
 def test_a_molecule_is_as_wide_as_the_root_mean_square_of_its_errors():
-    kinds = [(name, float) for name in ("x", "y", "x_error", "y_error")]
-    rows = np.array([(30.5, 30.5, 3.0, 4.0)], kinds)
-    for name in rows.dtype.names:
-        rows[name] *= 0.5
+    rows = np.array([(15.25, 15.25, 1.5, 2.0)], [(name, float) for name in ("x", "y", "x_error", "y_error")])
     profile = estimates.rendered(rows, (30.5, 30.5), 0.5, np.ones((1, 3)))[30, 30:, 0] ** 2
     # sqrt((9 + 16) / 2) = 3.54 pixels, of the widths 2.83 and 4 nearer to 4
     assert profile[9] / profile[6] == pytest.approx(math.exp(-(81 - 36) / 32), rel=1e-3)

@@ -105,18 +105,6 @@ def test_a_comparison_shows_every_image_and_the_slices_and_the_errors(answers):
     assert [text.get_text() for text in errors.get_legend().get_texts()] == others
 
 
-def test_the_slices_of_a_comparison_are_the_profiles_over_the_peak_of_the_reference(answers):
-    *_, slices, errors = plot.compare(answers, "Hankel").axes
-    reference, other = answers["Hankel"], answers["Fraunhofer"]
-    peak = reference.values.max()
-    (line,) = slices.get_lines()
-    radius, values = reference.profile()
-    np.testing.assert_allclose(line.get_xdata(), radius * 1e6)
-    np.testing.assert_allclose(line.get_ydata(), values / peak)
-    difference = np.abs(other.profile()[1] - values) / peak
-    assert any(np.allclose(line.get_ydata(), difference, rtol=1e-6) for line in errors.get_lines())
-
-
 @pytest.fixture
 def over_the_field() -> lm.PSFGrid:
     field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
@@ -162,28 +150,22 @@ def test_a_grid_is_drawn_on_the_axes_it_is_given(over_the_field):
         over_the_field.plot(stretch="cubic")
 
 
-def test_errors_along_the_line_are_drawn_at_their_distance():
-    pupil = lm.Pupil(lm.Wavefront(1.0), **METRIC)
-    few = {name: lm.psf(pupil, 5, 2e-6, method=name) for name in ("hankel", "nijboer-zernike")}
-    figure = plot.compare(few, "hankel")
-    *_, slices, errors = figure.axes
-    (line,) = errors.get_lines()
-    np.testing.assert_allclose(line.get_xdata(), [0.0, 2.0, 4.0])
+def test_errors_along_the_line_are_drawn_at_their_distance_over_the_peak():
+    few = {m: lm.psf(lm.Pupil(lm.Wavefront(1.0), **METRIC), 5, 2e-6, method=m) for m in ("hankel", "nijboer-zernike")}
+    *_, bar, slices, errors = plot.compare(few, "hankel").axes
     exact, other = (psf.values[2, 2:].astype(float) for psf in few.values())
-    np.testing.assert_allclose(line.get_ydata(), np.maximum(np.abs(other - exact) / exact[0], 1e-17), rtol=1e-6)
-    assert slices.get_xlim() == errors.get_xlim() == (0.0, pytest.approx(4.0))
-    assert errors.get_ylim() == (1e-17, 3.0)
-    assert errors.get_title() == "errors along the same line"
-    assert errors.get_xlabel() == "distance from the centre (µm)"
-    assert figure.axes[2].get_ylabel() == errors.get_ylabel() == "error / peak of the reference"
-    alone = plot.compare({"hankel": few["hankel"]}, "hankel")
-    assert len(alone.axes) == 3
-    assert alone.axes[-1].get_legend() is None
+    difference = np.maximum(np.abs(other - exact) / exact[0], 1e-17)
+    for axes, expected in ((slices, exact / exact[0]), (errors, difference)):
+        np.testing.assert_allclose(axes.get_lines()[0].get_xydata().T, [[0.0, 2.0, 4.0], expected], rtol=1e-6)
+        assert (axes.get_xlim(), axes.get_xlabel()) == ((0.0, pytest.approx(4.0)), "distance from the centre (µm)")
+    assert (errors.get_title(), errors.get_ylim()) == ("errors along the same line", (1e-17, 3.0))
+    assert bar.get_ylabel() == errors.get_ylabel() == "error / peak of the reference"
+    alone = plot.compare({"hankel": few["hankel"]}, "hankel").axes
+    assert (len(alone), alone[-1].get_legend()) == (3, None)
 
 
 def test_pitches_that_differ_by_more_than_a_billionth_are_not_compared():
-    pupil = lm.Pupil(**METRIC)
-    first, near, far = (lm.psf(pupil, 3, 1e-6 * (1.0 + d)) for d in (0.0, 0.9e-9, 1.1e-9))
+    first, near, far = (lm.psf(lm.Pupil(**METRIC), 3, 1e-6 * (1.0 + d)) for d in (0.0, 0.9e-9, 1.1e-9))
     assert lm.show.difference(near, first)
     with pytest.raises(ValueError, match="must have the pixel of b"):
         lm.show.difference(far, first)
@@ -192,21 +174,15 @@ def test_pitches_that_differ_by_more_than_a_billionth_are_not_compared():
 @pytest.mark.parametrize("center", [(1, 4), (4, 1), (2, 2)])
 def test_rays_beyond_the_window_are_counted_and_do_not_widen_it(center):
     psf = lm.psf(lm.Pupil(lm.Wavefront(9.0), **METRIC), (6, 7), 1e-6, center=center)
-    axes = plot.spots(psf)
-    edges = np.array([-0.5, 6.5]) - center[1], np.array([5.5, -0.5]) - center[0]
+    axes, (x, y) = plot.spots(psf), 1e6 * plot.ray_positions(psf.pupil).T
+    edges = (left, right), (bottom, top) = np.array([-0.5, 6.5]) - center[1], np.array([5.5, -0.5]) - center[0]
     np.testing.assert_allclose([axes.get_xlim(), axes.get_ylim()], edges, atol=1e-9)
-    x, y = 1e6 * plot.ray_positions(psf.pupil).T
-    beyond = (x < edges[0][0]) | (x > edges[0][1]) | (y < edges[1][1]) | (y > edges[1][0])
+    beyond = (x < left) | (x > right) | (y < top) | (y > bottom)
     assert f", {beyond.sum()} of them beyond the window;" in axes.get_title()
 
 
 def test_what_is_bright_is_drawn_with_a_rim_of_its_share_as_far_as_there_are_pixels():
-    positions = np.arange(10.0), np.arange(20.0), np.arange(30.0)
     levels = np.zeros((20, 10)), np.zeros((30, 10)), np.zeros((20, 30))
-    levels[0][4:9, 0:6] = 1.0
-    levels[1][3:12, 5] = 1.0
-    levels[2][18, 29] = 1.0
-    expected = [(-0.5, 5.5 + 0.15 * 6.0), (3.5 - 0.15 * 15.0, 19.5), (2.5 - 0.15 * 27.0, 29.5)]
-    expected[2] = max(expected[2][0], -0.5), expected[2][1]
-    found = plot._limits(positions, levels, "linear")
-    np.testing.assert_allclose(found, expected, rtol=1e-12)
+    levels[0][4:9, 0:6] = levels[1][3:12, 5] = levels[2][18, 29] = 1.0
+    found = plot._limits((np.arange(10.0), np.arange(20.0), np.arange(30.0)), levels, "linear")
+    np.testing.assert_allclose(found, [(-0.5, 5.5 + 0.15 * 6.0), (3.5 - 0.15 * 15.0, 19.5), (-0.5, 29.5)], rtol=1e-12)

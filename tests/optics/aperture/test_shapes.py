@@ -280,32 +280,27 @@ def test_what_is_no_shape_is_refused_with_what_was_given(make, error, message):
         make()
 
 
-def dented(d):  # inwards, at a corner between sides of 1.5 and 0.5
+def dented(
+    d,
+):  # inwards, at a corner between sides of 1.5 and 0.5: turns of -2 d, with a rounding of 1e-12 times both
     return ((-1.0, 0.0), (0.5, d), (1.0, 0.0), (1.0, 2.0), (-1.0, 2.0))
 
 
 @pytest.mark.parametrize(
     ("corners", "limit"),
     [
-        # Turns of -2 d, with a rounding of 1e-12 times the sides; and the same in the other sense of rotation.
         (dented, 0.375e-12),
         (lambda d: dented(d)[::-1], 0.375e-12),
-        # Turns of h, of sides 1, 1 and 2: on a line up to the rounding.
-        (lambda d: ((0.0, 0.0), (1.0, 0.0), (2.0, 1e-24 / d)), 1e-12),
-        # A corner that is given twice, up to the rounding.
-        (lambda d: ((0.0, 0.0), (1e-24 / d, 0.0), (1.0, 1.0)), 1e-12),
+        (lambda d: ((0.0, 0.0), (1.0, 0.0), (2.0, 1e-24 / d)), 1e-12),  # on a line up to the rounding
+        (lambda d: ((0.0, 0.0), (1e-24 / d, 0.0), (1.0, 1.0)), 1e-12),  # two that are one up to the rounding
     ],
 )
 def test_corners_are_those_of_a_convex_polygon_up_to_rounding(corners, limit):
     assert len(Polygon(corners(0.999 * limit)).corners) in (3, 5)
-    with pytest.raises(ValueError, match="corners of a convex polygon"):
-        Polygon(corners(1.001 * limit))
-
-
-def test_corners_on_a_line_are_none_of_a_polygon_and_one_on_a_side_may_be_given():
     assert len(Polygon(dented(0.0)).corners) == 5
-    with pytest.raises(ValueError, match="not on a line"):
-        Polygon(((0.0, 0.0), (1.0, 0.0), (2.0, 0.0)))
+    for wrong in (corners(1.001 * limit), ((0.0, 0.0), (1.0, 0.0), (2.0, 0.0))):
+        with pytest.raises(ValueError, match="corners of a convex polygon, not on a line"):
+            Polygon(wrong)
 
 
 @pytest.mark.parametrize("offset", [-2.0, 2.0])

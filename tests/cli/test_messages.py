@@ -37,9 +37,20 @@ def test_an_error_is_one_line_and_its_code_says_whose_it_is(error, told, code, m
     assert lines.count("\n") == 2
 
 
-def test_a_reader_that_goes_away_is_told_nothing(monkeypatch, capsys):
-    closed = []
+@pytest.mark.parametrize("asked", [{}, {"LOMMEL_TRACEBACK": "1"}])
+def test_a_reader_that_goes_away_is_told_nothing_and_a_traceback_is_shown_if_asked_for(asked, monkeypatch, capsys):
+    closed, errors = [], [BrokenPipeError(32, "Broken pipe"), ValueError("tol")]
+
+    def job():
+        raise errors.pop(0)
+
     monkeypatch.setattr(messages, "discard", closed.append)
+    monkeypatch.setattr(messages.os, "environ", asked)
     monkeypatch.setattr(messages.sys, "stdout", SimpleNamespace(fileno=lambda: 9, flush=lambda: None))
-    assert messages.report_error(BrokenPipeError(32, "Broken pipe"), []) == 1
+    assert messages.run_job(job, {}, [], as_json=False) == 1
     assert (closed, capsys.readouterr().err) == ([9], "")
+    if asked:
+        with pytest.raises(ValueError, match="tol"):
+            messages.run_job(job, {}, [], as_json=False)
+    else:
+        assert messages.run_job(job, {}, [], as_json=False) == 2

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.polynomial import chebyshev, legendre
+from scipy.fft import dct
 from scipy.special import jv
 
 import lommel as lm
@@ -68,6 +70,27 @@ def test_what_the_terms_leave_out_is_bounded(radius, sine, waves, share):
     spread = 0.5 * np.ptp(left, axis=1).max()
     assert spread <= error
     assert error <= 20.0 * spread + 1e-12 * (1.0 + np.abs(exact).max())
+
+
+@pytest.mark.parametrize(("sine", "waves", "least"), [(0.9999, 3.0, 2.0**-47), (0.5, 300.0, 1e-6), (0.3, 20.0, 1e-4)])
+def test_the_bound_is_of_the_terms_left_out_of_the_series_itself_and_of_roundings(sine, waves, least, monkeypatch):
+    monkeypatch.setattr("lommel.optics.wavefront.wavefront._ROUNDING", least)
+    radius, k = 5e-3, 2.0 * math.pi / 550e-9
+    sphere, vergence = sine / radius, np.array([waves, -0.3 * waves]) * 2 * 550e-9 / radius**2
+    terms, error = expansion(radius, sphere, vergence, 550e-9)
+    degree, x = terms.shape[1], np.cos((np.arange(81) + 0.5) * (math.pi / 81))  # of the Chebyshev series of degree 80
+    series = dct(k * path(0.5 + 0.5 * x, radius, sphere, vergence)) / (81.0 * (1 + (np.arange(81) == 0)))
+    kept = np.array([legendre.poly2leg(chebyshev.cheb2poly(row[: degree + 1])) for row in series])
+    np.testing.assert_allclose(terms, kept[:, 1:], atol=1e-6 * np.abs(series).max())
+    total, tails = np.abs(series).sum(axis=1).max(), np.abs(series[:, degree:])
+    t = 1.0 / max(sine**2, np.abs(2.0 * radius**2 * (sphere + vergence) * vergence).max())
+    ellipse = (math.sqrt(t) + math.sqrt(t - 1.0)) ** 2
+    beyond = 8.0 * k * radius**2 * t * np.abs(vergence).max() / (ellipse**80 * (ellipse - 1.0))
+    tail = tails[:, 1:].sum(axis=1).max()
+    assert error == pytest.approx(tail + beyond + least * (total + np.abs(kept).sum(axis=1).max()), rel=1e-8)
+    # The fewest terms, thirty at most, whose tail is one of roundings.
+    assert degree == 30 or tail <= 4.0 * least * total < tails.sum(axis=1).max()
+    assert expansion(radius, sphere, 0.0 * vergence, 550e-9)[1] == 0.0
 
 
 def test_the_bound_is_close_where_the_aperture_is_large():

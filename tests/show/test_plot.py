@@ -8,7 +8,7 @@ import pytest
 
 import lommel as lm
 from lommel.methods import METHODS
-from lommel.show import plot
+from lommel.show import drawing, plot
 
 METRIC = {"wavelength": 500e-9, "f_number": 4.0}
 
@@ -186,3 +186,9 @@ def test_what_is_bright_is_drawn_with_a_rim_of_its_share_as_far_as_there_are_pix
     levels[0][4:9, 0:6] = levels[1][3:12, 5] = levels[2][18, 29] = 1.0
     found = plot._limits((np.arange(10.0), np.arange(20.0), np.arange(30.0)), levels, "linear")
     np.testing.assert_allclose(found, [(-0.5, 5.5 + 0.15 * 6.0), (3.5 - 0.15 * 15.0, 19.5), (-0.5, 29.5)], rtol=1e-12)
+
+
+def test_a_scale_bar_has_the_largest_round_length_that_fits():
+    sizes = 0.999, 1.0, 1.99, 2.0, 4.99, 5.0, 3e-6, 9.99e-6, 2.0 * (1.0 - 0.9e-12), 2.0 * (1.0 - 1.1e-12)
+    found = [drawing.round_length(size) for size in sizes]
+    assert found == pytest.approx([0.5, 1.0, 1.0, 2.0, 2.0, 5.0, 2e-6, 5e-6, 2.0, 1.0], rel=1e-12)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ import tifffile
 from PIL import Image
 
 import lommel as lm
+from lommel import imaging
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import depth_of_field
 from lommel.io.depth_maps import fill_missing
@@ -256,6 +258,37 @@ def test_a_photograph_through_the_field_of_a_lens_file_is_that_of_python(call_lo
     (tmp_path / "bent.toml").write_text(BENT + "[field.vignetting]\nheight = ['0 mm', '1 mm']\nshift = [0.0, 0.5]\n")
     assert "[field.shading]" in call_lommel(*given, "no.png", folder=tmp_path).stderr
     assert not (tmp_path / "no.png").exists()
+
+
+@pytest.mark.parametrize("tol", [None, "1e-3"])
+def test_what_a_photograph_is_off_by_is_told(tol, call_lommel, folder, monkeypatch):
+    given = []
+
+    def rendered(light, *_, options, **__):
+        given.append(options)
+        return SimpleNamespace(values=1.2 * (light > 0.0), window=9, lost=1e-3, error=2e-3)
+
+    monkeypatch.setattr(imaging, "depth_of_field", rendered)
+    monkeypatch.setattr(imaging, "field_photograph", rendered)
+    (folder / "bent.toml").write_text(BENT)
+    for words in (["depth.npy", "plain.toml"], ["bent.toml", "--over-field"]):
+        asked = [*words, *(["--tol", tol] if tol else []), "-o", "out.png", "--json"]
+        facts = json.loads(ran(call_lommel("blur", "photo.png", *asked, folder=folder)))
+        assert (facts["interpolation_error"], facts["light_beyond_windows"], facts["clipped"]) == (2e-3, 1e-3, 1.0)
+        assert facts["files"] == ["out.png"]
+    assert given[0].tol == (1e-3 if tol else imaging.BlurOptions().tol)
+    assert given[1] is None if tol is None else given[1].tol == 1e-3
+
+
+def test_an_f_number_may_differ_from_that_of_the_exif_by_its_rounding(call_lommel, folder, monkeypatch):
+    words = ["blur", "camera.png", "depth.npy", "--focus", "2m", "--pixel", "40um", "-o", "a.png", "--f-number"]
+    monkeypatch.setattr(
+        imaging,
+        "depth_of_field",
+        lambda light, *_, **__: SimpleNamespace(values=light, window=9, lost=0.0, error=0.0),
+    )
+    assert call_lommel(*words, "2.039", folder=folder).returncode == 0
+    assert "contradicts the EXIF" in call_lommel(*words, "2.042", folder=folder).stderr
 
 
 def test_notes_of_the_library_are_told_with_the_answer_and_with_the_error(call_lommel, folder):

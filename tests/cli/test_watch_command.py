@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import os
 import re
 import signal
@@ -14,6 +15,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -237,6 +239,40 @@ def test_frames_are_made_even_in_brightness_row_by_row(kind):
     ratio = (light[1] / light[0])[24:]
     assert np.nanstd(ratio) < 0.01 < 0.025 < np.nanstd((second / first)[24:])
     assert light[1][0] == pytest.approx(1.0, abs=0.6)
+
+
+def test_a_block_is_known_up_to_the_largest_misfit_and_a_pixel_below_saturation(monkeypatch):
+    depth, errors = np.array([1.0, 2.0, 3.0, 4.0]), np.array([0.1, 0.2, 0.3, np.inf])
+    found = SimpleNamespace(depth=depth, errors=errors, misfit=np.array([1.0, 2.0, 2.001, 1.0]), light=9.0)
+    coding = SimpleNamespace(light=lambda frame: frame, noise=SimpleNamespace(offset=10.0), saturation=110.0)
+    frame = np.full((40, 3), 50.0)
+    frame[20] = 109.9, 110.0, 10.0
+    assert np.isnan(video_commands.equalize_rows(frame, frame, coding)[1][20]).tolist() == [False, True, False]
+    estimator = video_commands.Estimator(lambda *_: found, coding, 2.0, sharp=False)
+    result = estimator(SimpleNamespace(time=5.0, first=frame, second=frame))
+    np.testing.assert_array_equal(result.depth, [1.0, 2.0, np.nan, np.nan])
+    np.testing.assert_array_equal(result.errors, [0.1, 0.2, np.inf, np.inf])
+    assert result.numbers == pytest.approx((0.5, 0.25, 1.5, 0.15, 2.0))
+
+
+def test_depth_that_jumps_by_six_errors_is_told_and_pairs_are_summarised():
+    def pair(depth, duration=0.0, known=0.5):
+        return video_commands.PairResult(2.0, duration, numbers=(known, 0.25, depth, 0.01, 1.5))
+
+    tally = video_commands.Tally(start=0.0, stop=2.0)
+    tally.add(pair(2.0))
+    assert [bool(tally.jump(pair(depth))) for depth in (2.0599, 1.9401, 2.0601)] == [False, False, True]
+    for k in range(1, 41):
+        tally.add(pair(2.0 + 0.01 * k, 0.1 * k))
+    tally.add(pair(math.nan, 4.1, known=0.0))
+    assert "misfit" not in tally.progress(0)
+    tally.add(pair(2.5, 4.2, known=0.25))
+    assert tally.progress(0).endswith("; 25 % 2.5 m +- 10 mm, misfit 1.50")
+    counts = SimpleNamespace(interval=0.1, dropped=0, alone=0, refused=0)
+    found = tally.summary(counts, "the end")
+    assert found["frame_time"] == pytest.approx({"median": 2.1, "95 %": 3.99})
+    assert (found["known"], found["unfit"]) == (pytest.approx((41 * 0.5 + 0.25) / 43), 0.25)
+    assert (found["depth"], found["error"], found["misfit"]) == pytest.approx((2.205, 0.01, 1.5))
 
 
 def test_pixels_at_white_are_full_in_srgb_too(folder, call_lommel):

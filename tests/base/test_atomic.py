@@ -5,11 +5,13 @@ Recordings are kept.
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -216,6 +218,24 @@ def test_what_cannot_be_written_is_told_by_its_own_name(tmp_path):
         with read_only(), pytest.raises(OSError, match=r"Read-only file system: '[^']*/a'$"):
             write()
     assert not list(tmp_path.iterdir())
+
+
+def test_errors_of_temporary_files_are_those_of_the_place_and_of_folders_only_those_of_a_full_disk(
+    tmp_path, monkeypatch
+):
+    for error, kind, number in (
+        (OSError(errno.ENOTEMPTY, "not empty", "tmp"), FileExistsError, errno.EEXIST),
+        (OSError("12 of 1000 bytes"), OSError, errno.ENOSPC),
+        (PermissionError(errno.EACCES, "no", "tmp"), PermissionError, errno.EACCES),
+    ):
+        with pytest.raises(kind) as caught, atomic.as_path_error(tmp_path / "a"):
+            raise error
+        assert (caught.value.errno, caught.value.filename) == (number, str(tmp_path / "a"))
+    for number in (errno.EINVAL, errno.ENOSPC, errno.EIO):
+        monkeypatch.setattr(atomic.os, "fsync", lambda _, number=number: (_ for _ in ()).throw(OSError(number, "no")))
+        with suppress(OSError) if number == errno.EINVAL else pytest.raises(OSError, match="no"):
+            atomic._synchronise(tmp_path)
+            assert number == errno.EINVAL
 
 
 @pytest.mark.parametrize("length", [5, 255])

@@ -129,5 +129,7 @@ def test_a_fine_window_holds_the_light_in_steps():
 def test_distances_may_be_infinite():
     state = complete({"focus": "distances", "object_distance": math.inf})
     assert state["object_distance"] == 1e12
+    about = FIELDS["zernike"].description()
+    assert {"initial", "about", "terms", "degree", "waves"} == about.keys()
     with pytest.raises(ValueError, match="pixel must be finite, got inf"):
         complete({"pixel": math.inf})

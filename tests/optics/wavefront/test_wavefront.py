@@ -181,6 +181,9 @@ def test_wavefronts_share_no_memory_with_the_arrays_they_were_made_from():
 def test_wavefronts_are_equal_where_their_coefficients_are():
     assert Wavefront(1.0) == Wavefront(1, 0.0, [0.0])
     assert Wavefront([1.0, 1.0]) == Wavefront([1.0, 1.0], [0.0, 0.0])
+    assert (Wavefront(-0.0), hash(-Wavefront())) == (Wavefront(0.0), hash(Wavefront()))
+    waves = Wavefront(), Wavefront(1.0), Wavefront(0.0, 1.0), Wavefront(error=1e-3), Wavefront([0.0])
+    assert [wave.flat for wave in waves] == [True, False, False, False, False]
     for other in (Wavefront(1.0, 0.1), Wavefront([1.0]), Wavefront(1.0, 0.0, [1e-300]), 1.0, "W"):
         assert Wavefront(1.0) != other
 

@@ -207,12 +207,6 @@ def test_a_map_has_as_many_heights_as_its_pupils_require(circular):
         tracing.field_map(wavy(lens(), 41.3), None, None, WAVELENGTH, 6, 1e-4, circular=circular)
 
 
-def test_fields_between_which_the_lens_does_not_follow_the_map_are_refused():
-    points = [(hx, hy) for hx in (-1.0, 0.0, 1.0) for hy in (-1.0, 0.0, 1.0)]
-    with pytest.raises(ValueError, match=r"fields must be closer together: at \(.*\), between them, .* rad rms"):
-        tracing.field_map(wavy(lens(), 3.0), None, points, WAVELENGTH, 6, 0.01, circular=True)
-
-
 @pytest.mark.parametrize(
     ("call", "error", "what"),
     [

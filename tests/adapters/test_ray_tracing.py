@@ -321,13 +321,19 @@ def test_a_fit_and_a_symmetry_are_accepted_up_to_the_tolerance():
 
 def test_a_cone_may_change_over_a_band_by_half_of_the_tolerance_and_over_the_field_of_a_map():
     def pupil(change):
-        slower = lambda wave: lens(slower=1.0 / (1.0 + change * (wave / WAVELENGTH - 1.0)))  # noqa: E731
-        band = WAVELENGTH, 1.1 * WAVELENGTH
-        return tracing.single_pupil(slower, (0, 0), WAVELENGTH, 6, 0.01, circular=False, band=band)
+        def turned(wave):  # and widened: a change of the square root of 2 times this
+            return lambda *point: wider(lens()(*point), change * (wave / WAVELENGTH - 1.0) / 0.1 / math.sqrt(2.0))
 
-    assert pupil(0.0499).colour.wavelengths[-1] == pytest.approx(1.1 * WAVELENGTH)
+        def wider(rays, c):
+            x, y = rays.direction_x, rays.direction_y
+            return replace(rays, direction_x=x + c * (x - y), direction_y=y + c * (x + y))
+
+        band = WAVELENGTH, 1.1 * WAVELENGTH
+        return tracing.single_pupil(turned, (0, 0), WAVELENGTH, 6, 0.01, circular=False, band=band)
+
+    assert pupil(0.00499).colour.wavelengths[-1] == pytest.approx(1.1 * WAVELENGTH)
     with pytest.raises(ValueError, match="cone of light differs"):
-        pupil(0.0501)
+        pupil(0.00501)
     trace = lambda hx, hy, x, y: lens(slower=1.0 + 0.21 * (hx * hx + hy * hy))(hx, hy, x, y)  # noqa: E731
     field = tracing.field_map(trace, None, CORNERS, WAVELENGTH, 6, 9.0, circular=True)
     assert field.pupil(0.0, 0.0).f_number == pytest.approx(N)  # that on the axis

@@ -11,6 +11,7 @@ import pytest
 from astropy.io import fits
 
 import lommel as lm
+from lommel.io import opd_files
 from lommel.io.opd_files import OPDFileError
 
 WAVE = 632.8e-9
@@ -289,3 +290,13 @@ def test_maps_that_a_format_does_not_hold_are_told(tmp_path):
         lm.save_opd(tmp_path / "a.csv", stack)
     lm.save_opd(tmp_path / "a.fits", stack)
     np.testing.assert_array_equal(lm.load_opd(tmp_path / "a.fits").values, stack.values)
+
+
+@pytest.mark.parametrize(
+    ("name", "near", "far"), [("wavelength", 1.0 + 0.99e-6, 1.0 + 1.01e-6), ("unit", "nm", "um")]
+)
+def test_what_is_stated_twice_may_differ_by_a_millionth(name, near, far):
+    first = "nm" if name == "unit" else 1.0
+    assert opd_files._merge_stated(name, near, first) == first
+    with pytest.raises(ValueError, match=f"it states the {name} {first}, not {far}"):
+        opd_files._merge_stated(name, far, first)

@@ -457,3 +457,11 @@ def test_an_error_keeps_the_frames_before_it(suffix, end, tmp_path):
     assert (len(written) < 30) is (end == "disk full")
     lost = len(written) - len(frames_so_far(unfinished))
     assert lost in ((0, 1) if end.startswith("disk") else (0,))
+
+
+@pytest.mark.parametrize(
+    ("interval", "rate"),
+    [(1001 / 30000, Fraction(30000, 1001)), (25.0, Fraction(1, 10)), (1e-4, Fraction(1000)), (0.25, Fraction(4))],
+)
+def test_the_rate_of_a_written_video_is_a_fraction_of_a_tenth_to_a_thousand(interval, rate, tmp_path):
+    assert videos.VideoWriter(tmp_path / "a.mkv", interval, form="matroska")._rate == rate

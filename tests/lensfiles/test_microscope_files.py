@@ -6,6 +6,7 @@ import dataclasses
 import math
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -261,3 +262,18 @@ def test_a_table_that_lommel_wrote_may_stand_beside_the_file(load, tmp_path, nam
 def test_terms_of_too_high_a_degree_are_told(load):
     high = ZERNIKE.replace('"noll"', '"nm"').replace("6 =", '"32,2" =').replace("11 =", '"2,2" =')
     assert "aberrations must have terms up to degree 30, got (n, m) = (32, 2)" in fault(load, more=high)
+
+
+def test_errors_of_fitted_terms_are_in_waves_and_written_beside_the_others(load, tmp_path):
+    plain = load()
+    names = "objective", "wavelength", "pixel", "aberrations"
+    found = SimpleNamespace(
+        **{name: getattr(plain, name) for name in names}, errors={(3, 1): 0.2 * math.pi, "depth": 1e-7}
+    )
+    fitted = plain.fitted(found)
+    assert fitted.errors == {"noll 8": pytest.approx(0.1), "depth": 1e-7}
+    fitted.save(tmp_path / "fitted.toml")
+    plain.save(tmp_path / "plain.toml")
+    text = (tmp_path / "fitted.toml").read_text("utf-8")
+    assert text.split("[errors]\n")[1].split() == ['"noll', '8"', "=", "0.1", '"depth"', "=", "1e-07"]
+    assert "[errors]" not in (tmp_path / "plain.toml").read_text("utf-8")

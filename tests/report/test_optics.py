@@ -5,12 +5,13 @@ from __future__ import annotations
 import dataclasses
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.report import Report
+from lommel.report import Report, image_quality
 from lommel.report.image_quality import IN_FOCUS
 from lommel.report.optics import describe_lens, how_made, summarize_lens
 from lommel.report.table import tables
@@ -77,6 +78,14 @@ def test_the_first_dark_ring_is_of_the_obscured_aperture(phone, obscuration):
     assert light[-1] < 1e-9
     assert (np.diff(light) < 1e-9).all()  # none is nearer
     assert ring == pytest.approx(facts["airy_radius"] * {0.0: 1, 0.25: 0.93596, 0.95: 0.64364}[obscuration], rel=1e-5)
+
+
+def test_the_error_of_the_light_within_radii_is_the_larger_one(phone):
+    def told(*errors):
+        found = iter([error and SimpleNamespace(fraction=np.full(9, 0.5), error=error[0]) for error in errors])
+        return image_quality._encircled(phone, lambda *_: next(found))["encircled_energy_error"]
+
+    assert [told((1e-3,), (2e-3,)), told((2e-3,), (None,)), told(None, (None,))] == [2e-3, 2e-3, None]
 
 
 def test_each_psf_of_a_stack_has_its_peak_and_the_sum_that_is_not_its_light():

@@ -164,3 +164,12 @@ def test_without_matplotlib_there_are_the_numbers():
     code += "print(all('<table' in x and '<img' not in x and '<i>' not in x for x in pages))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300)
     assert done.stdout == "True\n"
+
+
+@pytest.mark.parametrize(
+    ("method", "bound"), [("hankel", r"\d(\.\d)?e-\d\d of the peak"), ("matrix-fourier", "none")]
+)
+def test_the_bound_of_a_psf_is_told_or_that_there_is_none(method, bound, monkeypatch):
+    monkeypatch.setattr(notebook, "device", lambda _, rows, __: dict(rows))
+    rows = notebook.psf(lm.psf(lm.Pupil(**CAMERA), 3, 1e-6, method=method))
+    assert re.fullmatch(bound, rows["error bound"])

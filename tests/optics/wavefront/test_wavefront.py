@@ -348,6 +348,9 @@ def test_annular_terms_may_be_a_stack_and_have_limits():
     stack = Wavefront.zernike({7: [0.1, 0.2], 11: 0.3}, order="noll", unit="waves", obscuration=0.5)
     assert stack.shape == (2,)
     np.testing.assert_allclose(stack.to_zernike(order="noll", unit="waves", obscuration=0.5)[7], [0.1, 0.2])
+    for size in (1e6, 1e-6):  # without terms that are roundings of this size
+        large = Wavefront.zernike({(8, 0): size, (2, 0): 1e-12 * size}, obscuration=0.5)
+        assert {*large.to_zernike(obscuration=0.5)} == {(8, 0), (2, 0)}
     with pytest.raises(ValueError, match="obscuration must be"):
         Wavefront.zernike({(2, 0): 1.0}, obscuration=1.0)
     with pytest.raises(ValueError, match=r"order m = 0 up to n = 60 over an .* are nearly linearly"):

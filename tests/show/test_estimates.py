@@ -67,11 +67,14 @@ def test_error_bars_are_as_long_as_the_errors_and_stand_beside_as_numbers():
     assert "residual / noise" in {axes.get_ylabel() for axes in figure.axes}
 
 
-def test_residuals_of_stacks_and_of_stars_are_drawn_in_units_of_the_noise():
+def test_residuals_of_stacks_are_drawn_in_units_of_the_noise():
     pair = IMAGE, IMAGE[:3]
     axes = estimates.projections([("", [pair, pair, (IMAGE - 9.0, IMAGE[:3])])], (1e-6, 1e-6), "").axes
     assert (axes[-1].get_ylabel(), axes[2].images[0].get_clim()) == ("residual / noise", (-5.0, 5.0))
     np.testing.assert_array_equal(axes[2].images[0].get_array(), IMAGE - 9.0)
+
+
+def test_residuals_of_stars_are_drawn_in_units_of_their_photon_noise():
     model, place = np.tile(4.0 * IMAGE, (1, 1, 1, 1)), np.zeros(1)
     estimates._stars(figure := Figure(), (model + 6.0, model), (place, place, place == 0.0))
     assert figure.axes[-1].get_ylabel() == "residual / photon noise"

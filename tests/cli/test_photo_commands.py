@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import subprocess
 from types import SimpleNamespace
 
@@ -15,6 +16,7 @@ import lommel as lm
 from lommel import imaging
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import depth_of_field
+from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.io.depth_maps import fill_missing
 
 LENS = """\
@@ -278,6 +280,25 @@ def test_what_a_photograph_is_off_by_is_told(tol, call_lommel, folder, monkeypat
         assert facts["files"] == ["out.png"]
     assert given[0].tol == (1e-3 if tol else imaging.BlurOptions().tol)
     assert given[1] is None if tol is None else given[1].tol == 1e-3
+
+
+@pytest.mark.parametrize("misfit", [math.nan, 3.0])
+def test_depth_its_error_and_the_test_of_the_lenses_are_written_and_told(misfit, call_lommel, folder, monkeypatch):
+    verdict = DefocusVerdict.of(misfit)
+    found = SimpleNamespace(depth=DEPTH, errors=0.01 * DEPTH, verdict=verdict, plot=None)
+    found.to_dict = lambda: {"depth": None}
+    monkeypatch.setattr(imaging, "depth_from_defocus", lambda *_, **__: found)
+    words = ["depth", "grey.png", "grey.png", "plain.toml", "--focus", "1m", "--focus", "2m", "--between", "1m", "3m"]
+    words += ["--white", "1e4", "--read", "3", "-o", "d.npy", "-o", "e.npy"]
+    facts = json.loads((made := call_lommel(*words, "--json", folder=folder)).stdout)
+    assert (facts["agrees"], facts["untested"]) == (False, verdict.findings.get("untested").numbers["what"])
+    assert (facts["files"], made.returncode) == (["d.npy", "e.npy"], 0 if verdict.converged else 3)
+    np.testing.assert_allclose(np.load(folder / "e.npy"), 0.01 * DEPTH, rtol=1e-6)
+    told = " ".join(call_lommel(*words, folder=folder).stdout.split())
+    assert "no depth found: the photos have no texture" in told
+    assert (verdict.summary in told) == (misfit == 3.0)
+    assert all(finding.text[:40] in told for finding in verdict.findings)
+    assert told.endswith("wrote d.npy wrote e.npy")
 
 
 def test_an_f_number_may_differ_from_that_of_the_exif_by_its_rounding(call_lommel, folder, monkeypatch):

@@ -598,7 +598,7 @@ def _check_axes(
             raise ValueError(f"axes must not be called {', '.join(_RESERVED_NAMES)} or ..._chunk, got {name}")
         axis_unit = "m" if name in _AXES_IN_METRES else unit if name.startswith("field") else "1"
         # Infinite coordinates are allowed, since an object may be at infinity.
-        numbers = np.array(validation.number_array(f"axes[{name!r}]", value), dtype=np.float64)
+        numbers = np.array(validation.number_array(f"axes[{name!r}]", value, axis_unit), dtype=np.float64)
         if numbers.shape != (count,) or np.isnan(numbers).any():
             raise ValueError(f"axes[{name!r}] must be {count} numbers, got {validation.shown(value)}")
         coordinates[name], units[name] = numbers, axis_unit

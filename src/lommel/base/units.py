@@ -6,24 +6,12 @@ import math
 import re
 from collections.abc import Iterable
 
+from lommel.base.quantities import ANGLES, LENGTHS, POWERS
 from lommel.base.validation import angle, real, shown
-
-# um has two more spellings: with the micro sign (U+00B5) and with the Greek letter mu (U+03BC).
-_POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, "nm": -9, "pm": -12, "angstrom": -10}
-LENGTHS = {unit: float(f"1e{power}") for unit, power in _POWERS.items()} | {"in": 25.4e-3, "inch": 25.4e-3}
-"""Metres of each unit of length."""
 
 ARCSEC = math.pi / 648000.0
 """Radians of an arcsecond."""
 
-_ANGLES = {
-    "rad": 1.0,
-    "mrad": 1e-3,
-    "deg": math.pi / 180,
-    "arcmin": math.pi / 10800,
-    "arcsec": ARCSEC,
-    "mas": math.pi / 648000000,
-}
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
 
 
@@ -70,7 +58,7 @@ def parse_angle(text: str | float) -> float:
     """
     if isinstance(text, int | float) and not isinstance(text, bool):
         return angle("an angle without a unit", text)
-    return _parse(text, _ANGLES, "angle", "0.1 arcsec")
+    return _parse(text, ANGLES, "angle", "0.1 arcsec")
 
 
 def parse_radius(text: str | float, focal_length: float) -> float:
@@ -93,9 +81,9 @@ def parse_radius(text: str | float, focal_length: float) -> float:
         If `text` is neither a length nor an angle.
     """
     match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
-    if match and match[2] in _ANGLES:
+    if match and match[2] in ANGLES:
         return parse_angle(match[0]) * real("focal_length", focal_length, above=0.0)
-    return _parse(text, LENGTHS, "length", "5 um", others=_ANGLES)
+    return _parse(text, LENGTHS, "length", "5 um", others=ANGLES)
 
 
 def format_length(metres: float, *, like: float | None = None, digits: int = 4) -> str:
@@ -187,7 +175,7 @@ def _parse(text: object, units: dict[str, float], kind: str, example: str, other
         )
     if not unit and number != 0.0 and not math.isinf(number):
         raise ValueError(f"{shown(text)} is {article} {kind} without a unit; write for example {example!r}")
-    value = _scaled(match[1], unit) if unit in _POWERS else number * units.get(unit, 1.0)
+    value = _scaled(match[1], unit) if unit in POWERS else number * units.get(unit, 1.0)
     if math.isinf(value) and not match[1].lstrip("+-").startswith("inf"):
         raise ValueError(f"{shown(text)} exceeds the range of numbers")
     return value
@@ -199,4 +187,4 @@ def _scaled(number: str, unit: str) -> float:
     digits, _, power = number.lower().partition("e")
     if digits.lstrip("+-").startswith("inf") or len(power) > 9:
         return float(number)
-    return float(f"{digits}e{int(power or 0) + _POWERS[unit]}")
+    return float(f"{digits}e{int(power or 0) + POWERS[unit]}")

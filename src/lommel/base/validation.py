@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base.arrays import Array, Values
+from lommel.base.quantities import plain
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -129,6 +130,8 @@ def real(
 ) -> float:
     """Return `value` as a finite float, ``> above``, ``>= least``, ``< below`` and ``<= most``; or raise an error."""
     # The common case is tested first, since isinstance with an abstract class such as numbers.Real is slow.
+    if not isinstance(value, float):
+        value = plain(name, value, unit)
     if isinstance(value, float):
         number = float(value)
     elif isinstance(value, numbers.Real | np.ndarray | np.generic) and _is_real_scalar(value):
@@ -162,7 +165,7 @@ _TWO_TURNS = 4.0 * math.pi + 1e-9  # radians, with a tolerance; sums of angles m
 
 def angles(name: str, value: float | ArrayLike) -> Array:
     """Return angles in radians, within two turns, as a read-only array: larger numbers are probably degrees."""
-    radians = real_array(name, value)
+    radians = real_array(name, value, unit="radians")
     if (beyond := radians[np.abs(radians) > _TWO_TURNS]).size:
         raise ValueError(
             f"{name} must be in radians and within two turns, 4 pi, got {beyond[0]:g}; "
@@ -173,7 +176,7 @@ def angles(name: str, value: float | ArrayLike) -> Array:
 
 def angle(name: str, value: object) -> float:
     """Return an angle in radians, within two turns; TypeError or ValueError otherwise."""
-    return float(angles(name, real(name, value)))
+    return float(angles(name, real(name, value, unit="radians")))
 
 
 def integer(name: str, value: object, *, least: int, most: int) -> int:
@@ -210,9 +213,9 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
     return value
 
 
-def array(name: str, value: ArrayLike) -> Values:
-    """Return `value` as an array; TypeError if some values are masked, since plain arrays would lose the mask."""
-    values = computed(value)
+def array(name: str, value: ArrayLike, unit: str = "") -> Values:
+    """Return `value` in `unit` as an array; TypeError if some are masked, since plain arrays would lose the mask."""
+    values = computed(plain(name, value, unit))
     refuse_masked(name, values)
     try:
         return np.asarray(values)
@@ -226,12 +229,12 @@ def refuse_masked(name: str, value: object) -> None:
         raise TypeError(f"{name} must not be masked; fill the masked values, or omit them")
 
 
-def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
-    """Return (1) the numbers of a container or of a list of containers, (2) their mask (True: masked) or None.
+def parted(name: str, value: object, unit: str = "") -> tuple[Values, NDArray[np.bool_] | None]:
+    """Return (1) the numbers of a container or a list of these, in `unit`, (2) their mask (True: masked) or None.
 
     TypeError if it does not hold numbers, ValueError if masked containers in a list have different shapes.
     """
-    value = computed(value)
+    value = computed(plain(name, value, unit))
     if not _is_masked(value):
         return number_array(name, cast(ArrayLike, value)), None
     if isinstance(value, list | tuple):
@@ -280,21 +283,23 @@ def _is_masked(value: object) -> bool:
     )
 
 
-def number_array(name: str, value: ArrayLike) -> Values:
-    """Return `value` as an array of integers or floats; TypeError otherwise."""
-    values = array(name, value)
+def number_array(name: str, value: ArrayLike, unit: str = "") -> Values:
+    """Return `value` in `unit` as an array of integers or floats; TypeError otherwise."""
+    values = array(name, value, unit)
     if values.dtype.kind not in "iuf":
         raise TypeError(f"{name} must hold real numbers, got {shown(value)}")
     return values
 
 
-def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf, most: float = math.inf) -> Array:
-    """Return `value` as a read-only float64 array of finite numbers ``>= least`` and ``<= most``."""
+def real_array(
+    name: str, value: float | ArrayLike, *, least: float = -math.inf, most: float = math.inf, unit: str = ""
+) -> Array:
+    """Return `value` in `unit` as a read-only float64 array of finite numbers ``>= least`` and ``<= most``."""
     if isinstance(value, float) and math.isfinite(value) and least <= value <= most:
         result = np.array(value, dtype=np.float64)  # a single number: checks of arrays are slow
     else:
         with np.errstate(over="ignore"):  # a long double beyond the range of float64 becomes infinite: refused below
-            result = np.array(number_array(name, value), dtype=np.float64, subok=False)
+            result = np.array(number_array(name, value, unit), dtype=np.float64, subok=False)
         invalid = ~(np.isfinite(result) & (result >= least))
         if most < math.inf:
             invalid |= result > most
@@ -306,9 +311,9 @@ def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf,
     return result
 
 
-def rising(name: str, value: float | ArrayLike, *, count: int = 1) -> Array:
+def rising(name: str, value: float | ArrayLike, *, count: int = 1, unit: str = "") -> Array:
     """Return at least `count` strictly increasing numbers as a read-only 1-D array; ValueError otherwise."""
-    result = np.atleast_1d(real_array(name, value))
+    result = np.atleast_1d(real_array(name, value, unit=unit))
     if result.ndim != 1 or result.size < count or not np.all(np.diff(result) > 0.0):
         raise ValueError(f"{name} must rise, and be {count} or more, got {shown(value)}")
     return result
@@ -373,6 +378,7 @@ def stack_shape(shape: object, stack: tuple[int, ...]) -> tuple[int, ...]:
 
 def position(name: str, value: object) -> tuple[float, float]:
     """Return ``(row, column)`` from a pair of numbers with absolute values below 1e6 pixels."""
+    value = plain(name, value, "pixels")
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         raise ValueError(f"{name} must be (row, column), got {shown(value)}")
     row, column = (real(name, part, above=-1e6, below=1e6, unit="pixels") for part in value)
@@ -381,6 +387,7 @@ def position(name: str, value: object) -> tuple[float, float]:
 
 def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
     """Return ``(row, column)``, or read-only arrays ``(rows, columns)`` of a common shape if `value` has arrays."""
+    value = plain(name, value, "pixels")
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         hint = f": give tuple({name}.T)" if isinstance(value, np.ndarray) and value.shape[1:] == (2,) else ""
         raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{hint}")
@@ -422,13 +429,16 @@ def pixel(value: object, *, metric: bool) -> float:
     return pitch
 
 
+_EITHER = "metres or lambda*N, as a number"  # which of both is known with the pupil
+
+
 def pitch(name: str, value: object) -> float | tuple[float, float]:
     """Return the side of a square pixel, or (height, width) if these differ; ValueError unless positive."""
     if not isinstance(value, tuple | list):
-        return real(name, value, above=0.0)
+        return real(name, value, above=0.0, unit=_EITHER)
     if len(value) != 2:
         raise ValueError(f"{name} must be one number, or (height, width), got {shown(value)}")
-    height, width = (real(f"{name}[{k}]", side, above=0.0) for k, side in enumerate(value))
+    height, width = (real(f"{name}[{k}]", side, above=0.0, unit=_EITHER) for k, side in enumerate(value))
     return height if height == width else (height, width)
 
 

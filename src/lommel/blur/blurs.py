@@ -33,9 +33,11 @@ computes it by mpmath, to 25 digits, with the substitution q = s^3, which makes 
 _NU = 5.0 / 6.0  # order of the Bessel function of von Karman's structure function, half of the exponent 5/3
 
 
-def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
-    """Return validated spatial frequencies along x (columns) and y (rows), broadcast to the same shape."""
-    x, y = validation.broadcast("fx and fy", validation.real_array("fx", fx), validation.real_array("fy", fy))
+def frequencies(fx: ArrayLike, fy: ArrayLike, unit: str = "") -> tuple[Array, Array]:
+    """Return validated spatial frequencies along x (columns) and y (rows), broadcast; `unit` is that of a length."""
+    per = "1/metres" if unit == "m" else ""
+    x, y = (validation.real_array(name, f, unit=per) for name, f in (("fx", fx), ("fy", fy)))
+    x, y = validation.broadcast("fx and fy", x, y)
     return x, y
 
 
@@ -166,9 +168,9 @@ class Seeing(Blur):
 
     def __post_init__(self) -> None:
         # The dataclass is frozen: converted values are written to the dictionary of the instance.
-        vars(self)["r0"] = validation.real("r0", self.r0, above=0.0)
+        vars(self)["r0"] = validation.real("r0", self.r0, above=0.0, unit="metres")
         if self.outer_scale is not None:
-            outer = validation.real("outer_scale", self.outer_scale, above=0.0, infinite=True)
+            outer = validation.real("outer_scale", self.outer_scale, above=0.0, infinite=True, unit="metres")
             vars(self)["outer_scale"] = None if math.isinf(outer) else outer
         # With only one of the two, the unit of r0 would be ambiguous: metres, or diameters of the aperture.
         if (self.focal_length is None) != (self.wavelength is None):
@@ -178,7 +180,7 @@ class Seeing(Blur):
             )
         if self.wavelength is not None:
             vars(self)["wavelength"] = validation.wavelength(self.wavelength)
-            vars(self)["focal_length"] = validation.real("focal_length", self.focal_length, above=0.0)
+            vars(self)["focal_length"] = validation.real("focal_length", self.focal_length, above=0.0, unit="metres")
 
     @classmethod
     def from_fwhm(

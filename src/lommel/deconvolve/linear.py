@@ -121,7 +121,7 @@ class LinearBlur(ABC):
 
         Messages contain `name`. With `missing`, values may be NaN.
         """
-        array = validation.array(name, image)
+        array = validation.array(name, image, "counts")
         if array.dtype.kind != "f":
             raise TypeError(f"{name} must hold floats in proportion to light, got {array.dtype}")
         expected = (*self.shape, self.channels) if array.ndim == 3 or self.channels > 1 else self.shape

@@ -615,7 +615,7 @@ def grid_indices(places: ArrayLike) -> Array:
     >>> lm.detection.grid_indices([[11.0, 20.0], [10.0, 10.2], [20.1, 9.8], [20.3, 20.0]]).tolist()
     [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
     """
-    points = validation.real_array("places", places)
+    points = validation.real_array("places", places, unit="pixels")
     if points.ndim != 2 or points.shape[1] != 2 or len(points) < 4:
         raise ValueError(f"places must be the rows and columns of at least 4 points, got shape {points.shape}")
     tree = scipy.spatial.cKDTree(points)

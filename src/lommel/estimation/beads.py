@@ -245,7 +245,7 @@ class BeadFit(FitReport):
         """
         height, width = validation.image_shape(shape)
         bead_depth = length("depth", depth, DEPTH_MOST)
-        positions = np.atleast_1d(validation.real_array("z", z))
+        positions = np.atleast_1d(validation.real_array("z", z, unit="metres"))
         if positions.ndim != 1 or not positions.size:
             raise ValueError(f"z must be a number or have the shape (planes,), got {positions.shape}")
         setup = replace(self._state.setup, diameter=0.0, blur=0.0, step=1.0)
@@ -490,7 +490,7 @@ def fit_stacks(
     counts.require_known("stacks").require_light("stacks", "a bead")
     recorded = [counts[k] for k in range(len(counts.values))] if counts.values.ndim == 4 else [counts]
     depth_values = _depths(options.depth, 0.5 * options.diameter, len(recorded))
-    stage_positions, planes = np.atleast_1d(validation.real_array("z", z)), len(recorded[0].values)
+    stage_positions, planes = np.atleast_1d(validation.real_array("z", z, unit="metres")), len(recorded[0].values)
     if planes < _PLANES:
         raise ValueError(
             f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer planes do not "
@@ -537,7 +537,7 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
 
 
 def _depths(depth: Any, radius: float, count: int) -> list[float]:
-    stated_depths = validation.real_array("depth", radius if depth is None else depth)
+    stated_depths = validation.real_array("depth", radius if depth is None else depth, unit="metres")
     if stated_depths.shape not in ((), (count,)):
         raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {stated_depths.shape}")
     depths = [length("depth", float(value), DEPTH_MOST) for value in np.broadcast_to(stated_depths, (count,))]

@@ -247,10 +247,10 @@ def fisher(
     ('object_distance',)
     """
     names = _names(of)
-    flux = validation.real_array("photons", photons, least=0.0)
+    flux = validation.real_array("photons", photons, least=0.0, unit="counts")
     if not np.all(flux > 0.0):
         raise ValueError(f"photons must be > 0 electrons, got {flux.min():g}")
-    level = validation.real_array("background", background, least=0.0)
+    level = validation.real_array("background", background, least=0.0, unit="counts")
     for name, values in (("photons", flux), ("background", level)):
         if not values.size:
             raise ValueError(f"{name} must not be empty, got shape {values.shape}")

@@ -17,7 +17,7 @@ from lommel.recorded.noise import random_numbers
 
 def defoci(name: str, value: ArrayLike) -> tuple[float, ...]:
     """Return the known defocus of images as a tuple; ValueError if `value` is neither a number nor a sequence."""
-    values = validation.real_array(name, value)
+    values = validation.real_array(name, value, unit="radians")
     if values.ndim > 1:
         raise ValueError(f"{name} must be a number, or one for each image, got shape {values.shape}")
     return tuple(np.atleast_1d(values).tolist())

@@ -327,9 +327,10 @@ def _require_height(r: float, last_height: float) -> float:
     return r
 
 
-def positions(x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
+def positions(x: ArrayLike, y: ArrayLike, unit: str) -> tuple[Array, Array]:
     """Return positions on the sensor as arrays, broadcast to the same shape."""
-    x_values, y_values = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
+    x_values, y_values = (validation.real_array(name, part, unit=unit) for name, part in (("x", x), ("y", y)))
+    x_values, y_values = validation.broadcast("x and y", x_values, y_values)
     return x_values, y_values
 
 
@@ -541,7 +542,7 @@ class FieldMap:
         TypeError, ValueError
             If a position is not finite or lies outside the map; or for several positions of a map with vignetting.
         """
-        x_values, y_values = positions(x, y)
+        x_values, y_values = positions(x, y, self.unit)
         if x_values.size == 0:
             raise ValueError(f"x and y must not be empty, got shape {x_values.shape}")
         outside = ~self._wavefronts.contains(x_values, y_values)
@@ -588,7 +589,7 @@ class FieldMap:
         >>> round(1e3 * float(dx), 6)  # 2 W311 lambda N, -8 % of 20 mm
         -1.6
         """
-        x_values, y_values = positions(x, y)
+        x_values, y_values = positions(x, y, self.unit)
         unvignetted = replace(self, vignetting=None)
         return shift_of(unvignetted.pupil(x_values, y_values), spectrum_of(wavelength))
 
@@ -621,7 +622,7 @@ class FieldMap:
         >>> round(1e3 * float(x), 6)
         20.0
         """
-        x_values, y_values = positions(x, y)
+        x_values, y_values = positions(x, y, self.unit)
         spectrum, unvignetted = spectrum_of(wavelength), replace(self, vignetting=None)
 
         def shift(x: Array, y: Array) -> tuple[Array, Array]:
@@ -715,7 +716,7 @@ class FieldMap:
         TypeError, ValueError
             If a position is not finite, or lies beyond the last height of the vignetting or the shading.
         """
-        x_values, y_values = positions(x, y)
+        x_values, y_values = positions(x, y, self.unit)
         illumination = np.ones(x_values.shape) if self.shading is None else self.shading.at(x_values, y_values)
         if self.vignetting is not None:
             points = [(0.0, 0.0), *zip(x_values.ravel().tolist(), y_values.ravel().tolist(), strict=True)]
@@ -759,7 +760,7 @@ class FieldMap:
         TypeError, ValueError
             See :meth:`pupil` and :func:`lommel.psf`.
         """
-        x_values, y_values = positions(x, y)
+        x_values, y_values = positions(x, y, self.unit)
         if self.vignetting is None or x_values.shape == ():
             return psf(self.pupil(x, y), shape, pixel, **options)
         pupils = tuple(self.pupil(float(a), float(b)) for a, b in zip(x_values.flat, y_values.flat, strict=True))

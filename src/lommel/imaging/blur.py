@@ -210,7 +210,7 @@ def require_lens(lens: object, order: str) -> None:
 
 def require_depth(depth: ArrayLike) -> Array:
     """Return depth as float64; raise TypeError or ValueError unless it is a 2-D array of distances > 0 in metres."""
-    distances = validation.array("depth", depth)
+    distances = validation.array("depth", depth, "metres")
     require_metres(distances.dtype)
     if distances.ndim != 2 or 0 in distances.shape:
         raise ValueError(f"depth must have the shape (height, width), got {distances.shape}")

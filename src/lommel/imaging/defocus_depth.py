@@ -457,7 +457,7 @@ def _compute_sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_]
 
 def _separate_photographs(photographs: object) -> list[object]:
     """Return the photographs in one array, with their masks; an empty list if the array has fewer than three axes."""
-    values, mask = validation.parted("photographs", photographs)
+    values, mask = validation.parted("photographs", photographs, "counts")
     if values.ndim < 3:
         return []
     return list(values if mask is None else np.ma.masked_array(values, mask=mask))

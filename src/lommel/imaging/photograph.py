@@ -154,9 +154,9 @@ class Scene:
         self, image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, encoding: str, o: BlurOptions
     ) -> None:
         require_lens(lens, "image, depth, lens, pixel")
-        scene = validation.array("image", image)
+        scene = validation.array("image", image, "counts")
         # A copy: the caller may change the map between frames.
-        self._depth = np.array(validation.array("depth", depth))
+        self._depth = np.array(validation.array("depth", depth, "metres"))
         require_scene("image", scene.shape, self._depth.shape)
         height, width = (side // o.supersample for side in scene.shape[:2])
         if (height * o.supersample, width * o.supersample) != scene.shape[:2]:
@@ -329,7 +329,7 @@ def depth_of_field(
         raise ValueError(f"supersample must be 1 with tile, got {o.supersample}")
     mapped = any(isinstance(part, np.memmap) for part in (image, depth, out))
     side = o.tile or (TILE if mapped and o.supersample == 1 else None)
-    values, distances = validation.array("image", image), validation.array("depth", depth)
+    values, distances = validation.array("image", image, "counts"), validation.array("depth", depth, "metres")
     if side is not None:
         return _render_tiles(values, distances, lens, pixel, encoding, side, o, out, progress)
     scene = Scene(values, distances, lens, pixel, encoding, o)
@@ -475,7 +475,7 @@ def field_photograph(
     (60, 80, 3)
     """
     validation.instance("field_map", field_map, FieldMap)
-    scene = validation.array("image", image)
+    scene = validation.array("image", image, "counts")
     require_image("image", scene.shape)
     require_one_aperture(field_map)
     o = FieldPhotographOptions.of("field_photograph", options, given)

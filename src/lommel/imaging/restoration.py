@@ -222,7 +222,7 @@ def restore(
     o = RestoreOptions.of("restore", options, given)
     validation.instance("noise", noise, Noise)
     validation.function("progress", progress, required=False)
-    image, mask = validation.parted("photo", photo)
+    image, mask = validation.parted("photo", photo, "counts")
     method = o.method or RichardsonLucy()
     if isinstance(lens, LinearBlur):
         if depth is not None or pixel is not None:
@@ -235,7 +235,7 @@ def restore(
         if depth is None or pixel is None:
             raise ValueError("depth and pixel must be given with a Lens, both in metres, got None")
         limit = full_light(image, encoding, o.saturation)
-        distances = validation.array("depth", depth)
+        distances = validation.array("depth", depth, "metres")
         require_scene("photo", image.shape, distances.shape)
         light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
         blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))

@@ -295,7 +295,7 @@ def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
     """
     target = validation.path("path", path)
     write = find_depth(target).write
-    metres = validation.array("depth", depth)
+    metres = validation.array("depth", depth, "metres")
     if metres.dtype.kind not in "iuf" or metres.ndim != 2 or 0 in metres.shape:
         raise ValueError(f"depth must be numbers of the shape (height, width), got {metres.dtype} {metres.shape}")
     if np.any(metres < 0.0):

@@ -433,7 +433,7 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
     """Return encoded light as uint8, uint16 or float32, and the fraction of its values that were clipped."""
     validation.choice("encoding", encoding, ENCODINGS)
     kind = validation.kind("dtype", dtype, np.uint8, np.uint16, np.float32)
-    light = validation.array("light", light)
+    light = validation.array("light", light, "counts")
     if light.dtype.kind != "f":
         raise TypeError(f"light must hold floats, got {light.dtype}")
     if light.ndim not in (2, 3) or light.shape[2:] not in ((), (3,)) or 0 in light.shape:

@@ -207,7 +207,7 @@ class Localizations(FitReport):
         from lommel.show import estimates
 
         movie = self.recording
-        picture_pixel = None if pixel is None else validation.real("pixel", pixel, above=0.0, below=1e-3)
+        picture_pixel = None if pixel is None else validation.real("pixel", pixel, above=0.0, below=1e-3, unit="m")
         sides = movie.rows * movie.pixel, movie.columns * movie.pixel
         return estimates.picture(self.table[self.kept], sides, picture_pixel, movie.along, ax)
 

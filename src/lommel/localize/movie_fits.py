@@ -245,7 +245,7 @@ def _open_blocks(
     if isinstance(movie, Counts):
         values = movie.values  # perhaps read on demand
     else:
-        values, mask = validation.parted("movie", movie)
+        values, mask = validation.parted("movie", movie, "counts")
         values = values if mask is None else np.ma.masked_array(values, mask)
     if len(values.shape) != 3 or 0 in values.shape:
         raise ValueError(f"movie must have the shape (frames, rows, columns), got {values.shape}")

@@ -312,7 +312,7 @@ class Table:
         self.along = validation.choice("along", along, ("z", "depth"))
         self.reach = validation.real("reach", reach, least=0.5, most=_MAX_REACH)
         self.tol = validation.real("tol", tol, least=1e-5, most=0.1)
-        ends = validation.real_array("z", z)
+        ends = validation.real_array("z", z, unit="metres")
         if ends.shape != (2,) or not 1e-9 <= ends[1] - ends[0] <= 1e-4:
             stated = " and ".join(map(format_length, ends.tolist())) if ends.shape == (2,) else validation.shown(z)
             raise ValueError(f"z must be (lowest, highest) in metres, 1 nm to 100 um apart, got {stated}")
@@ -491,7 +491,11 @@ class Table:
             If a position is outside the range of the table.
         """
         names, limits = ("row", "column", "z"), self.limits
-        arrays = [validation.real_array(name, part) for name, part in zip(names, (row, column, z), strict=True)]
+        units = ("pixels", "pixels", "metres")
+        arrays = [
+            validation.real_array(name, part, unit=unit)
+            for name, part, unit in zip(names, (row, column, z), units, strict=True)
+        ]
         for name, part, low, high in zip(names, arrays, *limits, strict=True):
             if part.size and not low <= part.min() <= part.max() <= high:
                 outside = part.min() if part.min() < low else part.max()

@@ -57,7 +57,7 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
         half of the period of a sampled image (:class:`lommel.Mask`, :class:`lommel.methods.MatrixFourier`); or if
         `about` or `of` has an unknown value.
     """
-    model, radii = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
+    model, radii = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0, unit=psf.pupil.unit)
     centers = energy_centers(psf, about) / psf.pupil.scale
     if model.radial_method is not None:
         return radial_energy(model.radial_method, psf.pupil, radii)
@@ -90,7 +90,10 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     TypeError, ValueError
         On the conditions of :func:`lommel.measures.energy.encircled_energy`, with `half_width` in place of `radius`.
     """
-    model, half_widths = ImageModel.of(psf, of), validation.real_array("half_width", half_width, least=0.0)
+    model, half_widths = (
+        ImageModel.of(psf, of),
+        validation.real_array("half_width", half_width, least=0.0, unit=psf.pupil.unit),
+    )
     centers = energy_centers(psf, about) / psf.pupil.scale
     if model.radial_method is not None:
         return radial_square_energy(model.radial_method, psf.pupil, half_widths)
@@ -443,7 +446,7 @@ def best_focus(pupil: Pupil, radius: float) -> float:
     The function scans defocus in steps of half a radian over the range in which some zone of the pupil is in focus,
     extended by 6 rad at both ends. Brent's method refines the maximum of the scan to 1e-6 rad.
     """
-    valid_radius = validation.real("radius", radius, above=0.0)
+    valid_radius = validation.real("radius", radius, above=0.0, unit=checked_pupil(pupil).unit)
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     method = of_profiles()

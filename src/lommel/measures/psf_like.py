@@ -107,7 +107,7 @@ class PSFLike(Recorded):
             reason = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
             reason = "a PSF with blur" if self.blur else reason
             raise ValueError(f"radius must be None for {reason}, whose values are on the grid only")
-        radii = validation.real_array("radius", radius, least=0.0)
+        radii = validation.real_array("radius", radius, least=0.0, unit=self.unit)
         largest = float(radii.max(initial=0.0))
         validation.reach(f"radius={largest:g}", float(self.pupil.v(largest)), self.pupil.scale, self.unit)
         # Methods expect distinct radii in ascending order.

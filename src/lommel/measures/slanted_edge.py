@@ -52,7 +52,7 @@ class EdgeResponse:
 
     def __call__(self, frequency: ArrayLike) -> Numbers:
         """Interpolate the response at `frequency`, cycles per metre; ValueError above the Nyquist frequency."""
-        f = validation.real_array("frequency", frequency, least=0.0)
+        f = validation.real_array("frequency", frequency, least=0.0, unit="1/metres")
         if f.size and f.max() > self.frequencies[-1] * (1.0 + 1e-12):
             raise ValueError(
                 f"frequency must be at most the Nyquist frequency, {per_mm(float(self.frequencies[-1]))}, "
@@ -117,7 +117,7 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     >>> lm.sfr(photo.values, 4e-6)
     <EdgeResponse above 0.5, 0.547 at Nyquist, 125 cycles/mm>
     """
-    values = validation.real_array("image", image)
+    values = validation.real_array("image", image, unit="counts")
     side = validation.pixel(pixel, metric=True)
     if values.ndim != 2 or min(values.shape) < 20:
         raise ValueError(f"image must have the shape (height, width) of 20 x 20 pixels or more, got {values.shape}")

@@ -107,7 +107,7 @@ def otf(
         _require_default(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
         return pupil.measured(lambda psf: image_otf(psf, fx, fy, tol=tol))
     checked(pupil)
-    x_f, y_f = frequencies(fx, fy)
+    x_f, y_f = frequencies(fx, fy, pupil.unit)
     tolerance = validation.real("tol", tol, least=1e-13, most=0.1)
     pixel_transfer, blurs_used = _pixel_transfer(pupil, x_f, y_f, pixel, fill), blurs(blur)
     require_unit(blurs_used, pupil)
@@ -160,7 +160,7 @@ def image_otf(
         pixels = {"pixel": grid.pixel, "fill": grid.fill} if averaged else {}
         spectrum = method if isinstance(method, Polychromatic) else None
         return otf(pupil, fx, fy, **pixels, blur=psf.blur, spectrum=spectrum, tol=tol)
-    x_f, y_f = frequencies(fx, fy)
+    x_f, y_f = frequencies(fx, fy, pupil.unit)
     scaled = x_f.ravel() * pupil.scale, y_f.ravel() * pupil.scale
     result: Complexes = sampled_transfer(ImageModel.of(psf, of), *scaled).reshape(pupil.shape + x_f.shape)[()]
     return result
@@ -332,7 +332,7 @@ def focus_tolerance(
 
 def displacements(pupil: Pupil, frequency: float, least: float, sensor: Sensor) -> tuple[float, float]:
     """Return the displacements of :func:`focus_tolerance` for a sensor."""
-    f = validation.real("frequency", frequency, above=0.0)
+    f = validation.real("frequency", frequency, above=0.0, unit="1/metres")
     threshold = validation.real("least", least, above=0.0, below=1.0)
     wavelength, number = checked(pupil).wavelength, pupil.f_number
     if wavelength is None or number is None or pupil.shape:

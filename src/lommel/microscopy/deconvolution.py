@@ -55,7 +55,7 @@ def _algorithm(name: str, value: RichardsonLucy | TotalVariation | None) -> Rich
 
 def _wavelengths(name: str, value: ArrayLike) -> tuple[float, ...]:
     """Return emission wavelengths, of one number or a sequence."""
-    waves = np.atleast_1d(validation.real_array(name, value))
+    waves = np.atleast_1d(validation.real_array(name, value, unit="metres"))
     if waves.ndim > 1:
         raise ValueError(f"{name} must be a number or a list of numbers, got the shape {waves.shape}")
     return tuple(validation.wavelength(float(wave), name) for wave in waves)
@@ -262,7 +262,7 @@ def run(
     stated = Stated(options.depth, options.wavelength, options.pixel, options.step)
     array_mask: NDArray[np.bool_] | bool | None = False
     if isinstance(stack, np.ma.MaskedArray):
-        stack, array_mask = validation.parted("stack", stack)
+        stack, array_mask = validation.parted("stack", stack, "counts")
     with frames_of("stack", stack) as frames, ExitStack() as cleanup:
         recording = frames.as_channels()
         notes = list(recording.notes)

@@ -95,7 +95,7 @@ class DepthModel:
         if name in ("wavelength", "step"):
             return replace(self, **{name: value * getattr(self, name)})
         if name == "depth":
-            return replace(self, depth=validation.real("depth", value, least=0.0, most=DEPTH_MOST))
+            return replace(self, depth=validation.real("depth", value, least=0.0, most=DEPTH_MOST, unit="metres"))
         changed: dict[str, Any] = {name: value if name == "sample" else value * self.objective.NA}
         return replace(self, objective=replace(self.objective, **changed))
 

@@ -205,7 +205,7 @@ def light_sheet(
     """
     pupil = validation.instance("emission", emission, ObjectivePupil)
     width = validation.real("thickness", thickness, above=0.0, unit="metres")
-    distance = pupil.z if offset is None else validation.real_array("offset", offset)
+    distance = pupil.z if offset is None else validation.real_array("offset", offset, unit="metres")
     distance = validation.broadcast("offset and the stack", distance, pupil.z)[0]
     if distance.shape != pupil.shape:
         raise ValueError(f"offset must broadcast to the stack of shape {pupil.shape}, got shape {distance.shape}")

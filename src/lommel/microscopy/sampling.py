@@ -84,7 +84,7 @@ def sampled(
     depth = stated.depth
     if depth is None:
         depth = planes // 2 * step if device is None else device.depth
-    validation.real("depth", depth, least=0.0, most=1e-2)
+    validation.real("depth", depth, least=0.0, most=1e-2, unit="metres")
     modality = Modality() if device is None else device.modality
     models: list[DepthModel | GivenPSF] = []
     for wave, laser in zip(waves, recording.metadata["excitation"], strict=True):

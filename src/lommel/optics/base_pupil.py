@@ -236,7 +236,7 @@ class BasePupil(display.Shown):
 
         TypeError or ValueError if `radius` is not real and finite.
         """
-        radii = validation.real_array("radius", radius)
+        radii = validation.real_array("radius", radius, unit=self.unit)
         with np.errstate(over="ignore"):
             return validation.real_array("radius / (lambda*N)", math.pi / self.scale * radii)
 
@@ -261,7 +261,7 @@ def object_distances(value: float | ArrayLike) -> float | NDArray[np.float64]:
     """Return checked object distances, an array or (from a float) a Python float; TypeError or ValueError."""
     if isinstance(value, float) and value >= 1e-150:
         return float(value)
-    distance = validation.array("object_distance", value)
+    distance = validation.array("object_distance", value, "metres")
     if distance.dtype.kind not in "iuf":
         raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")
     with np.errstate(over="ignore"):

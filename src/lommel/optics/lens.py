@@ -367,7 +367,7 @@ class Lens(display.Shown):
         bound; see :func:`lommel.optics.wavefront.wavefront.expansion`. TypeError or ValueError if C_d is not finite
         or beyond the range of the expansion.
         """
-        return self._phase(validation.real_array("defocus", defocus))
+        return self._phase(validation.real_array("defocus", defocus, unit="radians"))
 
     def _phase(self, c: _Numbers) -> Wavefront:
         if self.model == "paraxial":

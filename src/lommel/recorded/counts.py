@@ -348,7 +348,7 @@ def _counts(
     name: str, images: Any, mask: Any, saturation: float | None, noise: Noise | None, *, is_read: bool = True
 ) -> Counts:
     """Return counts of an array, which is kept as it is unless `is_read`; the mask of a container applies."""
-    values, hidden = validation.parted(name, images) if is_read else (images, None)
+    values, hidden = validation.parted(name, images, "counts") if is_read else (images, None)
     if is_read:
         _require_within(name, values)
     if mask is not None:
@@ -426,7 +426,7 @@ class Stack(Protocol):
 
 def plane_of(stack: Stack, number: int) -> Values:
     """Return a plane of a stack, infinities as NaN; ValueError if a value is too large to be squared in float32."""
-    values = validation.array("stack", stack[number])
+    values = validation.array("stack", stack[number], "counts")
     if values.dtype.kind != "f":
         return values
     unknown = np.isinf(values)

@@ -25,7 +25,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Json, Values
-from lommel.base.units import LENGTHS, format_length
+from lommel.base.quantities import metres_of, plain
+from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, photos, registry, zarr_folders
 from lommel.io.registry import Format
@@ -35,15 +36,6 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from tifffile import FileHandle, TiffFile, TiffPageSeries
 
-# Units of length in files, in metres, as OME, OME-Zarr and ImageJ name them; "Mm" is not "mm".
-_PREFIXES = {"": 0, "centi": -2, "milli": -3, "micro": -6, "nano": -9, "pico": -12}
-_UNITS = LENGTHS | {"\\u00B5m": 1e-6, "micron": 1e-6, "microns": 1e-6, "Å": 1e-10, "\u212b": 1e-10, "inches": 25.4e-3}
-_UNITS |= {
-    f"{prefix}{metre}{s}": float(f"1e{power}")
-    for prefix, power in _PREFIXES.items()
-    for metre in ("meter", "metre")
-    for s in ("", "s")
-}
 # Names of FITS header cards in common use.
 _GAIN, _READ, _SATURATION = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
 _EM_GAIN = ("EMGAIN", "EMREALGN", "EMREALGAIN")
@@ -90,8 +82,10 @@ def length(value: str | float | None, unit: object, default: str = "") -> float 
         return Unusable(words)
     if size == 1.0 and unit_name in ("", "pixel", "pixels"):  # written by programs for an unknown scale
         return None
-    # Short names of units are case-sensitive ("Mm" is not "mm"); long names are not.
-    scale = _UNITS.get(unit_name) or (_UNITS.get(unit_name.lower()) if len(unit_name) > 3 else None)
+    try:
+        scale = metres_of(unit_name)
+    except KeyError:
+        scale = 0.0
     if not unit_name:
         words += " without a unit"
     return size * scale if scale and math.isfinite(size) and size > 0.0 else Unusable(words)
@@ -573,7 +567,7 @@ class _ArrayPlanes(Planes):
     def block(self, part: Any) -> Values:
         """Return a part of the array."""
         # Refuses masks, which dask shows only here.
-        return validation.array(self._name, self._values[part]).astype(self.dtype, copy=False)
+        return validation.array(self._name, self._values[part], "counts").astype(self.dtype, copy=False)
 
 
 def _sizes_of_chunks(
@@ -716,8 +710,9 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
     if isinstance(images, Frames):
         return images
     if not isinstance(images, str | PathLike):
+        images = plain(name, images, "counts")
         is_array = hasattr(images, "shape") and hasattr(images, "dtype")
-        values = cast(ArrayLikeImages, images) if is_array else validation.array(name, images)
+        values = cast(ArrayLikeImages, images) if is_array else validation.array(name, images, "counts")
         validation.refuse_masked(name, values)
         return _array_frames(values, name)
     file_path, part = part_of(images)

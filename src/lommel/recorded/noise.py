@@ -76,7 +76,10 @@ class Noise(EqualByContent):
     excess: float = 1.0
 
     def __post_init__(self) -> None:
-        values = {"read": _number("read", self.read, least=0.0), "offset": _number("offset", self.offset)}
+        values = {
+            "read": _number("read", self.read, "electrons", 0.0),
+            "offset": _number("offset", self.offset, "counts"),
+        }
         values["excess"] = validation.real("excess", self.excess, least=1.0, most=100.0)
         if self.white is not None:
             values["white"] = white = _number("white", self.white)
@@ -89,17 +92,17 @@ class Noise(EqualByContent):
 
         Values may be negative because of read noise. ValueError if a value is not finite.
         """
-        values = validation.real_array("image", image)
+        values = validation.real_array("image", image, unit="counts")
         return np.asarray((values - self._for("offset", values.shape)) * self._for("white", values.shape))
 
     def image(self, electrons: ArrayLike) -> Array:
         """Return the image of `electrons`, the inverse of :meth:`electrons`; ValueError if a value is not finite."""
-        values = validation.real_array("electrons", electrons)
+        values = validation.real_array("electrons", electrons, unit="electrons")
         return np.asarray(values / self._for("white", values.shape) + self._for("offset", values.shape))
 
     def variance(self, electrons: ArrayLike) -> Array:
         """Return the variance ``excess * electrons + read**2`` for mean `electrons`; ValueError if not finite."""
-        values = validation.real_array("electrons", electrons)
+        values = validation.real_array("electrons", electrons, unit="electrons")
         return np.asarray(self.excess * values + self._for("read", values.shape) ** 2)
 
     @property
@@ -120,7 +123,7 @@ class Noise(EqualByContent):
         each electron is multiplied by a random number of mean 1: exponentially distributed for an excess of 2, else
         gamma.
         """
-        mean = validation.real_array("electrons", electrons, least=0.0)
+        mean = validation.real_array("electrons", electrons, unit="electrons", least=0.0)
         random = random_numbers(seed)
         photons: Array = random.poisson(mean).astype(float)
         image = np.asarray(random.standard_normal(mean.shape))
@@ -188,9 +191,9 @@ class Noise(EqualByContent):
         return tuple(v if v is None else (np.shape(v), np.asarray(v).tobytes()) for v in vars(self).values())
 
 
-def _number(name: str, value: ArrayLike, least: float = -np.inf) -> float | Array:
+def _number(name: str, value: ArrayLike, unit: str = "", least: float = -np.inf) -> float | Array:
     """Return a finite number, or an array (height, width) of finite numbers."""
-    numbers = validation.real_array(name, value, least=least) + 0.0  # no -0
+    numbers = validation.real_array(name, value, least=least, unit=unit) + 0.0  # no -0
     if numbers.ndim not in (0, 2) or numbers.size == 0:
         raise ValueError(f"{name} must be a number or have the shape (height, width), got shape {numbers.shape}")
     if numbers.ndim == 0:

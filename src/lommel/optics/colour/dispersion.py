@@ -66,16 +66,18 @@ class Colour:
         lateral: ArrayLike | None = None,
         heights: ArrayLike | None = None,
     ) -> None:
-        waves = validation.rising("wavelengths", wavelengths, count=2)
+        waves = validation.rising("wavelengths", wavelengths, count=2, unit="metres")
         for wave in waves:
             validation.wavelength(float(wave))
-        shift = np.zeros(waves.size) if focus_shift is None else validation.real_array("focus_shift", focus_shift)
+        shift = validation.real_array(
+            "focus_shift", np.zeros(waves.size) if focus_shift is None else focus_shift, unit="m"
+        )
         if shift.shape != waves.shape:
             raise ValueError(f"focus_shift must be one for each of {waves.size} wavelengths, got shape {shift.shape}")
         if (lateral is None) != (heights is None):
             raise ValueError("lateral and heights must be given together or not at all")
-        shifts = np.zeros((0, waves.size)) if lateral is None else validation.real_array("lateral", lateral)
-        radii = np.zeros(0) if heights is None else validation.rising("heights", heights)
+        shifts = np.zeros((0, waves.size)) if lateral is None else validation.real_array("lateral", lateral, unit="m")
+        radii = np.zeros(0) if heights is None else validation.rising("heights", heights, unit="metres")
         if radii.size and not radii[0] > 0.0:
             raise ValueError(f"heights must be above 0, where there is no lateral colour, got {radii[0]:g}")
         shifts = np.atleast_2d(shifts)
@@ -99,7 +101,7 @@ class Colour:
 
         TypeError or ValueError outside the table.
         """
-        h, wave = validation.real_array("height", height, least=0.0), self._check_wavelength(wavelength)
+        h, wave = validation.real_array("height", height, least=0.0, unit="m"), self._check_wavelength(wavelength)
         if not self.heights:
             return np.zeros(h.shape)
         if h.size and h.max() > self.heights[-1] * (1.0 + 1e-9):

@@ -87,7 +87,7 @@ class Spectrum:
 
 def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
     """Return wavelengths in metres; TypeError or ValueError if one is out of range or there are none."""
-    waves = np.atleast_1d(validation.array("wavelengths", wavelengths))
+    waves = np.atleast_1d(validation.array("wavelengths", wavelengths, "metres"))
     if waves.ndim > 1:
         raise ValueError(f"wavelengths must be a number or a sequence of numbers, got shape {waves.shape}")
     if not waves.size:
@@ -306,7 +306,7 @@ class Channels:
         TypeError, ValueError
             See :meth:`bands`.
         """
-        if validation.real("width", width, least=0.0) == 0.0:
+        if validation.real("width", width, least=0.0, unit="metres") == 0.0:
             return cls(RED_GREEN_BLUE, np.eye(3))
         return cls.bands(RED_GREEN_BLUE, width, count=count)
 
@@ -332,7 +332,8 @@ class Channels:
         TypeError, ValueError
             If a wavelength is invalid, or the width not above 0.
         """
-        middle = [validation.wavelength(w, "centers") for w in validation.real_array("centers", centers).ravel()]
+        waves = validation.real_array("centers", centers, unit="metres").ravel()
+        middle = [validation.wavelength(w, "centers") for w in waves]
         if not middle:
             raise ValueError("centers must not be empty")
         half_width = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")
@@ -390,7 +391,7 @@ class Channels:
         TypeError, ValueError
             If an argument is invalid, or more than 256 wavelengths are needed.
         """
-        waves = validation.rising("wavelengths", wavelengths, count=2)
+        waves = validation.rising("wavelengths", wavelengths, count=2, unit="metres")
         for wave in (waves[0], waves[-1]):
             validation.wavelength(float(wave))
         values = validation.real_array("curves", curves, least=0.0)
@@ -399,9 +400,10 @@ class Channels:
                 f"curves must be of shape (channels, {waves.size}), with light in every channel, "
                 f"got {validation.shown(curves)}"
             )
-        nodes, weights, error = fit_wavelengths(waves, values / values.max(), *checked_paths(paths, tol))
+        paths, tol = checked_paths(paths, tol)
+        nodes, weights, error = fit_wavelengths(waves, values / values.max(), paths, tol)
         channels = cls(tuple(nodes.tolist()), weights * np.trapezoid(values, waves, axis=1).reshape(-1, 1), names)
-        vars(channels).update(error=error, paths=float(paths))
+        vars(channels).update(error=error, paths=paths)
         return channels
 
     def __len__(self) -> int:

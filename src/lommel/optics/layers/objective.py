@@ -275,7 +275,7 @@ class Objective:
 
     def _planes(self, depth: ArrayLike, focus: ArrayLike) -> tuple[Array, Array, tuple[int, ...]]:
         """Validate depths and stage positions; return both as flat arrays, and their common shape."""
-        f = validation.real_array("focus", focus)
+        f = validation.real_array("focus", focus, unit="metres")
         d, f = validation.broadcast("depth and focus", depths(depth), f)
         # The caller passed either `focus`, or `depth` and `z`, from which the stage position follows.
         name = "the stage position, set by focus or by depth and z,"
@@ -333,7 +333,7 @@ class Objective:
         layers, source = self._layers(wavelength), emitter_of(emitter)
         wavefront = projection.checked(aberrations)
         stack = np.empty(wavefront.shape if wavefront else ())
-        arrays = depths(depth), validation.real_array("z", z), stack
+        arrays = depths(depth), validation.real_array("z", z, unit="metres"), stack
         d, offset, _ = validation.broadcast("depth, z and aberrations", *arrays)
         if wavefront and wavefront.shape:
             wavefront = wavefront.broadcast(d.shape)
@@ -452,7 +452,7 @@ class Objective:
         self, radius: ArrayLike, depth: ArrayLike, focus: ArrayLike, wavelength: float, tol: float
     ) -> tuple[list[NDArray[np.complex128]], float]:
         layers = self._layers(wavelength)
-        r = validation.real_array("radius", radius, least=0.0)
+        r = validation.real_array("radius", radius, least=0.0, unit="metres")
         d, f, shape = self._planes(depth, focus)
         error = validation.real("tol", tol, least=1e-14, below=1.0)
         if not r.size or not d.size:

@@ -238,7 +238,7 @@ def refractive_index(name: str, value: object) -> float:
 
 def length(name: str, value: object, most: float, *, positive: bool = False) -> float:
     """Return a length from 0 to `most`, metres; ValueError, with a hint if it seems to be in um or mm."""
-    metres = validation.real(name, value)
+    metres = validation.real(name, value, unit="metres")
     if not (0.0 <= metres <= most) or (positive and metres == 0.0):
         other_unit = metres > max(most, 1e-3)  # probably a number in um or mm
         hint = f"; for {metres:g} um give {metres:g}e-6, for {metres:g} mm {metres:g}e-3" if other_unit else ""
@@ -260,7 +260,7 @@ def film_stack(value: object) -> tuple[Layer, ...]:
 
 def depths(value: ArrayLike) -> Array:
     """Return depths below the glass, 0 to 0.01 metres; TypeError or ValueError for other values."""
-    metres = validation.real_array("depth", value)
+    metres = validation.real_array("depth", value, unit="metres")
     if not metres.size:
         raise ValueError(f"depth must not be empty, got shape {metres.shape}")
     for extreme in (metres.min(), metres.max()):

@@ -77,7 +77,7 @@ class OPDMap:
     wavelength: float | None = None
 
     def __post_init__(self) -> None:
-        data, masked = validation.parted("values", self.values)
+        data, masked = validation.parted("values", self.values, "metres")
         values = _real_maps("values", data)
         if masked is not None:
             values[masked] = np.nan
@@ -217,7 +217,7 @@ def fit_opd(
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
     eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
     # Outside the mask values may be arbitrary, even NaN.
-    maps, valid = _maps(opd, mask)
+    maps, valid = _maps(opd, mask, unit)
     height, width = maps.shape[-2:]
     x, y = _pupil_coordinates((height, width), center, radius)
     # A pixel belongs to the pupil if its centre lies in the pupil.
@@ -417,12 +417,12 @@ def _fit_result(
     )
 
 
-def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.bool_]]:
+def _maps(opd: ArrayLike, mask: ArrayLike | None, unit: str) -> tuple[Array, NDArray[np.bool_]]:
     """Return maps and their valid pixels.
 
     They are True in `mask` (if any) and not hidden in a masked array; without either, they are not NaN.
     """
-    data, masked = validation.parted("opd", opd)
+    data, masked = validation.parted("opd", opd, unit)
     maps = _real_maps("opd", data)
     if mask is None:
         return maps, ~np.isnan(maps) if masked is None else ~masked

@@ -50,7 +50,7 @@ Term = tuple[int, int]
 _FRAMEWORKS = {"jax": "JAX", "jaxlib": "JAX", "torch": "PyTorch", "cupy": "CuPy"}
 
 
-def _coefficients(name: str, value: ArrayLike) -> Array:
+def _coefficients(name: str, value: ArrayLike, unit: str = "radians") -> Array:
     """Return coefficients as an array; TypeError for a tensor, whose gradients would be lost silently."""
     framework = _FRAMEWORKS.get(type(value).__module__.partition(".")[0])
     if framework is not None:
@@ -58,7 +58,7 @@ def _coefficients(name: str, value: ArrayLike) -> Array:
             f"{name} must be numbers or a NumPy array, got a {framework} array, whose gradients would be lost: use "
             f"lommel.Plan(...).traced(pupils, xp) for PSFs in {framework}, or convert it by np.asarray(...)"
         )
-    return validation.real_array(name, value)
+    return validation.real_array(name, value, unit=unit)
 
 
 def radians_per(unit: str, wavelength: float | None) -> float:
@@ -327,7 +327,7 @@ class Wavefront(EqualByContent, display.Shown):
             n, m = zernike.term(index, order)
             if (n, m) in edge:
                 raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), occurs twice")
-            coefficient = _coefficients(f"the Zernike coefficient {index!r}", value)
+            coefficient = _coefficients(f"the Zernike coefficient {index!r}", value, unit)
             with np.errstate(over="ignore"):  # from_edge() rejects an infinite result
                 edge[n, m] = scale * _edge_factor((n, m), normalization) * coefficient
         if eps > 0.0:
@@ -418,7 +418,7 @@ class Wavefront(EqualByContent, display.Shown):
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
         with np.errstate(over="ignore"):  # real_array() below rejects an infinite result
-            radians = {name: 2 * math.pi * _coefficients(name, value) for name, value in waves.items()}
+            radians = {name: 2 * math.pi * _coefficients(name, value, "waves") for name, value in waves.items()}
         w = {name: validation.real_array(name, value) for name, value in radians.items()}
         if not isinstance(field, tuple | list) or len(field) != 2:
             raise TypeError(f"field must be a pair (x, y), got {validation.shown(field)}")
@@ -470,7 +470,7 @@ class Wavefront(EqualByContent, display.Shown):
         eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
         with np.errstate(over="ignore"):
             # Variance of rho^4 - (1 + eps^2) rho^2 over the annulus is (1 - eps^2)^4 / 180, and sqrt 180 = 6 sqrt 5.
-            spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms) / (1 - eps**2) ** 2
+            spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms, unit="radians") / (1 - eps**2) ** 2
         spherical = validation.real_array("6 sqrt(5) rms / (1 - eps^2)^2", spherical)
         return cls(-0.5 * (1 + eps**2) * spherical, spherical)
 
@@ -683,8 +683,9 @@ class Wavefront(EqualByContent, display.Shown):
             If `rho` or `theta` is not real and finite, if they do not broadcast, or if a radius is negative or above
             1000.
         """
-        points = validation.real_array("rho", rho, least=0.0, most=_MAX_RHO), validation.real_array("theta", theta)
-        r, angle = validation.broadcast("rho and theta", *points)
+        r = validation.real_array("rho", rho, least=0.0, most=_MAX_RHO)
+        angle = validation.real_array("theta", theta, unit="radians")
+        r, angle = validation.broadcast("rho and theta", r, angle)
         point_axes = (1,) * r.ndim
         total = zernike.legendre_sum(self.radial_terms, 2.0 * r * r - 1.0)
         for (n, m), c in self.nonradial.items():

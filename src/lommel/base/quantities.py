@@ -1,0 +1,175 @@
+"""Units and labelled axes of what is given as a number or an array: converted, put in order, or refused by name."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, "nm": -9, "pm": -12, "angstrom": -10}
+LENGTHS = {unit: float(f"1e{power}") for unit, power in POWERS.items()} | {"in": 25.4e-3, "inch": 25.4e-3}
+"""Metres of each unit of length."""
+ANGLES = {
+    "rad": 1.0,
+    "mrad": 1e-3,
+    "deg": math.pi / 180,
+    "arcmin": math.pi / 10800,
+    "arcsec": math.pi / 648000,
+    "mas": math.pi / 648000000,
+}
+"""Radians of each unit of angle."""
+
+# Units of length in files, in metres, as OME, OME-Zarr, ImageJ and xarray name them.
+_PREFIXES = {"": 0, "centi": -2, "milli": -3, "micro": -6, "nano": -9, "pico": -12}
+_METRES = LENGTHS | {
+    "\\u00B5m": 1e-6,
+    "micron": 1e-6,
+    "microns": 1e-6,
+    "Å": 1e-10,
+    "\u212b": 1e-10,
+    "inches": 25.4e-3,
+}
+_METRES |= {
+    f"{prefix}{metre}{s}": float(f"1e{power}")
+    for prefix, power in _PREFIXES.items()
+    for metre in ("meter", "metre")
+    for s in ("", "s")
+}
+# By the symbol of astropy and unyt, what the units that a text may state are in it.
+_TEXTS = {
+    "m": _METRES,
+    "rad": ANGLES | {"radian": 1.0, "radians": 1.0, "degree": math.pi / 180, "degrees": math.pi / 180},
+    "s": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "second": 1.0, "seconds": 1.0, "millisecond": 1e-3, "min": 60.0},
+    "electron": dict.fromkeys(("electron", "electrons", "e-"), 1.0),
+    "pixel": dict.fromkeys(("pixel", "pixels", "pix", "px"), 1.0),
+    "": {"": 1.0, "1": 1.0, "dimensionless": 1.0, "percent": 1e-2, "%": 1e-2},
+}
+_TEXTS["1/m"] = {f"1/{unit}": 1.0 / size for unit, size in _METRES.items()}
+# The unit of an argument, as messages name it: its symbol, and its size in the unit of the symbol.
+_SYMBOLS = {
+    "metres": "m",
+    "radians": "rad",
+    "1/metres": "1/m",
+    "seconds": "s",
+    "electrons": "electron",
+    "pixels": "pixel",
+}
+_UNITS = {word: (symbol, 1.0) for word, symbol in _SYMBOLS.items()} | {"": ("", 1.0), "meters": ("m", 1.0)}
+_UNITS |= {unit: ("m", size) for unit, size in LENGTHS.items()}
+_COUNTS = ("electron", "electrons", "adu", "ct", "count", "counts", "ph", "photon", "dn", "")
+_AXES = dict.fromkeys(("y", "row", "rows", "height"), "row") | dict.fromkeys(
+    ("x", "col", "column", "columns", "width"), "column"
+)
+_PLAIN = (float, int, np.ndarray, np.float64, str, bool, type(None))  # tested first because they are frequent
+
+
+def metres_of(unit: str) -> float:
+    """Return the metres of a unit as files name it; KeyError for others."""
+    # Short names are case-sensitive ("Mm" is not "mm"); long names are not.
+    return _METRES[unit.lower() if unit not in _METRES and len(unit) > 3 else unit]
+
+
+def plain(name: str, value: Any, unit: str = "") -> Any:
+    """Return a number, array or list without units and labels, in the unit of an argument.
+
+    Parameters
+    ----------
+    name : str
+        Argument, for messages.
+    value : object
+        What has no unit and no labels is returned as it is. Units are those of astropy (arrays, columns, NDData),
+        pint, unyt, and the attribute ``units`` of xarray; labels are the dimensions of xarray.
+    unit : str
+        Unit of the argument: "metres", "radians", "1/metres", "seconds", "electrons", "pixels", a unit of length, ""
+        (none), "counts" (what a camera recorded, in its own unit), or another that none knows, such as "lambda*N".
+
+    Raises
+    ------
+    ValueError
+        If the unit cannot be converted, or if labels contradict the order of axes: rows before columns.
+    """
+    if type(value) in _PLAIN:
+        return value
+    if isinstance(value, list | tuple):
+        if all(type(part) in _PLAIN for part in value):
+            return value
+        parts = [plain(f"{name}[{k}]", part, unit) for k, part in enumerate(value)]
+        same = all(new is old for new, old in zip(parts, value, strict=True))
+        return value if same else parts if isinstance(value, list) else tuple(parts)
+    if type(value).__module__.partition(".")[0] in ("builtins", "lommel"):
+        return value
+    if isinstance(dims := getattr(value, "dims", None), tuple) and hasattr(value, "transpose"):
+        return _unlabelled(name, value, dims, unit)
+    columns = getattr(value, "columns", None)  # of pandas
+    if columns is not None and getattr(columns, "dtype", np.dtype(int)).kind in "OUT":
+        raise ValueError(
+            f"{name} has columns named {_listed(columns)}, which no argument has; give {name}.to_numpy()"
+        )
+    stated = next((u for u in (getattr(value, key, None) for key in ("unit", "units")) if u is not None), None)
+    # Other libraries have functions and pairs of this name.
+    return (
+        value
+        if stated is None or callable(stated) or isinstance(stated, tuple)
+        else _converted(name, value, stated, unit)
+    )
+
+
+def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
+    """Return what a labelled array holds, with rows before columns, and these behind all others."""
+    order = [_AXES.get(str(dim).lower(), "") for dim in dims]
+    if len(dims) > 1 and any(order):
+        if order.count("row") != 1 or order.count("column") != 1:
+            raise ValueError(f"{name} must have one axis of rows and one of columns, got the axes {_listed(dims)}")
+        last = [dims[order.index("row")], dims[order.index("column")]]
+        value = value.transpose(*(dim for dim in dims if dim not in last), *last)
+    elif len(dims) > 1 and not all(str(dim).startswith("dim_") for dim in dims):
+        raise ValueError(
+            f"{name} must have axes named y and x, or row and column, behind all others, got {_listed(dims)}; "
+            f"give {name}.values if its axes are in order"
+        )
+    stated = value.attrs.get("units", value.attrs.get("unit"))
+    held = value.data
+    return plain(name, held, unit) if stated is None else _converted(name, held, stated, unit)
+
+
+def _listed(names: Any) -> str:
+    return ", ".join(map(str, names))[:80]
+
+
+def _converted(name: str, value: Any, stated: Any, unit: str) -> Any:
+    """Return the numbers of a quantity in the unit of the argument."""
+    if unit == "counts":
+        if str(stated).lower().strip() not in _COUNTS:
+            raise ValueError(f"{name} must be in counts (electron, adu, ct, ph), got the unit {stated}")
+        factor = 1.0
+    else:
+        try:
+            symbol, size = _UNITS[unit]
+            factor = _factor(stated, symbol) / size
+        except Exception:  # each library raises errors of its own, and this table KeyError
+            wanted = "metres" if unit == "m" else unit or "no unit"
+            raise ValueError(f"{name} must be in {wanted}, got the unit {str(stated) or 'none'}") from None
+    held = (getattr(value, key, None) for key in ("magnitude", "value"))  # pint; astropy and unyt
+    values = next((part for part in held if part is not None), value)
+    if factor == 1.0:
+        return values  # lazy arrays stay lazy
+    data = values if isinstance(values, np.ndarray) else getattr(values, "data", values)  # NDData
+    scaled, mask = factor * np.array(data, subok=False), getattr(value, "mask", None)
+    return scaled[()] if mask is None else np.ma.masked_array(scaled, mask)
+
+
+def _factor(stated: Any, symbol: str) -> float:
+    """Return what numbers in a unit are multiplied by for another; an error of any kind if there is nothing."""
+    if isinstance(stated, str):
+        return _TEXTS[symbol][stated.replace(" ", "")] if symbol != "m" else metres_of(stated.strip())
+    if hasattr(stated, "dimensionality"):  # pint
+        return float((1.0 * stated).to(symbol or "dimensionless").magnitude)
+    if hasattr(stated, "get_conversion_factor"):  # unyt
+        factor, offset = stated.get_conversion_factor(
+            type(stated)(symbol or "dimensionless", registry=stated.registry)
+        )
+        if offset:
+            raise ValueError
+        return float(factor)
+    return float(stated.to(symbol))

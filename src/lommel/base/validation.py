@@ -236,15 +236,15 @@ def parted(name: str, value: object, unit: str = "") -> tuple[Values, NDArray[np
     """
     value = computed(plain(name, value, unit))
     if not _is_masked(value):
-        return number_array(name, cast(ArrayLike, value)), None
+        return number_array(name, cast(ArrayLike, value), unit), None
     if isinstance(value, list | tuple):
-        parts = [parted(f"{name}[{k}]", item) for k, item in enumerate(value)]
+        parts = [parted(f"{name}[{k}]", item, unit) for k, item in enumerate(value)]
         if len(shapes := {data.shape for data, _ in parts}) > 1:
             raise ValueError(f"{name} must have one shape, got {', '.join(map(str, sorted(shapes)))}")
         masks = [np.zeros(data.shape, dtype=bool) if mask is None else mask for data, mask in parts]
         return np.stack([data for data, _ in parts]), np.stack(masks)
     data = value if isinstance(value, np.ndarray) else getattr(value, "data", value)
-    numbers = number_array(name, np.array(data, subok=False))
+    numbers = number_array(name, np.array(data, subok=False), unit)
     return numbers, np.broadcast_to(np.asarray(getattr(value, "mask", False)) != 0, numbers.shape)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -146,11 +147,14 @@ def test_samples_that_are_kept_are_of_the_same_pupil_and_good_enough(sampled):
 
 def test_only_samples_of_the_tolerance_serve_again(sampled):
     pupil, lattice = lm.Pupil(spider=VANES), SimpleNamespace(step=1.0, first=(-6, -7), counts=(13, 15))
+    least = 1.0
     for tol, count in [(1e-4, 1), (1e-4, 1), (1e-3, 1), (1e-6, 2), (1e-4, 2), (2e-7, 3)]:
         _, values, off = recorded._on_lattice(Request(None, 1, tol, 1e-9, 0.0), pupil, lattice)
         assert values.shape == (1, 13, 15)
         assert float(off[0]) <= tol * pupil.amplitude**2
         assert len(sampled) == count
+        kept, least = recorded._cached_lattices(pupil.aperture, pupil.wavefront)[1.0].tol, min(least, tol)
+        assert kept == pytest.approx(10.0 ** (math.floor(2.0 * math.log10(least)) / 2.0))
     part = SimpleNamespace(step=1.0, first=(-2, 3), counts=(4, 5))
     _, values, _ = recorded._on_lattice(Request(None, 1, 1e-6, 1e-9, 0.0), pupil, part)
     exact = lm.psf(pupil, (4, 5), 1.0 / np.pi, center=(2, -3), tol=1e-10, normalize="strehl", dtype=np.float64)

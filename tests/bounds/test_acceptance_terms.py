@@ -301,7 +301,7 @@ def test_tables_of_live_depth_are_saved_with_the_noise_and_what_saturated_pixels
 
 
 @pytest.mark.parametrize("ended", [False, True])
-@pytest.mark.parametrize("aim", [1e-3, 1e-7])
+@pytest.mark.parametrize("aim", [1e-3, 1e-12])
 def test_the_first_request_of_blurred_images_follows_from_the_widths_of_their_parts(aim, ended, monkeypatch):
     halo = SimpleNamespace(
         several=True, at=lambda r: np.full(1, 1.0 / 40.0), bound=lambda r: 0.02 * math.exp(-r / 50)
@@ -314,7 +314,7 @@ def test_the_first_request_of_blurred_images_follows_from_the_widths_of_their_pa
     spot, pixel = 4.0 * math.pi * pupil.transmission / pupil.likely_peak, 0.5 * math.pi
     jitter = 2.0 * math.pi * (0.4 * math.pi) ** 2
     area = math.sqrt((spot + jitter + (1.5 * math.pi) ** 2 + pixel**2) * (spot + jitter + pixel**2)) + 40.0
-    assert found.tol == pytest.approx(0.12 * aim * spot / area, rel=1e-9)
+    assert found.tol == pytest.approx(max(0.12 * aim * spot / area, 1e-13), rel=1e-9)
     light = 4.0 * math.pi * pupil.transmission / area / pupil.amplitude**2
     assert found.error == pytest.approx(max(0.009 * aim * light, 1e-15), rel=1e-9)
     half = 4 * 0.5 * math.pi
@@ -324,6 +324,10 @@ def test_the_first_request_of_blurred_images_follows_from_the_widths_of_their_pa
     )  # fmt: skip
     blur = float(pupil.v(pupil.geometric_radius()))
     assert found.margin == pytest.approx(blur + (0.0 if ended else 60.0) + margin, rel=1e-9)
+    halo.several, area = False, area - 40.0
+    found, light = recorded._first_request(None, pupil, grid, blurs, aim, 1), light * (area + 40.0) / area
+    still = max(0.3 * aim * spot / area, 1e-13), max(0.02 * aim * light, 1e-15), 0.0
+    assert (found.tol, found.error, found.margin) == pytest.approx(still, rel=1e-9)
 
 
 def test_whole_numbers_without_limits_are_taken_up_to_2_to_the_62():

@@ -14,7 +14,7 @@ from lommel.blur import convolution, recorded
 from lommel.blur.convolution import Gate, Halo, Short
 from lommel.blur.recorded import Band, BlurredStack, Request
 from lommel.blur.transfer_integral import Fading, Slopes, TransferIntegral
-from lommel.core.answers import Samples, Wanted
+from lommel.core.answers import Samples, Wanted, not_met
 from lommel.optics.grid import Grid
 
 VANES = lm.Pupil(lm.Wavefront(1.0), spider=lm.Spider.equal(3, 0.04))
@@ -154,3 +154,15 @@ def test_an_outer_scale_is_bounded_on_discs_of_cube_roots_of_frequencies(x, radi
     assert float(fading.log_bound(np.array(x), np.array(radius), end)) == pytest.approx(bound, rel=1e-9)
     stack = lm.Pupil(lm.Wavefront([1.0, -3.0, 2.0], [2.0, 0.1, -0.5]))
     assert Slopes.of(stack).terms[1:] == tuple(np.abs(stack.radial_terms()).T.max(axis=-1))
+
+
+@pytest.mark.parametrize(("bound", "tol", "other", "told"), [
+    (0.03, 1e-6, "", "is 0.03 of the peak; give tol=0.06"), (0.0231, 1e-6, "Other", "tol=0.047 or method=Other"),
+    (0.049, 1e-6, "", "give tol=0.098"), (0.05, 1e-6, "Other", "is 0.05 of the peak; give method=Other"),
+    (0.06, 1e-6, "", "is 0.06 of the peak"), (0.04, 0.08, "", "is 0.04 of the peak"),
+    (0.04, 0.079, "", "give tol=0.08"), (0.99, 1e-6, "", "is 0.99 of the peak"), (1.0, 1e-6, "", "is as large as the peak"),
+])  # fmt: skip
+def test_a_tolerance_that_is_not_met_is_told_with_twice_the_bound_that_was_reached(bound, tol, other, told):
+    error = not_met(tol, bound, "the peak", other=other)
+    assert str(error).endswith(told)
+    assert error.bound == bound

@@ -14,6 +14,7 @@ from lommel.core.answers import ToleranceError, Wanted
 RADIAL = engine.RadialStack(np.array([[6.0, -1.0], [0.5, 2.0]]), 0.3, np.array([0.0, 0.4]))
 DISK = engine.DiskStack(np.array([[2, 0], [4, 0]], dtype=np.int32), *RADIAL)
 WINDOW = engine.Window((9, 11), (4.0, 5.0), 0.8)
+EMPTY = np.empty((2, 9, 11))
 
 SAMPLES = {
     "radial": lambda tol, wanted: engine.radial_images(RADIAL, WINDOW, tol, wanted),
@@ -50,6 +51,43 @@ def test_without_a_scale_each_image_is_divided_by_its_largest_value(images):
 def test_a_tolerance_that_cannot_be_met_is_an_exception(images):
     with pytest.raises(ToleranceError, match=r"tol=1e-17 cannot be met in double precision: the proven error bound"):
         images(1e-17, Wanted())
+
+
+def test_profiles_and_gradients_beyond_double_precision_are_exceptions_as_well():
+    for compute in (
+        lambda: engine.radial_profiles(RADIAL, np.array([0.0, 1.0]), 1e-17),
+        lambda: engine.chordal_gradient(DISK, WINDOW, 1e-17, np.ones((2, *WINDOW.shape)), ((2, 0),), 1),
+        lambda: engine.radial_plan(RADIAL, (2,), WINDOW, 1e-17, Wanted(), integrate=False)(RADIAL.terms, EMPTY),
+        lambda: engine.chordal_plan(*DISK[2:], WINDOW, 1e-17, Wanted(), if_cheaper=False)(*DISK[:2], EMPTY),
+    ):
+        with pytest.raises(ToleranceError, match=r"tol=1e-17 cannot be met") as told:
+            compute()
+        assert 1e-17 < told.value.bound < 1e-9
+
+
+@pytest.mark.parametrize("scale", [None, 2.0])
+def test_plans_have_the_scale_of_each_image_and_the_largest_bound(scale):
+    """And averages over pixels of any engine are those of another."""
+    for images, plan, terms in (
+        (engine.radial_images(RADIAL, WINDOW, 1e-8, Wanted(scale)),
+         engine.radial_plan(RADIAL, (2,), WINDOW, 1e-8, Wanted(scale), integrate=False), (RADIAL.terms,)),
+        (engine.chordal_images(DISK, WINDOW, 1e-8, Wanted(scale)),
+         engine.chordal_plan(*DISK[2:], WINDOW, 1e-8, Wanted(scale), if_cheaper=False), DISK[:2]),
+    ):  # fmt: skip
+        scales, bound = plan(*terms, values := np.zeros_like(EMPTY))
+        assert (scales, values) == (pytest.approx(images.scale), pytest.approx(images.values, abs=1e-12))
+        assert bound == pytest.approx(images.error.max(), rel=1e-3)
+        assert images.error.min() < 0.999 * bound
+    exact = engine.radial_images(RADIAL, WINDOW, 1e-9, Wanted(), integrate=True).values
+    made = engine.disk_averages(DISK, WINDOW, 1e-6, Wanted(), if_cheaper=False)
+    assert np.abs(made.values - exact).max(axis=(1, 2)) == pytest.approx(0.0, abs=2e-6)
+    wide = WINDOW._replace(step=12.0)
+    far, there = (
+        engine.far_averages(DISK, wide, 1e6, 1e-2, 1),
+        engine.disk_averages(DISK, wide, 1e-6, Wanted(), if_cheaper=False),
+    )
+    assert np.count_nonzero(far.values) > 9
+    assert np.abs(far.values - there.values)[far.values != 0.0].max() <= far.error.max() + 1e-6 < 1e-3
 
 
 def test_derivatives_come_by_the_power_of_each_and_none_where_none_was_asked_for():

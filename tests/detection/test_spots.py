@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.detection import find_spots
+from lommel.detection import find_crossings, find_spots
+from lommel.localize import find as find_molecules
 
 NOISE = lm.Noise(read=2.0)
 AIRY = lm.psf(lm.Pupil(lm.Wavefront(1.5)), 61, 0.5).values.astype(np.float64)
@@ -140,3 +141,27 @@ def test_pixels_left_out_do_not_hide_stars_and_are_masked_in_their_windows(kind)
     np.testing.assert_array_equal(np.ma.getmaskarray(found.windows)[1], out[50:71, 50:71])
     assert found.left_out == out.sum()
     assert found.message == f"2 spots found; refused: 1 masked; {out.sum()} pixels left out (masked or NaN)"
+
+
+SQUARES = 1.0 + np.sign(np.outer(*[np.arange(-20, 21)] * 2))
+
+
+@pytest.mark.parametrize(("find", "default", "light"), [
+    (lambda image, **of: find_spots(image, window=21, **of), 8.0, AIRY[9:-9, 9:-9] / AIRY.max()),
+    (lambda image, **of: find_crossings(image, window=21, **of), 8.0, SQUARES),
+    (lambda image, **of: find_molecules(image[None], 15, **of), 6.0, AIRY[9:-9, 9:-9] / AIRY.max()),
+])  # fmt: skip
+def test_thresholds_are_what_the_page_says_and_from_three_to_a_thousand(find, default, light):
+    def count(size, **of):
+        return len(find(20.0 + size * light, noise=lm.Noise(read=2.0), **of))
+
+    low, high = 5.0, 500.0
+    while high > 1.02 * low:
+        middle = (low * high) ** 0.5
+        low, high = (low, middle) if count(middle, threshold=default) else (middle, high)
+    assert [count(size) for size in (0.98 * low, 1.02 * high)] == [0, 1]
+    for threshold in (3.0, 1e3):
+        count(high, threshold=threshold)
+    for threshold in (2.99, 1001.0):
+        with pytest.raises(ValueError, match="threshold must be"):
+            count(high, threshold=threshold)

@@ -121,7 +121,7 @@ def filters_pay(stack: RadialStack, window: Window, tol: float, *, derivatives: 
 
 
 def radial_plan(
-    stack: RadialStack, shape: tuple[int, ...], window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
+    stack: RadialStack, shape: tuple[int, ...], window: Window, tol: float, wanted: Wanted, *, integrate: bool
 ) -> Callable[[Array, Pixels], tuple[Array, float] | None]:
     """Return a fast function f(terms, values) for :func:`radial_images` of stacks that differ in their terms only.
 
@@ -212,7 +212,7 @@ def _averages_outputs(count: int, window: Window, wanted: Wanted) -> tuple[Sampl
 
 
 def disk_averages(
-    stack: DiskStack, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
+    stack: DiskStack, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool
 ) -> Samples | None:
     """Return averages over pixels, with errors relative to the largest average at any position of a pixel.
 
@@ -262,7 +262,7 @@ def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, flo
 
 
 def chordal_plan(
-    obscuration: float, amplitude: Array, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
+    obscuration: float, amplitude: Array, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool
 ) -> Callable[[NDArray[np.int32], Array, Pixels], tuple[Array, float]]:
     """Return a fast function f(terms, edge, values) for :func:`chordal_images` of stacks of one aperture.
 
@@ -283,7 +283,7 @@ def chordal_plan(
 
 
 def chordal_gradient(
-    stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
+    stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int
 ) -> Array:
     """Return derivatives of sum(weights * I) with respect to the coefficients of k Zernike `terms`, shape (n, k)."""
     gradient, by_terms = np.empty((len(stack.edge), len(terms))), np.array(terms, dtype=np.int32)

@@ -219,7 +219,7 @@ def test_terms_that_are_none_are_refused(terms, message):
     with pytest.raises(ValueError, match=message):
         chordal_images(stack, window, 1e-6, Wanted(terms=terms))
     with pytest.raises(ValueError, match=message):
-        chordal_gradient(stack, window, 1e-6, np.ones((1, 3, 3)), terms)
+        chordal_gradient(stack, window, 1e-6, np.ones((1, 3, 3)), terms, 0)
 
 
 def test_values_that_are_divided_by_their_largest_one_have_no_derivatives():

@@ -159,8 +159,8 @@ def test_an_outer_scale_is_bounded_on_discs_of_cube_roots_of_frequencies(x, radi
 @pytest.mark.parametrize(("bound", "tol", "other", "told"), [
     (0.03, 1e-6, "", "is 0.03 of the peak; give tol=0.06"), (0.0231, 1e-6, "Other", "tol=0.047 or method=Other"),
     (0.049, 1e-6, "", "give tol=0.098"), (0.05, 1e-6, "Other", "is 0.05 of the peak; give method=Other"),
-    (0.06, 1e-6, "", "is 0.06 of the peak"), (0.04, 0.08, "", "is 0.04 of the peak"),
-    (0.04, 0.079, "", "give tol=0.08"), (0.99, 1e-6, "", "is 0.99 of the peak"), (1.0, 1e-6, "", "is as large as the peak"),
+    (0.06, 1e-6, "", "is 0.06 of the peak"), (0.04, 0.08, "", "is 0.04 of the peak"), (0.04, 0.079, "", "give tol=0.08"),
+    (0.99, 1e-6, "", "is 0.99 of the peak"), (1.0, 1e-6, "", "is as large as the peak"),
 ])  # fmt: skip
 def test_a_tolerance_that_is_not_met_is_told_with_twice_the_bound_that_was_reached(bound, tol, other, told):
     error = not_met(tol, bound, "the peak", other=other)

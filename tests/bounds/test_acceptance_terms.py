@@ -314,20 +314,20 @@ def test_the_first_request_of_blurred_images_follows_from_the_widths_of_their_pa
     spot, pixel = 4.0 * math.pi * pupil.transmission / pupil.likely_peak, 0.5 * math.pi
     jitter = 2.0 * math.pi * (0.4 * math.pi) ** 2
     area = math.sqrt((spot + jitter + (1.5 * math.pi) ** 2 + pixel**2) * (spot + jitter + pixel**2)) + 40.0
-    assert found.tol == pytest.approx(max(0.12 * aim * spot / area, 1e-13), rel=1e-9)
+    assert found.tol == pytest.approx(max(0.12 * aim * spot / area, 1e-13), rel=1e-9, abs=0.0)
     light = 4.0 * math.pi * pupil.transmission / area / pupil.amplitude**2
-    assert found.error == pytest.approx(max(0.009 * aim * light, 1e-15), rel=1e-9)
+    assert found.error == pytest.approx(max(0.009 * aim * light, 1e-15), rel=1e-9, abs=0.0)
     half = 4 * 0.5 * math.pi
     margin = next(
         m for m in np.geomspace(5.0, 1e5, 400)
         if min(2.0 / 0.7 / math.pi / (half + m), 1.0) * halo.bound(m) <= 0.5 * aim / area
     )  # fmt: skip
     blur = float(pupil.v(pupil.geometric_radius()))
-    assert found.margin == pytest.approx(blur + (0.0 if ended else 60.0) + margin, rel=1e-9)
+    assert found.margin == pytest.approx(blur + (0.0 if ended else 60.0) + margin, rel=1e-9, abs=0.0)
     halo.several, area = False, area - 40.0
     found, light = recorded._first_request(None, pupil, grid, blurs, aim, 1), light * (area + 40.0) / area
     still = max(0.3 * aim * spot / area, 1e-13), max(0.02 * aim * light, 1e-15), 0.0
-    assert (found.tol, found.error, found.margin) == pytest.approx(still, rel=1e-9)
+    assert (found.tol, found.error, found.margin) == pytest.approx(still, rel=1e-9, abs=0.0)
 
 
 def test_whole_numbers_without_limits_are_taken_up_to_2_to_the_62():

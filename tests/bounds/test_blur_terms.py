@@ -57,7 +57,7 @@ def growths(distance, slopes):
 @pytest.mark.parametrize("distance", [0.0, 0.3, 2.0])
 def test_slopes_are_largest_at_the_end_of_an_ellipse(pupil, distance):
     found = [float(one) for one in Slopes.of(pupil).at(np.array(distance))]
-    assert found == pytest.approx(growths(distance, Slopes.of(pupil)), rel=1e-12)
+    assert found == pytest.approx(growths(distance, Slopes.of(pupil)), rel=1e-12, abs=0.0)
 
 
 @pytest.mark.parametrize(("x", "radius"), [(0.5, 0.0), (0.4 + 0.2j, 0.1), (0.9 + 0.1j, 0.02)])
@@ -67,7 +67,7 @@ def test_the_transfer_function_on_a_disc_is_below_its_bound_and_equal_in_the_mid
     k, g = fading.kolmogorov, fading.gauss
     expected = -k * end ** (5 / 3) * ((x**5).real - (size**5 - abs(x) ** 5))
     expected -= g * end**2 * ((x**6).real - (size**6 - abs(x) ** 6))
-    assert float(fading.log_bound(np.array(x), np.array(radius), end)) == pytest.approx(expected, rel=1e-12)
+    assert float(fading.log_bound(np.array(x), np.array(radius), end)) == pytest.approx(expected, rel=1e-12, abs=0.0)
     rim = [x + radius * cmath.exp(1j * angle) for angle in np.linspace(0, 2 * math.pi, 33)]
     assert max((-k * end ** (5 / 3) * at**5 - g * end**2 * at**6).real for at in rim) <= expected + 1e-12
 
@@ -91,7 +91,7 @@ def test_karmans_function_on_a_disc_is_above_its_bound(z, largest):
         candidates.append(mp.re(half(z)) - (absolute(largest) - absolute(abs(z))))
     place, most = np.array(complex(z)), np.array(float(largest))
     found = float(Karman(size, 1.0).least(place, place ** (5 / 3), most))
-    assert found == pytest.approx(float(max(candidates)), rel=1e-9)
+    assert found == pytest.approx(float(max(candidates)), rel=1e-9, abs=0.0)
     rim = [z + (largest - abs(z)) * mp.expjpi(2 * mp.mpf(j) / 24) for j in range(24)]
     assert found <= min(mp.re(half(at)) for at in rim) + 1e-12
 
@@ -102,7 +102,7 @@ def test_what_remains_of_a_transfer_function_is_summed_from_the_left_ends_of_ste
     at = fading.at(steps)
     boxes = [0.5 * at[k] * (steps[k + 1] ** 2 - steps[k] ** 2) for k in range(3)]
     sums = [sum(boxes[k:]) for k in range(4)]
-    assert fading.remaining(steps) == pytest.approx(sums, rel=1e-12)
+    assert fading.remaining(steps) == pytest.approx(sums, rel=1e-12, abs=0.0)
     for k in range(4):
         assert fading.end(sums[k] * (1.0 + 1e-9), steps) == (steps[k], pytest.approx(sums[k]))
     assert fading.end(fading.remaining(steps)[2], steps)[0] == steps[2]
@@ -133,7 +133,7 @@ def test_parts_of_the_autocorrelation_are_below_their_bounds(last, distance):
         else:
             gradient, _, growth = growths(2.0 * distance, slopes)
             expected = math.log(2.0 * math.pi * part.radius**2) + 2.0 * distance * gradient + growth
-        assert found == pytest.approx(expected, rel=1e-12)
+        assert found == pytest.approx(expected, rel=1e-12, abs=0.0)
 
 
 @pytest.mark.parametrize(("low", "high"), [(0.0, 0.1), (0.1, 0.25), (0.2, 0.3)])
@@ -178,8 +178,8 @@ def test_panels_end_where_a_lens_is_small_and_halve_towards_its_branch_point(par
     near = end > 0.7 * part.end and part.kind == "lens"
     least = 2.0 ** math.floor(0.4 * math.log2(allowed / 15.0 / part.radius**4)) if near else 0.0
     last = part.end * (1.0 - least) if near else end
-    assert edges[-1] == pytest.approx(last, rel=1e-14)
-    assert cut == pytest.approx(32 * math.sqrt(2.0) / math.pi * part.radius**4 * least**2.5, rel=1e-12)
+    assert edges[-1] == pytest.approx(last, rel=1e-14, abs=0.0)
+    assert cut == pytest.approx(32 * math.sqrt(2.0) / math.pi * part.radius**4 * least**2.5, rel=1e-12, abs=0.0)
     assert cut <= allowed
     # The integral that is left out: areas of lenses times (8 / pi) f df.
     f = np.linspace(last, part.end, 2001)
@@ -224,7 +224,7 @@ def test_a_rule_divides_its_error_among_its_parts():
     cuts = [
         transfer_integral._edges(p, min(end, p.end), 30 + 2 * growths(0.0, slopes)[0], 0.1 * each) for p in pieces
     ]
-    assert made.error == pytest.approx(0.9e-5 + sum(cut for _, cut in cuts), rel=1e-12)
+    assert made.error == pytest.approx(0.9e-5 + sum(cut for _, cut in cuts), rel=1e-12, abs=0.0)
     node = 0.25 * each * math.pi / (8.0 * fading.light)
     counted = [(part, tuple(panel.counts)) for panel in made.panels for part in [panel.part]]
     expected = [
@@ -239,10 +239,10 @@ def test_rounding_of_an_autocorrelation_and_of_its_sums():
     terms = np.abs(ZERNIKE.radial_terms())
     size, slope = terms.sum(axis=1).max(), float(ZERNIKE.illumination.slope)
     expected = U * (4.0 * (terms.shape[1] + 10) * size + 6.0 * slope + 123 + 60)
-    assert transfer_integral.rounding(ZERNIKE, 123) == pytest.approx(expected, rel=1e-12)
+    assert transfer_integral.rounding(ZERNIKE, 123) == pytest.approx(expected, rel=1e-12, abs=0.0)
     summed = Summed(np.array([0.1, 0.4]), np.array([[1.0, -2.0], [0.5, 0.5]]), 9.0, 1.0, 0.0, 0.0, 1e-10)
     assert summed.size == 3.0
-    assert summed.rounding(7.0) == pytest.approx(1e-10 + U * (2 + 60 + 4 * 0.4 * 7.0), rel=1e-12)
+    assert summed.rounding(7.0) == pytest.approx(1e-10 + U * (2 + 60 + 4 * 0.4 * 7.0), rel=1e-12, abs=0.0)
 
 
 @pytest.mark.parametrize(("tol", "errors"), [(1e-3, [4e-5, 4e-5]), (2e-4, [0.7, 3e-3, 1e-3, 5e-5])])
@@ -271,17 +271,17 @@ def test_an_image_by_quadrature_is_off_by_all_that_its_sum_is_and_is_tried_again
     off = [(error + rest) / (0.75 - error - rest) for error in errors]
     used = next(k for k, one in enumerate(off) if one <= tol)
     assert len(asked) == used + 1
-    assert found.error[0] == pytest.approx(off[used], rel=1e-9)
-    assert found.peak == pytest.approx([peak - errors[used] - rest for peak in (0.75, 1.5)], rel=1e-12)
+    assert found.error[0] == pytest.approx(off[used], rel=1e-9, abs=0.0)
+    assert found.peak == pytest.approx([peak - errors[used] - rest for peak in (0.75, 1.5)], rel=1e-12, abs=0.0)
     fading = way.fading(pupil)
     likely = light / (light / pupil.likely_peak + 1.0 / (8.0 * fading.light))
     allowed = 0.12 * tol * likely
     for k, one in enumerate(asked):
         assert one == 2.0 ** math.floor(math.log2(allowed))
         allowed *= 0.5 * max(tol / off[k], 1e-4)
-    assert way._allowed_tail(pupil) == pytest.approx(0.02 * tol * likely / (8 * light), rel=1e-12)
+    assert way._allowed_tail(pupil) == pytest.approx(0.02 * tol * likely / (8 * light), rel=1e-12, abs=0.0)
     ceiling = (1 + 2 * tol) * min(pupil.amplitude**2, 8.0 * light * fading.light)
-    assert way._ceiling(pupil) == pytest.approx(ceiling, rel=1e-12)
+    assert way._ceiling(pupil) == pytest.approx(ceiling, rel=1e-12, abs=0.0)
 
 
 GATE = Gate.of(0.8, 1e-7)
@@ -292,10 +292,10 @@ def test_a_gate_is_one_in_the_band_and_nothing_beyond_its_cutoff():
     w = np.array([0.0, 2.0, 0.5 * (2.0 + cutoff), cutoff, 9.0])
     found = 0.5 * scipy.special.erfc((w - GATE.middle) / GATE.width)
     assert found[1] == pytest.approx(1.0 - 0.25e-7, abs=1e-12)
-    assert found[3] == pytest.approx(0.25e-7, rel=1e-3)
+    assert found[3] == pytest.approx(0.25e-7, rel=1e-3, abs=0.0)
     assert convolution._gated(w, GATE)[2] == pytest.approx(0.5)
     rounded = GATE.round(np.array([2.0, cutoff]))
-    assert 1.0 - rounded[0] == pytest.approx(rounded[1], rel=1e-6)
+    assert 1.0 - rounded[0] == pytest.approx(rounded[1], rel=1e-6, abs=0.0)
     assert 0.0 < rounded[1] <= GATE.error
     assert GATE.round(np.array([GATE.end]))[0] == pytest.approx(0.0, abs=1e-30)
     assert GATE.round(np.array([0.98 * GATE.end]))[0] > 1e-30
@@ -306,8 +306,8 @@ def test_samples_beyond_the_truncation_of_a_gate_sum_to_less_than_they_are_said_
     s = GATE.width / math.sqrt(2.0)
     inner = distance - GATE.h
     log = -math.log(GATE.error)
-    assert inner == pytest.approx(math.sqrt(2.0 * (log - math.log(log + 1.0))) / s, rel=1e-12)
-    assert cut == pytest.approx(float(mp.e1(0.5 * (s * inner) ** 2)) / math.pi, rel=1e-9)
+    assert inner == pytest.approx(math.sqrt(2.0 * (log - math.log(log + 1.0))) / s, rel=1e-12, abs=0.0)
+    assert cut == pytest.approx(float(mp.e1(0.5 * (s * inner) ** 2)) / math.pi, rel=1e-9, abs=0.0)
     for offset in (0.0, 0.3):
         x = distance + GATE.h * (np.arange(400) + offset)
         assert 2.0 * GATE.h * np.abs(convolution._gate_transform(x, GATE)).sum() <= cut
@@ -319,8 +319,8 @@ def test_a_readout_errs_by_gate_truncation_and_rounding(active):
     made = convolution.readout(places, active, GATE)
     truncation, cut = convolution.ends(GATE)
     taps = 2 * math.ceil((truncation + 0.5 * active) / GATE.h) + 1
-    assert made.error == pytest.approx(GATE.error + cut + 2.0**-50 * math.sqrt(taps), rel=1e-12)
-    assert made.gain == pytest.approx(np.abs(made.matrix.toarray()).sum(axis=1).max(), rel=1e-12)
+    assert made.error == pytest.approx(GATE.error + cut + 2.0**-50 * math.sqrt(taps), rel=1e-12, abs=0.0)
+    assert made.gain == pytest.approx(np.abs(made.matrix.toarray()).sum(axis=1).max(), rel=1e-12, abs=0.0)
     assert (made.low, made.high) == pytest.approx((0.1 - active / 2, 2.3 + active / 2))
     assert made.ends(0.5) == pytest.approx((min(0.1 - active / 2 - 0.5, 0.0), 2.3 + active / 2 + 0.5))
     k = made.first + np.arange(made.samples)
@@ -337,7 +337,7 @@ def test_short_blur_reaches_as_far_as_its_deviations_and_half_of_its_streaks():
     left = 1e-6
     quantile = float(mp.findroot(lambda q: mp.erfc(q / mp.sqrt(2)) - 0.5 * left, 5))
     streak = 0.5 * math.pi * 3.0 * np.abs([math.cos(0.4), math.sin(0.4)])
-    assert short.reach(left) == pytest.approx(quantile * math.pi * np.array([0.5, 0.2]) + streak, rel=1e-9)
+    assert short.reach(left) == pytest.approx(quantile * math.pi * np.array([0.5, 0.2]) + streak, rel=1e-9, abs=0.0)
 
 
 def test_the_density_of_shifts_beyond_a_radius_is_below_its_bound():
@@ -349,7 +349,7 @@ def test_the_density_of_shifts_beyond_a_radius_is_below_its_bound():
         assert b <= halo.bound(radius) <= 1.2 * b + 1e-12
     inner = 30.0 - 7.5
     norm, tail = convolution._gate_norm(GATE, 7.5)
-    assert halo.gated_bound(30.0) == pytest.approx(norm * halo.bound(inner) + tail, rel=1e-12)
+    assert halo.gated_bound(30.0) == pytest.approx(norm * halo.bound(inner) + tail, rel=1e-12, abs=0.0)
     assert 1.0 < norm < 5.0
 
 
@@ -363,10 +363,12 @@ def test_a_spread_counts_what_its_table_and_its_reaches_leave_out():
             made = convolution.spread(one, wide, (60, 64), 20.0, ended=ended)
             sharp, still = one.nothing, not wide.several
             kernel = scipy.fft.irfft2(made.response, made.size)
-            assert made.gain == pytest.approx(np.abs(kernel).sum(), rel=1e-9)
-            assert made.norm == pytest.approx(math.sqrt((kernel**2).sum()), rel=1e-9)
-            assert made.error == pytest.approx((0.0 if sharp else 3.0 * error) + (0.0 if still else error), rel=1e-12)
-            assert made.outside_sum == (0.0 if sharp else pytest.approx(outside, rel=1e-12))
+            assert made.gain == pytest.approx(np.abs(kernel).sum(), rel=1e-9, abs=0.0)
+            assert made.norm == pytest.approx(math.sqrt((kernel**2).sum()), rel=1e-9, abs=0.0)
+            assert made.error == pytest.approx(
+                (0.0 if sharp else 3.0 * error) + (0.0 if still else error), rel=1e-12, abs=0.0
+            )
+            assert made.outside_sum == (0.0 if sharp else pytest.approx(outside, rel=1e-12, abs=0.0))
             if still:
                 assert made.missing == made.off == made.core == 0.0
                 continue
@@ -375,12 +377,12 @@ def test_a_spread_counts_what_its_table_and_its_reaches_leave_out():
             if not sharp:
                 alone = convolution.spread(one, Halo.of((), 1.0, 550e-9, GATE), (60, 64), 20.0, ended=ended)
                 first = alone.gain
-            assert made.core == pytest.approx(core, rel=1e-12)
-            assert made.off == pytest.approx(first * table_error * core, rel=1e-9)
+            assert made.core == pytest.approx(core, rel=1e-12, abs=0.0)
+            assert made.off == pytest.approx(first * table_error * core, rel=1e-9, abs=0.0)
             density = wide.bound(20.0) + (0.0 if sharp else error * core)
             if not ended:
                 density = first * wide.gated_bound(20.0) + (0.0 if sharp else outside) * core
-            assert made.missing == pytest.approx(density, rel=1e-9)
+            assert made.missing == pytest.approx(density, rel=1e-9, abs=0.0)
             samples = np.ones((2, 5, 5))
             assert made.rounding(samples) == pytest.approx(20 * math.log2(math.prod(made.size)) * U * made.norm * 5.0)
 
@@ -412,7 +414,7 @@ def test_a_band_ends_where_all_that_remains_is_small(shared):
 
 def test_blur_above_others_is_no_narrower_than_the_narrowest_direction():
     both = Fading.above((lm.Jitter(0.5, 0.2, 0.3), lm.Motion(2.0), lm.Jitter(0.1)), 1.0, None)
-    assert both.gauss == pytest.approx(2.0 * math.pi**2 * (0.2**2 + 0.1**2), rel=1e-6)
+    assert both.gauss == pytest.approx(2.0 * math.pi**2 * (0.2**2 + 0.1**2), rel=1e-6, abs=0.0)
     assert both.gauss <= 2.0 * math.pi**2 * 0.05
 
 
@@ -460,13 +462,15 @@ def test_a_blurred_image_is_off_by_the_budget_of_the_certificate(seeing, ended, 
     )
     response += gain * (total + light * gather * spread.off) + band.tail * (1 + gain * gather)
     coarse = made.gather(samples, 1)
-    assert found.response == pytest.approx(np.full(2, 1.0001 * response + gain * spread.rounding(coarse)), rel=1e-9)
+    assert found.response == pytest.approx(
+        np.full(2, 1.0001 * response + gain * spread.rounding(coarse)), rel=1e-9, abs=0.0
+    )
     area = made.h**2 * side * side
     inside = made.h**2 * samples.sum(axis=(1, 2)) - area * off
     missing = spread.missing * np.clip(light - inside, 0.0, light)
     grown = 1.0 + 2.0 * area * response / light if by_light else gain * spread.gain * down.sums * across.sums
-    assert found.missing == pytest.approx(missing if by_light else gain * missing, rel=1e-9)
-    assert found.sample_error == pytest.approx(grown * off, rel=1e-9)
+    assert found.missing == pytest.approx(missing if by_light else gain * missing, rel=1e-9, abs=0.0)
+    assert found.sample_error == pytest.approx(grown * off, rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize("shared", [False, True])
@@ -479,7 +483,9 @@ def test_a_gate_errs_by_as_much_as_the_light_of_the_band_allows(shared, r0, erro
         recorded._stack_images(request, Component(1.0, 1.0, ZERNIKE), Grid(5, 0.5), (lm.Seeing(r0),))
     band = Band.of(ZERNIKE, (lm.Seeing(r0),), error, shared=shared)
     expected = max(error, min(error * ZERNIKE.amplitude**2 / band.clear, 1e-4))
-    assert asked == [(0.8, pytest.approx(2.0 ** math.floor(math.log2(expected)) if shared else expected, rel=1e-12))]
+    assert asked == [
+        (0.8, pytest.approx(2.0 ** math.floor(math.log2(expected)) if shared else expected, rel=1e-12, abs=0.0))
+    ]
 
 
 def test_sums_over_wavelengths_add_the_parts_of_each_error():
@@ -516,7 +522,7 @@ def test_a_request_is_tightened_where_a_part_has_more_than_its_share(part, exces
         error = max(error * max(0.5 / excess, 1e-6), 1e-15)
     if excess > 1.0 and part == "missing":
         tol, margin = 0.5 * tol, margin * min(1.1 * excess ** (3 / 14), 3.0)
-    assert (found.tol, found.error, found.margin) == pytest.approx((tol, error, margin), rel=1e-9)
+    assert (found.tol, found.error, found.margin) == pytest.approx((tol, error, margin), rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize(
@@ -557,6 +563,6 @@ def test_recorded_images_are_answered_once_their_relative_error_is_below_the_tol
     used = next(k for k, share in enumerate(size) if bound(share) <= tol)
     assert len(asked) == used + 1
     if left:
-        assert found.bound == pytest.approx([bound(size[used])], rel=2e-2 if dtype is np.float32 else 1e-6)
+        assert found.bound == pytest.approx([bound(size[used])], rel=2e-2 if dtype is np.float32 else 1e-6, abs=0.0)
     else:
         assert found.error is None

@@ -88,12 +88,14 @@ def test_scores_are_of_molecules_that_fit_with_all_that_was_fitted_eliminated():
         root = np.sqrt(weight)[:, None]
         by_fit = np.linalg.lstsq(root * fitted, root * others, rcond=None)[0]
         left = others - fitted @ by_fit
-        assert found.slope[k] == pytest.approx(left.T @ (weight * np.nan_to_num(counts - mean).ravel()), rel=1e-4)
-        assert found.information[k] == pytest.approx(left.T @ (weight[:, None] * left), rel=1e-5)
+        assert found.slope[k] == pytest.approx(
+            left.T @ (weight * np.nan_to_num(counts - mean).ravel()), rel=1e-4, abs=0.0
+        )
+        assert found.information[k] == pytest.approx(left.T @ (weight[:, None] * left), rel=1e-5, abs=0.0)
         scale = np.array(
             [errors["row"][one], errors["column"][one], errors["z"][one] * 1e6, errors["photons"][one] / 1.5]
         )
-        assert found.bias[k] == pytest.approx(by_fit[:4, 2:] / scale[:, None], rel=1e-5)
+        assert found.bias[k] == pytest.approx(by_fit[:4, 2:] / scale[:, None], rel=1e-5, abs=0.0)
 
 
 @pytest.mark.parametrize(("error", "bias", "stated"), [
@@ -158,7 +160,7 @@ def test_a_table_is_made_again_until_its_bound_is_below_the_tolerance(bounds, tr
     for found, bound, actual in zip(asked, bounds, peaks, strict=False):
         allowed = 1e-3 * peak
         expected = 2 * step / per, 0.2 * allowed, per, 0.15 * allowed / 1.69, 0.3 * allowed / (1.69 * 1.7), per
-        assert found == pytest.approx(expected, rel=1e-9)
+        assert found == pytest.approx(expected, rel=1e-9, abs=0.0)
         peak = min(0.7 * peak, 0.95 * actual * 1e-3 / bound)
 
 
@@ -181,7 +183,7 @@ def test_samples_of_a_table_are_computed_again_until_each_block_is_exact_enough(
     for first, most in bright.items():
         tol, bound = 1e-3, math.inf
         while bound > exact and (not expected or expected[-1][2] != 1e-12):
-            expected.append((first, min(2, 5 - first), pytest.approx(tol, rel=1e-9)))
+            expected.append((first, min(2, 5 - first), pytest.approx(tol, rel=1e-9, abs=0.0)))
             bound = 0.9 * tol + 2e-3 * (tol == 1e-3)
             bound *= most / (1.0 - bound)
             tol, last = max(1e-12, min(tol / 2.0, 0.8 * tol * exact / bound)), tol
@@ -191,10 +193,10 @@ def test_samples_of_a_table_are_computed_again_until_each_block_is_exact_enough(
     if exact < 1e-12:
         with pytest.raises(ToleranceError, match="dimmest plane") as told:
             Table._samples(made, sampling, (3, 4), (1, 2), exact)
-        assert told.value.bound == pytest.approx(worst / exact * 1e-4, rel=1e-9)
+        assert told.value.bound == pytest.approx(worst / exact * 1e-4, rel=1e-9, abs=0.0)
     else:
         values, error = Table._samples(made, sampling, (3, 4), (1, 2), exact)
-        assert error == pytest.approx(worst, rel=1e-9)
+        assert error == pytest.approx(worst, rel=1e-9, abs=0.0)
         assert values.max(axis=(1, 2))[[1, 3, 4]] == pytest.approx([0.7, 0.9, 0.2])
     assert asked == expected
 

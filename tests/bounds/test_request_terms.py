@@ -44,7 +44,9 @@ def test_a_table_of_a_halo_is_asked_for_a_tenth_of_the_error_of_the_gate_up_to_t
     _, radius, off = asked(convolution._kernel, halo, (40, 37))
     w = np.linspace(0.0, gate.end, 4001)
     peak = np.trapezoid(halo.response(w) * gate.round(w) * w, w) / (2.0 * math.pi)
-    assert (radius, off) == pytest.approx((0.8 * math.hypot(21, 19), max(0.1 * error / peak, 1e-12)), rel=1e-4)
+    assert (radius, off) == pytest.approx(
+        (0.8 * math.hypot(21, 19), max(0.1 * error / peak, 1e-12)), rel=1e-4, abs=0.0
+    )
 
 
 def test_bands_are_shared_unless_asked_for_alone_and_lattices_extend_as_far_as_motion_does():
@@ -93,7 +95,7 @@ def test_errors_are_aimed_at_nine_tenths_of_the_tolerance_and_half_of_that_of_it
     wanted = Wanted(scale, dtype)
     aim = asked(recorded.recorded_images, None, 1e-6, LENS, Grid(3, 0.5), (lm.Jitter(1.0),), wanted)[4]
     stored = 6.0 * 2.0**-53 + (2.0**-24 if dtype is np.float32 else 0.0)
-    assert aim == pytest.approx((0.9 if scale else 0.45) * (1e-6 - 1.1 * stored), rel=1e-9)
+    assert aim == pytest.approx((0.9 if scale else 0.45) * (1e-6 - 1.1 * stored), rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize(("method", "errors", "answered"), [
@@ -108,7 +110,7 @@ def test_every_image_is_within_the_tolerance_where_the_method_keeps_one(method, 
         monkeypatch.setattr(recorded, name, made)
     given = recorded.recorded_images, method, 1e-4, LENS, Grid(3, 0.5), (lm.Jitter(1.0),), Wanted(1.0)
     if answered:
-        assert given[0](*given[1:])[1].bound == pytest.approx(off / (1.0 - off), rel=1e-6)
+        assert given[0](*given[1:])[1].bound == pytest.approx(off / (1.0 - off), rel=1e-6, abs=0.0)
     else:
         asked(*given)
 
@@ -151,15 +153,16 @@ def test_an_outer_scale_is_bounded_on_discs_of_cube_roots_of_frequencies(x, radi
     for term in fading.karman:
         z, most = term.rate * end * x**3, term.rate * end * (abs(x) + radius) ** 3
         bound -= float(term.least(np.array(z), np.array(z ** (5 / 3)), np.array(most)))
-    assert float(fading.log_bound(np.array(x), np.array(radius), end)) == pytest.approx(bound, rel=1e-9)
+    assert float(fading.log_bound(np.array(x), np.array(radius), end)) == pytest.approx(bound, rel=1e-9, abs=0.0)
     stack = lm.Pupil(lm.Wavefront([1.0, -3.0, 2.0], [2.0, 0.1, -0.5]))
     assert Slopes.of(stack).terms[1:] == tuple(np.abs(stack.radial_terms()).T.max(axis=-1))
 
 
 @pytest.mark.parametrize(("bound", "tol", "other", "told"), [
     (0.03, 1e-6, "", "is 0.03 of the peak; give tol=0.06"), (0.0231, 1e-6, "Other", "tol=0.047 or method=Other"),
-    (0.049, 1e-6, "", "give tol=0.098"), (0.05, 1e-6, "Other", "is 0.05 of the peak; give method=Other"),
-    (0.06, 1e-6, "", "is 0.06 of the peak"), (0.04, 0.08, "", "is 0.04 of the peak"), (0.04, 0.079, "", "give tol=0.08"),
+    (0.05, 1e-6, "Other", "is 0.05 of the peak; give method=Other"),
+    (0.06, 1e-6, "", "is 0.06 of the peak"), (0.04, 0.08, "", "is 0.04 of the peak"),
+    (0.04, 0.079, "", "give tol=0.08"), (0.049, 1e-6, "", "give tol=0.098"),
     (0.99, 1e-6, "", "is 0.99 of the peak"), (1.0, 1e-6, "", "is as large as the peak"),
 ])  # fmt: skip
 def test_a_tolerance_that_is_not_met_is_told_with_twice_the_bound_that_was_reached(bound, tol, other, told):

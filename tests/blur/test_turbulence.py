@@ -81,7 +81,7 @@ def test_mixtures_are_within_their_error_of_the_transfer_function(outer, terms):
     exact = lm.Seeing(1.0, outer_scale=outer).transfer(q)
     found = np.exp(-np.multiply.outer(q * q, made.rates)) @ made.weights
     assert np.abs(found - exact).max() < 1.05 * made.error
-    assert made.error < {3: 3e-3, 6: 3e-4, 8: 5e-4}[terms]
+    assert made.error < {3: 2.5e-3, 6: 3e-4, 8: 9e-5 if outer == 2.0 else 3.2e-4}[terms]
     assert (made.weights > 0.0).all()
     assert made.weights.sum() == pytest.approx(1.0, abs=1e-6)
 

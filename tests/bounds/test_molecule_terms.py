@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.localize.table import Table, Waves
+from lommel.localize.table import Table, Waves, pieces
 
 OBJECTIVE = lm.Objective(NA=1.49, magnification=100, immersion=1.518, sample=1.33)
 ASTIGMATISM = lm.Wavefront.zernike({6: 0.1}, order="noll", unit="waves")
@@ -119,6 +120,34 @@ def test_series_along_z_are_as_exact_as_they_are_said_to_be(made):
     value, slope = tails(first, 8)
     assert planes.error.value == pytest.approx(8.0 * inner + value, rel=1e-6)
     assert planes.error.slope == pytest.approx((inner * 140.0 + slope) / a, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("along", "low", "high", "error", "least"), [("z", -1e-6, 2e-6, 1e-4, 2), ("depth", 0.1e-6, 0.9e-6, 1e-3, 2)]
+)
+def test_series_have_the_fewest_pieces_and_planes_of_their_errors(along, low, high, error, least):
+    """Nine tenths of the error are for truncation, a twentieth for the values between planes."""
+    pupil = OBJECTIVE.pupil(depth=0.2e-6, wavelength=600e-9)
+    found, count, planes = pieces(Waves(pupil, along), low, high, error), 1, 8
+
+    def first():
+        a = 0.5 * (high - low) / count
+        kept = (along == "z") | (FADING * a * np.sinh(ETA) <= 0.5 * math.pi)
+        return np.where(kept, grown(SimpleNamespace(along=along), low, low + 2.0 * a), np.inf)
+
+    def rest(most, first):  # the sum over n >= first of 2 M exp(-n eta)
+        return float((2.0 * np.exp(np.minimum(most - first * ETA, 600.0)) / -np.expm1(-ETA)).min())
+
+    while rest(first(), 8) > 0.9 * error:
+        count += 1
+    whole = grown(SimpleNamespace(along=along), low, high)
+    while 32.0 * rest(whole, planes) > 0.05 * error:
+        planes += 1
+    assert (len(found.matrix), len(found.places)) == (count, planes)
+    assert count >= least
+    inner, a = 4.0 * rest(whole, planes) + rest(first(), 24), 0.5 * (high - low) / count
+    value, slope = tails(first(), 8)
+    assert found.error == pytest.approx((8.0 * inner + value, (inner * 140.0 + slope) / a), rel=1e-6, abs=0.0)
 
 
 def test_planes_count_no_more_than_they_are_said_to(made):

@@ -258,10 +258,20 @@ def test_any_number_of_threads_says_the_same(table):
     np.testing.assert_array_equal(one.z, fit(table, counts, threads=2).z)
 
 
+def test_excess_noise_multiplies_photons_and_their_errors_alone(table):
+    counts = np.random.default_rng(21).poisson(800.0 * images(*places(5, 22)) + 5.0)
+    one, other = fit(table, counts), fit(table, 2.0 * counts, noise=lm.Noise(read=0.0, excess=2.0))
+    for name, factor in {"row": 1.0, "column": 1.0, "z": 1.0, "photons": 2.0, "background": 2.0}.items():
+        for found, plain in ((other, one), (other.errors, one.errors)):
+            assert getattr(found, name) == pytest.approx(factor * getattr(plain, name), rel=1e-4, abs=0.0)
+    fit(table, ONE, noise=lm.Noise(read=np.ones((60, 60))), corners=[[0, 45], [45, 0]])
+
+
 ONE = np.ones((2, 15, 15))
 BAD = [
     ({"noise": lm.Noise(read=np.ones((60, 60)))}, ValueError, "corners must be given for a camera"),
-    ({"noise": lm.Noise(read=np.ones((60, 60))), "corners": [[0, 0], [50, 0]]}, ValueError, "corners must be"),
+    ({"noise": lm.Noise(read=np.ones((60, 60))), "corners": [[0, 0], [46, 0]]}, ValueError, "corners must be"),
+    ({"noise": lm.Noise(read=np.ones((60, 60))), "corners": [[0, 0], [0, -1]]}, ValueError, "corners must be"),
 ]
 
 

@@ -477,7 +477,7 @@ class Summed(NamedTuple):
 class TransferIntegral(RadialMethod[Pupil]):
     """Blurred images of radial pupils by quadrature over the product of transfer functions, to `tol` of the peak."""
 
-    tol: float = 1e-6
+    tol: float = RadialMethod.tol
     blur: tuple[Blur, ...] = ()
     # The last sum of each pupil, from which other radii of its image are computed.
     sums: dict[int, tuple[Pupil, Summed]] = field(default_factory=dict, init=True, repr=False, compare=False)

@@ -15,8 +15,10 @@ from lommel.blur.convolution import Gate, Halo, Short
 from lommel.blur.recorded import Band, BlurredStack, Request
 from lommel.blur.transfer_integral import Fading, Slopes, TransferIntegral
 from lommel.core.answers import Samples, ToleranceError, Wanted, not_met
-from lommel.localize import checks
+from lommel.detection.molecules import Spots
+from lommel.localize import MovieInfo, checks, movie_fits
 from lommel.localize import table as tables
+from lommel.localize.fitting import MoleculeErrors, Molecules
 from lommel.localize.table import Bounds, Table
 from lommel.measures import continuous_image, energy, overlap, transfer
 from lommel.measures.psf_like import ColourPSFLike
@@ -323,7 +325,9 @@ def test_the_bound_of_a_colour_image_is_the_largest_of_its_channels_if_all_have_
 
 def test_focus_is_tolerated_where_the_lower_contrast_of_both_directions_falls_to_the_least(monkeypatch):
     """With C_d = -pi z / (8 lambda N^2) for a displacement z of the sensor."""
-    asked, _ = [], lm.mtf_frequency(lm.Pupil(), 0.9)
+    asked, at_half = [], 0.4039728  # of a disc, in any direction
+    assert lm.mtf_frequency(lm.Pupil(), 0.5, angle=1.1) == pytest.approx(at_half, abs=1e-6)
+    assert lm.mtf_frequency(lm.Pupil(), 0.9) < at_half
 
     def mtf(pupil, fx, fy, *, pixel, tol):
         c = pupil.radial_terms()[:, 0]
@@ -395,27 +399,48 @@ def test_the_error_of_a_continuous_image_is_that_of_its_samples_per_light_and_ar
     assert [text.partition("use a smaller distance")[2] for text in texts] == ["", "", " of at most 2 lambda*N"]
 
 
-def test_interpolation_errs_by_its_largest_wave_at_points_and_what_polynomials_do_between_them():
+@pytest.mark.parametrize(("band", "tol"), [(1.2, 1e-4), (0.4, 2e-13)])
+def test_interpolation_errs_by_its_largest_wave_at_points_what_polynomials_do_between_them_and_rounding(band, tol):
     """At n points a polynomial of degree n / 2 is within sqrt(2) of its largest value, in t and in w."""
-    made, t = interpolation.filtered_taps(1.2, 1e-4), 0.5 + 0.5 * np.cos((np.arange(80) + 0.5) * math.pi / 80)
-    size, side = made.taps.size, made.filter.size - 1
-    n = 2 * math.ceil(1.18 * (size + 2 * side) * 1.2 + 48)
-    w = 1.2 * np.cos((np.arange(n) + 0.5) * math.pi / n)
+    made, t = interpolation.filtered_taps(band, tol), 0.5 + 0.5 * np.cos((np.arange(80) + 0.5) * math.pi / 80)
+    size, side, u = made.taps.size, made.filter.size - 1, 2.0**-53
+    n = 2 * math.ceil(1.18 * (size + 2 * side) * band + 48)
+    w = band * np.cos((np.arange(n) + 0.5) * math.pi / n)
     whole = np.concatenate([made.filter[:0:-1], made.filter])
     gains = np.real(np.exp(1j * np.outer(w, np.arange(-side, side + 1))) @ whole)
     for weights, factor, error, gain in (
         (made.taps.at(t), np.ones(n), made.error, made.gain),
         (made.taps.slopes(t), 1j * w, made.slope_error, made.slope_gain),
     ):
-        waves = np.exp(1j * np.outer(w, made.taps.places)) @ weights.T
-        off = np.abs(factor[:, None] * np.exp(1j * np.outer(w, t)) - gains[:, None] * waves).max()
-        assert error == pytest.approx(2.0 * off, rel=1e-6, abs=0.0)
+        waves, most = np.exp(1j * np.outer(w, made.taps.places)) @ weights.T, np.abs(weights).sum(axis=1).max()
+        off = np.abs(factor[:, None] * np.exp(1j * np.outer(w, t)) - gains[:, None] * waves)
+        of_taps = (off + (u * (size + 16) * math.sqrt(2.0) * most * np.abs(gains))[:, None]).max()
+        of_filter = u * (2 * side + 8) * math.sqrt(2.0) * most * np.abs(whole).sum()
+        assert error == pytest.approx(
+            2.0 * of_taps + math.sqrt(2.0) * of_filter, rel=1e-6 if tol > 1e-9 else 0.03, abs=0.0
+        )
         sums = max(np.abs(np.convolve(row, whole)).sum() for row in weights)
         assert gain == pytest.approx(sums / math.cos(math.pi / 10.0), rel=1e-9, abs=0.0)
-    around = interpolation.circular_taps(20, 64, 1e-5)
+    assert made.error <= tol
+
+
+def test_taps_around_a_circle_are_the_fewest_for_the_largest_error_of_an_order():
+    t = 0.5 + 0.5 * np.cos((np.arange(80) + 0.5) * math.pi / 80)
+    found = interpolation.circular_taps(20, 64, 1e-5)
     for order in (0, 9, 20):
-        turned = np.exp(1j * order * math.pi / 32.0 * around.taps.places) @ around.taps.at(t).T
-        off = np.abs(np.exp(1j * order * math.pi / 32.0 * t) - around.gains[order] * turned).max()
-        assert around.errors[order] == pytest.approx(math.sqrt(2.0) * off, rel=1e-6, abs=0.0)
-    assert around.errors.max() <= 1e-5
-    assert made.error <= 1e-4
+        turned = np.exp(1j * order * math.pi / 32.0 * found.taps.places) @ found.taps.at(t).T
+        off = np.abs(np.exp(1j * order * math.pi / 32.0 * t) - found.gains[order] * turned).max()
+        assert found.errors[order] == pytest.approx(math.sqrt(2.0) * off, rel=1e-6, abs=0.0)
+    assert found.errors.min() < 0.5 * found.errors.max() <= 0.5e-5
+
+
+def test_errors_of_places_are_in_metres_and_those_of_z_are_left_out_where_it_is():
+    one, states, errors = np.ones(1), np.zeros(1, np.int32), MoleculeErrors(*np.arange(1.0, 6.0)[:, None])
+    molecules = Molecules(*[one] * 5, errors, one, one, states, states)
+    spots, table = Spots(*[states] * 3, one, np.zeros((1, 5, 5)), 0, 0, 0, 0, 0.0), SimpleNamespace(z=(-1.0, 2.0))
+    for along in ("z", "none"):
+        recording = MovieInfo(1, 9, 9, 2e-7, (5, 5), along)
+        found = movie_fits._localizations(spots, molecules, recording, (one, one, one), table)
+        off = [float(found.table[f"{name}_error"][0]) for name in ("y", "x", "photons", "background")]
+        assert off == pytest.approx([2e-7, 4e-7, 4.0, 5.0], rel=1e-9)
+        assert found.to_dict()["medians"].get("z_error") == {"z": 3.0, "none": None}[along]

@@ -165,3 +165,11 @@ def test_thresholds_are_what_the_page_says_and_from_three_to_a_thousand(find, de
     for threshold in (2.99, 1001.0):
         with pytest.raises(ValueError, match="threshold must be"):
             count(high, threshold=threshold)
+
+
+@pytest.mark.parametrize(("share", "count"), [(1.1, 4), (0.9, 3)])
+def test_crossings_of_little_contrast_beside_that_of_the_third_quarter_are_none(share, count):
+    """Of four the upper quartile is that of the brighter two."""
+    contrasts = np.array([[1000.0, 1000.0], [600.0, share * 250.0]])
+    image = 600.0 + np.kron(contrasts, np.pad(SQUARES - 1.0, 15)) / 2.0
+    assert len(find_crossings(image, window=21, noise=lm.Noise(read=2.0))) == count

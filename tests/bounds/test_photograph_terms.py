@@ -111,7 +111,7 @@ def test_depth_on_slopes_without_texture_is_as_uncertain_as_the_texture_is_far(e
     steep, window, limit = 0.04, 2.0, 2.9
     monkeypatch.setattr(defocus_depth, "squared_slopes", lambda position, width: np.full(position.shape, steep))
     position, off = np.zeros((3, 40)), np.full((3, 40), np.inf)
-    off[1, [3, 5, 8]] = errors
+    off[1, [14, 8, 2, 21]] = [*errors, 0.3]  # 6 and 7 pixels apart, where 6 is the reach
     before = off.copy()
     defocus_depth._add_slope_errors(position, off, window, limit)
     reach = defocus_depth._TEXTURE_REACH * window

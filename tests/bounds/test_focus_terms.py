@@ -1,0 +1,196 @@
+"""What is believed of frames that differ in focus, and of blur over the field, a second time."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from lommel.imaging import defocus_verdict, field_blur, focal_tables, window_blur
+from lommel.imaging.defocus_verdict import _Filters, _Minimum
+from lommel.imaging.field_blur import FieldBlur
+from lommel.imaging.spline_nodes import Nodes
+
+RNG = np.random.default_rng(0)
+
+
+@pytest.mark.parametrize(("scale", "error", "told"), [
+    (1.1, 0.099, True), (1.1, 0.101, False), (1.5, 0.199, True), (1.5, 0.201, False), (0.5, 0.199, True),
+    (0.5, 0.201, False),
+])  # fmt: skip
+@pytest.mark.parametrize("few", [False, True])
+def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_and_a_half(
+    scale, error, told, few, monkeypatch
+):
+    errors, misfit = np.array([[0.5, np.inf], [1e-7, 0.1]]), np.array([[1.1, 9.0], [1.7, 1.2]])
+    vergence, slopes = np.array([[1.0, 1.0], [2.0, 4.0]]), np.array([[8.0, -40.0, 5.0], [2.0, 3.0, 1.0]])
+    engine = SimpleNamespace(lens_derivatives=lambda at: slopes)
+    minima = [_Minimum(scale, error, 1.0, 0, 0.0), _Minimum(1.9, 0.1, 1.0, 8, 0.0)]
+    weights = []
+    monkeypatch.setattr(defocus_verdict, "_tiles", lambda frames, valid, weight, _: weights.append(weight) or [])
+    monkeypatch.setattr(defocus_verdict, "_judged_misfit", lambda *_: None if few else (1.25, 0.6))
+    monkeypatch.setattr(defocus_verdict, "_scale_minima", lambda *_: minima)
+    images = np.ones((1, 2, 2, 2))
+    found = defocus_verdict.judge_frames(engine, images, errors < np.inf, errors, misfit, vergence)
+    assert weights[0] == pytest.approx(np.array([[4.0, 0.0], [1e12, 100.0]]))
+    assert (found.misfit, found.judged) == ((1.2, 1.0) if few else (1.25, 0.6))
+    one = (
+        (math.nan, math.inf, 1.1) if scale == 1.1 else (scale, error)
+    )  # where one of two scales agrees, both are told
+    expected = (*one, 1.9) if told else (math.nan, math.inf)
+    assert (found.scale, found.scale_error, *found.others) == pytest.approx(expected, nan_ok=True)
+    # Of 8 / 1, 40 / 4 and 5 / 16; and of 2 / 1, 3 / 4 and 1 / 16.
+    assert found.changes == pytest.approx((0.08, -0.0075))
+
+
+@pytest.mark.parametrize("least", [4.3, 8.4])
+def test_the_misfit_of_a_block_is_its_least_energy_over_that_of_noise(least):
+    """Filters of one factor g pass g^2 of the light: a parabola of the candidate."""
+    squares, white, excess = 1.0 + 0.1 * (np.arange(10) - least) ** 2, 0.4, 0.07
+    made = SimpleNamespace(
+        _filters=np.sqrt(squares)[:, None, None, None, None] * np.ones((1, 1, 1, 3, 3)), _white=np.array([white]),
+        _engine=SimpleNamespace(window_means=lambda blocks: blocks, mean_excess=excess),
+    )  # fmt: skip
+    light, variance = RNG.normal(size=(8, 8)), RNG.uniform(0.5, 1.0, (2, 2))
+    spectra = defocus_verdict.scipy.fft.dctn(light, axes=(0, 1), norm="ortho")[None]
+    misfit, curvature = _Filters.minimum(made, SimpleNamespace(variance=variance, spectra=spectra))
+    power = (light**2).reshape(2, 4, 2, 4).mean(axis=(1, 3)) / variance - white
+    inner = min(round(least), 7)
+    lowest = np.where(power > 0.0, round(least), 0)
+    for y, x in np.argwhere((lowest == inner) & (power > 0.0)):
+        noise = white * squares[inner]
+        assert misfit[y, x] == pytest.approx(1.0 + (power[y, x] + excess) / noise, rel=1e-9)
+        assert curvature[y, x] == pytest.approx(0.1 * power[y, x] / noise, rel=1e-6)
+    assert np.isnan(misfit[lowest != inner]).all()
+    assert (power > 0.0).any()
+
+
+class Plane:
+    def __init__(self, power):
+        self.power = power
+
+    def weights(self, places):
+        t = np.asarray(places)
+        return np.stack([1.0 - t**self.power, t**self.power], axis=1)
+
+
+@pytest.mark.parametrize("allowed", [1e-2, 3e-3, 1e-3, 1e-4, 3e-5])
+@pytest.mark.parametrize("power", [3.0, 0.5])
+def test_tiles_of_parabolas_grow_by_the_cube_root_of_their_error_or_by_one(allowed, power):
+    x, windows, tiles = np.linspace(0.0, 1.0, 301), RNG.random((2, 2, 3, 3, 3)), 1
+    span, weights = windows[:, 1] - windows[:, 0], Plane(power).weights(x)
+    while tiles <= 32:
+        off = np.zeros(301)
+        for k, at in enumerate(x):
+            tile = min(int(k / 300 * tiles), tiles - 1)
+            ends = [(tile + part) / tiles for part in (0.0, 0.5, 1.0)]
+            off[k] = np.polyval(np.polyfit(ends, [end**power for end in ends], 2), at) - at**power
+        error = np.abs(off).max() * np.abs(span).sum(axis=(-2, -1)).max()
+        if error <= allowed:
+            break
+        tiles = max(tiles + 1, math.ceil(tiles * (error / allowed) ** (1 / 3)))
+    if tiles > 32:
+        with pytest.raises(ArithmeticError):
+            window_blur._parabolas(weights, Plane(power), x, slice(0, 2), windows, allowed)
+        return
+    tile, *_, found = window_blur._parabolas(weights, Plane(power), x, slice(0, 2), windows, allowed)
+    assert (tile.max() + 1, found) == (tiles, pytest.approx(error, rel=1e-6))
+
+
+@pytest.mark.parametrize(("tol", "spans", "degree", "share"), [
+    (2e-4, ((0, 1), (0, 0), (0, 0)), 5, 0.9), (4e-4, ((0, 1), (0, 0), (0, 0)), 3, 0.9),
+    (4e-4, ((0, 1), (0, 2), (0, 0)), 3, 0.6), (4e-4, ((0, 1), (0, 2), (3, 4)), 5, 1.4 / 3),
+    (4e-4, ((0, 0), (0, 0), (0, 0)), 3, 0.9),
+])  # fmt: skip
+def test_splines_along_each_axis_have_their_share_of_the_tolerance(tol, spans, degree, share, monkeypatch):
+    asked = []
+    monkeypatch.setattr(field_blur, "sufficient_nodes", lambda sample, *given: asked.append(given) or 1)
+    field_blur._axes(None, spans, 3, tol)
+    assert asked == [(*span, pytest.approx(share * tol), degree) for span in spans]
+
+
+@pytest.mark.parametrize("largest", [None, 9])
+def test_a_bank_asks_for_denser_nodes_by_the_root_of_its_error_and_for_more_axes_where_that_fails(
+    largest, monkeypatch
+):
+    axes, asked, tol = (Nodes(0.0, 1.0, 4, 3), Nodes(0.0, 1.0, 1, 3), Nodes(0.0, 0.0, 1, 3)), [], 1e-2
+    sizes = [0.05, 0.0451, 0.0449, 0.02, 0.00971, 0.0096]
+    errors = iter([(size, 0.9) for size in sizes])
+    source = SimpleNamespace(
+        half_widths=lambda spans, energy, most: asked.append(most) or (3, 2),
+        windows=lambda places, half: np.full((len(places), 7, 7), 0.95 / 49),
+    )
+    monkeypatch.setattr(field_blur, "_axes", lambda *given: asked.append(given[2:]) or axes)
+    monkeypatch.setattr(field_blur, "_error_between", lambda *_: next(errors))
+    monkeypatch.setattr(
+        field_blur, "_finer", lambda now, factor, change_single: asked.append((factor, change_single)) or now
+    )
+    options = SimpleNamespace(energy=0.9, tol=tol, largest=largest, dtype=np.float64)
+    bank = field_blur.build_field_bank(source, ((0.0, 1.0), (0.0, 1.0), (0.0, 0.0)), (20, 31), options)
+    assert asked[:2] == [largest or 10, (2, pytest.approx(0.97 * tol))]
+    growth = [max(1.02, (size / (0.9 * 0.97 * tol)) ** 0.25) for size in sizes[:-1]]
+    assert asked[2:] == [(pytest.approx(g), k in (1, 2)) for k, g in enumerate(growth)]
+    assert (bank.error, bank.lost) == pytest.approx((0.0096, 0.1))
+    banks = [SimpleNamespace(error=0.2), SimpleNamespace(error=0.3)]
+    whole = SimpleNamespace(banks=banks, _operators=[SimpleNamespace(error=0.4), SimpleNamespace(error=0.1)])
+    assert FieldBlur.error.fget(whole) == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize(("fraction", "per_row"), [(0.1, 0.0), (0.02, 0.0), (0.0, 0.02), (0.05, 0.01), (0.003, 0.1)])
+def test_filters_have_the_lowest_rank_whose_error_is_below_either_limit(fraction, per_row):
+    """In the metric over columns, with the weights of rows."""
+    rows, root, weights = RNG.normal(size=(9, 6)) * 0.4 ** np.arange(6), RNG.normal(size=(6, 6)), np.linspace(1, 2, 9)
+    metric = root @ root.T + np.eye(6)
+    left, right = focal_tables._low_rank(rows, metric, weights, fraction, per_row)
+
+    def norm(off):
+        return math.sqrt((weights**2) @ np.einsum("rk,kl,rl->r", off, metric, off))
+
+    _, values, _ = np.linalg.svd(weights[:, None] * (rows @ np.linalg.cholesky(metric)))
+    most = max(fraction * norm(rows), per_row * 3.0)
+    rank = next(k for k in range(7) if math.sqrt((values[k:] ** 2).sum()) < most)
+    assert left.shape[1] == rank
+    assert norm(left @ right - rows) == pytest.approx(math.sqrt((values[rank:] ** 2).sum()), rel=1e-6)
+
+
+@pytest.mark.parametrize(("between", "focal", "ends"), [
+    ((0.5, 2.0), 0.1, (0.38, 2.12)), ((0.5, 20.0), 0.1, (0.0, 2.156)), ((0.5, 2.0), 0.44, (0.38, 0.9 / 0.44)),
+    ((0.5, 2.0), 0.48, (0.38, 2.0)),
+])  # fmt: skip
+def test_candidates_extend_by_eight_hundredths_up_to_infinity_and_nine_tenths_of_the_focal_length(
+    between, focal, ends
+):
+    lenses = [SimpleNamespace(focal_length=focal), SimpleNamespace(focal_length=0.5 * focal)]
+    assert focal_tables.candidates(between, 4, lenses) == pytest.approx(np.linspace(*ends, 4))
+
+
+@pytest.mark.parametrize(
+    ("losses", "binning"), [((1.2, 1.3), 2), ((1.26, 1.24), 4), ((1.24, 1.24), 4), ((1.3, 1.3), 1)]
+)
+@pytest.mark.parametrize(("ratios", "design"), [((1.07, 9.0), 0), ((1.09, 1.3), 2), ((1.0, 1.46), 1)])
+def test_tables_bin_and_filter_as_coarsely_as_the_precision_allows(losses, binning, ratios, design, monkeypatch):
+    """Binning by a side may cost a quarter at any inner candidate; filters are judged by their median and largest."""
+    own, made = np.linspace(1.0, 2.0, 20), []
+
+    def bound(side):
+        loss = dict(zip((1, 2, 4), (1.0, *losses), strict=True))[side] / side
+        inner, bad = np.where(np.arange(20) == 5, loss, 0.5 / side), np.isin(np.arange(20), [0, 1, 18, 19])
+        return own * np.where(bad, 9.0, inner)
+
+    def tables(model, taps, degree, discarded, side, *_):
+        made.append((len(taps), degree, discarded))
+        errors = own * ratios[0]
+        errors[7] = own[7] * (ratios[1] if len(taps) == 3 or ratios[1] < 1.45 else 1.44)
+        errors[[0, -1]] = 1e9
+        return SimpleNamespace(errors=errors, bound=own, binning=side)
+
+    monkeypatch.setattr(focal_tables, "_bound", lambda model: bound(model.side))
+    monkeypatch.setattr(focal_tables, "_tables", tables)
+    monkeypatch.setattr(focal_tables, "_overlap", lambda *_: None)
+    monkeypatch.setattr(focal_tables, "Taps", SimpleNamespace(of=range))
+    model = lambda side: SimpleNamespace(side=side, vergence=own)  # noqa: E731
+    found = focal_tables.focal_tables(model, None, (np.ones(1), 4))
+    assert found.binning == binning
+    assert made == [(3, 8, 1e-2), (5, 12, 1e-2), (5, 12, 5e-3)][: (1 if design == 0 or ratios[0] < 1.08 else 3)]

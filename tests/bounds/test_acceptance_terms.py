@@ -17,7 +17,6 @@ from lommel.fit.goodness_of_fit import largest_plausible_chi2
 from lommel.imaging import defocus_verdict, field_blur
 from lommel.imaging.defocus_verdict import _Minimum
 from lommel.imaging.live import LiveDepth
-from lommel.imaging.spline_nodes import Nodes
 from lommel.localize.checks import Checks
 from lommel.methods import averaging
 from lommel.methods.averaging import Averages
@@ -145,19 +144,6 @@ def test_a_bank_of_windows_errs_by_less_than_its_splines_may_and_lacks_what_it_s
         off = bank.window(y, 0.0) - exact / exact.sum()
         worst = max(worst, np.abs(off).sum() + abs(off.sum()))
     assert 0.3 * bank.error <= worst <= bank.error <= 0.97 * tol
-
-
-def test_a_bank_has_more_nodes_until_its_splines_err_by_97_hundredths_of_the_tolerance(monkeypatch):
-    counts, errors = [], iter([(0.0099, 0.94), (0.00971, 0.94), (0.00969, 0.94)])
-    monkeypatch.setattr(
-        field_blur, "_error_between", lambda _, axes, __: counts.append(axes[0].count) or next(errors)
-    )
-    asked = SimpleNamespace(energy=0.5, tol=1e-2, largest=12, dtype=np.float64)
-    bank = field_blur.build_field_bank(Spots(), ((-1.0, 1.0), (0.0, 0.0), (0.0, 0.0)), (40, 40), asked)
-    assert (bank.error, bank.lost) == pytest.approx((0.00969, 0.06))
-    assert counts == sorted(set(counts))
-    first = Nodes(-1.0, 1.0, counts[0], bank.axes[0].degree)
-    assert counts[1] == first.finer((0.0099 / (0.9 * 0.0097)) ** (1.0 / (first.degree + 1))).count
 
 
 def test_information_of_a_scene_is_the_sum_over_its_images():

@@ -8,9 +8,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lommel.imaging import defocus_verdict, field_blur, focal_tables, window_blur
+import lommel as lm
+from lommel.imaging import bank, defocus_verdict, field_blur, focal_tables, sensor_light
 from lommel.imaging.defocus_verdict import _Filters, _Minimum
-from lommel.imaging.field_blur import FieldBlur
+from lommel.imaging.field_blur import FieldBlur, MixedBlur
 from lommel.imaging.spline_nodes import Nodes
 
 RNG = np.random.default_rng(0)
@@ -67,38 +68,6 @@ def test_the_misfit_of_a_block_is_its_least_energy_over_that_of_noise(least):
     assert (power > 0.0).any()
 
 
-class Plane:
-    def __init__(self, power):
-        self.power = power
-
-    def weights(self, places):
-        t = np.asarray(places)
-        return np.stack([1.0 - t**self.power, t**self.power], axis=1)
-
-
-@pytest.mark.parametrize("allowed", [1e-2, 3e-3, 1e-3, 1e-4, 3e-5])
-@pytest.mark.parametrize("power", [3.0, 0.5])
-def test_tiles_of_parabolas_grow_by_the_cube_root_of_their_error_or_by_one(allowed, power):
-    x, windows, tiles = np.linspace(0.0, 1.0, 301), RNG.random((2, 2, 3, 3, 3)), 1
-    span, weights = windows[:, 1] - windows[:, 0], Plane(power).weights(x)
-    while tiles <= 32:
-        off = np.zeros(301)
-        for k, at in enumerate(x):
-            tile = min(int(k / 300 * tiles), tiles - 1)
-            ends = [(tile + part) / tiles for part in (0.0, 0.5, 1.0)]
-            off[k] = np.polyval(np.polyfit(ends, [end**power for end in ends], 2), at) - at**power
-        error = np.abs(off).max() * np.abs(span).sum(axis=(-2, -1)).max()
-        if error <= allowed:
-            break
-        tiles = max(tiles + 1, math.ceil(tiles * (error / allowed) ** (1 / 3)))
-    if tiles > 32:
-        with pytest.raises(ArithmeticError):
-            window_blur._parabolas(weights, Plane(power), x, slice(0, 2), windows, allowed)
-        return
-    tile, *_, found = window_blur._parabolas(weights, Plane(power), x, slice(0, 2), windows, allowed)
-    assert (tile.max() + 1, found) == (tiles, pytest.approx(error, rel=1e-6))
-
-
 @pytest.mark.parametrize(("tol", "spans", "degree", "share"), [
     (2e-4, ((0, 1), (0, 0), (0, 0)), 5, 0.9), (4e-4, ((0, 1), (0, 0), (0, 0)), 3, 0.9),
     (4e-4, ((0, 1), (0, 2), (0, 0)), 3, 0.6), (4e-4, ((0, 1), (0, 2), (3, 4)), 5, 1.4 / 3),
@@ -111,11 +80,11 @@ def test_splines_along_each_axis_have_their_share_of_the_tolerance(tol, spans, d
     assert asked == [(*span, pytest.approx(share * tol), degree) for span in spans]
 
 
-@pytest.mark.parametrize("largest", [None, 9])
+@pytest.mark.parametrize(("largest", "first"), [(None, 4), (9, 1)])
 def test_a_bank_asks_for_denser_nodes_by_the_root_of_its_error_and_for_more_axes_where_that_fails(
-    largest, monkeypatch
+    largest, first, monkeypatch
 ):
-    axes, asked, tol = (Nodes(0.0, 1.0, 4, 3), Nodes(0.0, 1.0, 1, 3), Nodes(0.0, 0.0, 1, 3)), [], 1e-2
+    axes, asked, tol = (Nodes(0.0, 1.0, first, 3), Nodes(0.0, 1.0, 1, 3), Nodes(0.0, 0.0, 1, 3)), [], 1e-2
     sizes = [0.05, 0.0451, 0.0449, 0.02, 0.00971, 0.0096]
     errors = iter([(size, 0.9) for size in sizes])
     source = SimpleNamespace(
@@ -128,14 +97,15 @@ def test_a_bank_asks_for_denser_nodes_by_the_root_of_its_error_and_for_more_axes
         field_blur, "_finer", lambda now, factor, change_single: asked.append((factor, change_single)) or now
     )
     options = SimpleNamespace(energy=0.9, tol=tol, largest=largest, dtype=np.float64)
-    bank = field_blur.build_field_bank(source, ((0.0, 1.0), (0.0, 1.0), (0.0, 0.0)), (20, 31), options)
+    made = field_blur.build_field_bank(source, ((0.0, 1.0), (0.0, 1.0), (0.0, 0.0)), (20, 31), options)
     assert asked[:2] == [largest or 10, (2, pytest.approx(0.97 * tol))]
     growth = [max(1.02, (size / (0.9 * 0.97 * tol)) ** 0.25) for size in sizes[:-1]]
-    assert asked[2:] == [(pytest.approx(g), k in (1, 2)) for k, g in enumerate(growth)]
-    assert (bank.error, bank.lost) == pytest.approx((0.0096, 0.1))
+    assert asked[2:] == [(pytest.approx(g), k in (1, 2) or (k, first) == (0, 1)) for k, g in enumerate(growth)]
+    assert (made.error, made.lost) == pytest.approx((0.0096, 0.1))
     banks = [SimpleNamespace(error=0.2), SimpleNamespace(error=0.3)]
     whole = SimpleNamespace(banks=banks, _operators=[SimpleNamespace(error=0.4), SimpleNamespace(error=0.1)])
     assert FieldBlur.error.fget(whole) == pytest.approx(0.6)
+    assert MixedBlur.error == 0.0
 
 
 @pytest.mark.parametrize(("fraction", "per_row"), [(0.1, 0.0), (0.02, 0.0), (0.0, 0.02), (0.05, 0.01), (0.003, 0.1)])
@@ -194,3 +164,62 @@ def test_tables_bin_and_filter_as_coarsely_as_the_precision_allows(losses, binni
     found = focal_tables.focal_tables(model, None, (np.ones(1), 4))
     assert found.binning == binning
     assert made == [(3, 8, 1e-2), (5, 12, 1e-2), (5, 12, 5e-3)][: (1 if design == 0 or ratios[0] < 1.08 else 3)]
+
+
+@pytest.mark.parametrize(("tol", "expected"), [(0.1, 1e-6), (1.1e-3, 1e-6), (0.9e-3, 0.9e-6), (1e-6, 1e-9)])
+def test_psfs_over_the_field_have_a_thousandth_of_the_tolerance_or_a_millionth(tol, expected, monkeypatch):
+    asked = []
+    monkeypatch.setattr(field_blur, "build_field_bank", lambda source, *_: asked.append(source) or source)
+    monkeypatch.setattr(FieldBlur, "_operator", lambda *_: None)
+    field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
+    FieldBlur(field, 8, 5e-6, tol=tol)
+    assert asked[0].tol == pytest.approx(expected, rel=1e-12)
+    monkeypatch.setattr(field_blur, "psf", lambda *_, tol, **others: SimpleNamespace(values=asked.append(tol) or 2.0))
+    assert (asked[0].windows(np.zeros((1, 3)), 1) == 2.0).all()
+    assert asked[1:] == [asked[0].tol]
+
+
+@pytest.mark.parametrize(("half_range", "curvature"), [(3.0, 0.0), (40.0, 0.7)])
+def test_chebyshev_nodes_over_defocus_are_as_many_as_the_least_bound_takes(half_range, curvature):
+    """4 M rho^(1 - n) / (rho - 1) <= 1e-9, of ellipses whose larger semi-axis is up to 1 or 20 radians beyond 1."""
+    shape, asked = sensor_light.Parabola(curvature, 2.0, 1.5), []
+    sensor_light.DefocusNodes.of(
+        lambda nodes: asked.append(nodes.size) or np.ones((nodes.size, 1)), 5.0 - half_range, 5.0 + half_range, shape,
+        rate=lambda reach: 1.0 + 0.01 * reach, bound=0.3,
+    )  # fmt: skip
+    counts = []
+    for beyond in np.geomspace(1e-3, max(1.0, 20.0 / half_range), 200):
+        rho = 1.0 + beyond + math.sqrt((1.0 + beyond) ** 2 - 1.0)
+        extent = half_range * (1.0 + max(1.0, 20.0 / half_range))
+        most = 0.3 * math.exp((1.0 + 0.01 * (5.0 + extent)) * half_range * (rho - 1.0 / rho) / 2.0)
+        most *= curvature * (3.0 + extent) ** 2 + 1.5
+        counts.append(1.0 + math.log(4.0 * most / (1e-9 * (rho - 1.0))) / math.log(rho))
+    assert asked == [math.ceil(min(counts))]
+
+
+@pytest.mark.parametrize("wavelengths", [(550e-9,), (400e-9, 600e-9)])
+def test_no_pixel_has_more_light_than_its_area_in_v_over_four_pi(wavelengths, monkeypatch):
+    """The peak of I is at most 1 / (4 pi) of the light for a unit of v^2, at the shortest wavelength."""
+    pupil, asked = lm.Pupil(wavelength=550e-9, f_number=4.0), {}
+
+    class AskedError(Exception):
+        pass
+
+    def of(*_, **given):
+        asked.update(given)
+        raise AskedError
+
+    monkeypatch.setattr(bank.DefocusNodes, "of", of)
+    light = bank.SensorLight(pupil, lm.Wavefront, tuple((w, 1.0 / len(wavelengths)) for w in wavelengths), 3e-6)
+    with pytest.raises(AskedError):
+        bank.build_bank(light, (1.0, 4.0), tol=1e-3, energy=0.9, largest=30)
+    assert asked["bound"] == pytest.approx(
+        (math.pi * 3e-6 / (min(wavelengths) * 4.0)) ** 2 / (4.0 * math.pi), rel=1e-9
+    )
+
+
+def test_a_parabola_through_peaks_is_theirs_where_they_differ():
+    made = sensor_light.Parabola.through(
+        np.array([1.0, 2.5, 4.0]), 1.0 / (0.3 * (np.array([1.0, 2.5, 4.0]) - 2.2) ** 2 + 2.0)
+    )
+    assert (made.curvature, made.middle, made.least) == pytest.approx((0.3, 2.2, 2.0))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from contextlib import nullcontext
 from types import SimpleNamespace
@@ -9,12 +10,16 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from lommel import microscopy
 from lommel.base.units import with_error
-from lommel.deconvolve.algorithms import MISFIT, STEPS, RichardsonLucy, TotalVariation
+from lommel.deconvolve.algorithms import MISFIT, STEPS, Restoration, RichardsonLucy, TotalVariation
 from lommel.imaging import photograph, restoration
+from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions
+from lommel.imaging.field_blur import FieldPhotographOptions
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.live import LiveDepth
-from lommel.microscopy import chunks, held_out, preparation, stack_blur
+from lommel.imaging.settings import TableOptions
+from lommel.microscopy import chunks, held_out, light_checks, preparation, stack_blur
 from lommel.recorded import camera_noise, counts
 from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels
 from lommel.recorded.noise import Noise
@@ -200,3 +205,34 @@ def test_the_design_error_is_the_largest_bias_in_standard_errors_of_a_window():
     assert FocalEngine.design_error.fget(engine) == pytest.approx(0.5 * 7.0 / 2.0)
     levels = [SimpleNamespace(engine=SimpleNamespace(design_error=size)) for size in (0.2, 0.7, 0.4)]
     assert LiveDepth.design_error.fget(SimpleNamespace(_levels=levels)) == 0.7
+
+
+def test_results_tell_in_plain_data_what_they_are_and_the_median_and_ends_of_their_depth():
+    image = np.ones((2, 2))
+    told = Restoration(image, image, 1.25, (1.25,), 3.0, 7, "settled").to_dict()
+    assert told | {"discrepancy": 1.25, "by_channel": [1.25], "before": 3.0, "steps": 7, "reliable": True} == told
+    assert not {"values", "light"} & set(told)
+    depth, errors = np.linspace(1.0, 3.0, 201), np.linspace(0.1, 0.3, 201)
+    depth, errors = np.append(depth, [np.nan] * 9)[None], np.append(errors, [np.inf] * 9)[None]
+    made = SimpleNamespace(
+        verdict=SimpleNamespace(to_dict=dict), errors=errors, depth=depth, candidates=np.ones(5), exposures=(1.0,),
+        known=0.9,
+    )  # fmt: skip
+    facts = DefocusDepth.to_dict(made)
+    assert facts["depth"] == pytest.approx({"5 %": 1.1, "50 %": 2.0, "95 %": 2.9})
+    assert facts["error"] == pytest.approx(0.2)
+    made.errors = np.full_like(errors, np.inf)
+    assert (DefocusDepth.to_dict(made)["depth"], DefocusDepth.to_dict(made)["error"]) == (None, None)
+
+
+def test_dark_planes_have_no_slope_and_dim_ones_may():
+    ramp = (0.5 + np.linspace(-0.2, 0.2, 9))[:, None, None] * np.ones((1, 4, 4))
+    assert light_checks.plane_light_findings(0.0 * ramp, Noise(read=1.0), 0.0) == []
+    assert len(light_checks.plane_light_findings(ramp, Noise(read=1.0), 0.0)) == 1
+
+
+def test_defaults_are_those_that_their_pages_state():
+    kinds = (microscopy.confocal, microscopy.two_photon, microscopy.light_sheet, microscopy.bead, microscopy.sted)
+    assert {inspect.signature(one).parameters["tol"].default for one in kinds} == {1e-6}
+    assert (TableOptions().tol, FieldPhotographOptions().tol) == (1e-4, 1e-3)
+    assert (DefocusOptions().f_number_error, DefocusOptions().focus_error) == (0.0, 0.0)

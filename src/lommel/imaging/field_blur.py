@@ -155,8 +155,7 @@ class FieldBlur(LinearBlur):
         # Channels with equal spectra share a bank: computing windows takes most of the time.
         @cache
         def bank(spectrum: tuple[tuple[float, float], ...] | None) -> FieldBank:
-            # The tolerance of PSFs is 1e-3 of the tolerance of the blur, but no less than double precision allows.
-            phase, psf_tol = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * o.tol))
+            phase, psf_tol = None if lens is None else lens.phase, min(1e-6, 1e-3 * o.tol)
             source = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol)
             return build_field_bank(source, spans, self.shape, o)
 

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import bank, defocus_verdict, field_blur, focal_tables, sensor_light
+from lommel.imaging import bank, defocus_verdict, field_blur, focal_tables, live, sensor_light
 from lommel.imaging.defocus_verdict import _Filters, _Minimum
 from lommel.imaging.field_blur import FieldBlur, MixedBlur
+from lommel.imaging.live import LiveDepth
 from lommel.imaging.spline_nodes import Nodes
 
 RNG = np.random.default_rng(0)
@@ -223,3 +224,34 @@ def test_a_parabola_through_peaks_is_theirs_where_they_differ():
         np.array([1.0, 2.5, 4.0]), 1.0 / (0.3 * (np.array([1.0, 2.5, 4.0]) - 2.2) ** 2 + 2.0)
     )
     assert (made.curvature, made.middle, made.least) == pytest.approx((0.3, 2.2, 2.0))
+
+
+@pytest.mark.parametrize("masked", [False, True])
+def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(masked, monkeypatch):
+    given, rng, block = [], np.random.default_rng(5), live.BLOCK
+    monkeypatch.setattr(live, "judge_frames", lambda *all_of_it: given.extend(all_of_it))
+    size = 2 * block + 1, 3 * block
+    planes, gains = rng.uniform(10.0, 90.0, (2, *size)).astype(np.float32), rng.normal(size=(2, 6))
+    planes[0, 0, 0], planes[1, 1, 0], planes[0, 2, 0] = np.nan, 90.0, np.inf
+    mask = np.ones(size, np.uint8) if masked else None
+    if masked:
+        mask[3, 0] = 0
+    depth, errors, misfit = rng.uniform(0.5, 3.0, (3, 2, 3))
+    errors[0, 1] = np.nan
+    made = SimpleNamespace(
+        _last_call=lambda: (SimpleNamespace(engine="engine"), 0, 0, mask), _grey=lambda *_: (list(planes), 90.0),
+        _form=SimpleNamespace(size=size), _offset=4.0, _gains=gains, _depth=depth, _errors=errors, _misfit=misfit,
+    )  # fmt: skip
+    LiveDepth.verdict(made)
+    unknown = {(0, 0), (1, 0), (2, 0), *([(3, 0)] if masked else [])}
+    assert {tuple(at) for at in np.argwhere(~given[2]).tolist()} == unknown
+    for row, column in ((0, 0), (5, 7), (2 * block, 3 * block - 1), (1, block), (block, 0)):
+        x, y = (2.0 * (at + 0.5) / side - 1.0 for at, side in ((column, 3 * block), (row, 2 * block + 1)))
+        terms = np.array([1.0, x, x * x, y, x * y, y * y])
+        light = [float(g @ terms) * (float(p[row, column]) - 4.0) for g, p in zip(gains, planes, strict=True)]
+        known = (row, column) not in unknown
+        assert given[1][0, :, row, column] == pytest.approx(light if known else [0.0, 0.0], rel=1e-6)
+        at = min(row // block, 1), column // block
+        error = math.inf if at == (0, 1) else errors[at] / depth[at] ** 2
+        found = [one[row, column] for one in given[3:]]
+        assert found == pytest.approx([error, misfit[at], 1.0 / depth[at]])

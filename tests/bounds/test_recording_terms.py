@@ -13,13 +13,14 @@ import pytest
 from lommel import microscopy
 from lommel.base.units import with_error
 from lommel.deconvolve.algorithms import MISFIT, STEPS, Restoration, RichardsonLucy, TotalVariation
+from lommel.deconvolve.linear import LinearBlur
 from lommel.imaging import photograph, restoration
 from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions
 from lommel.imaging.field_blur import FieldPhotographOptions
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.live import LiveDepth
 from lommel.imaging.settings import TableOptions
-from lommel.microscopy import chunks, held_out, light_checks, preparation, stack_blur
+from lommel.microscopy import chunks, depth_model, held_out, light_checks, preparation, stack_blur
 from lommel.recorded import camera_noise, counts
 from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels
 from lommel.recorded.noise import Noise
@@ -236,3 +237,30 @@ def test_defaults_are_those_that_their_pages_state():
     assert {inspect.signature(one).parameters["tol"].default for one in kinds} == {1e-6}
     assert (TableOptions().tol, FieldPhotographOptions().tol) == (1e-4, 1e-3)
     assert (DefocusOptions().f_number_error, DefocusOptions().focus_error) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(("may", "shown"), [(True, [0.15, 0.3, 1.0]), (False, [1.0, 1.0, 1.0])])
+def test_progress_of_what_may_be_a_misfit_stays_below_three_tenths_until_that_is_known(may, shown):
+    """A misfit is told after 20 steps at the earliest; nothing is left to do here."""
+    told = []
+    progress = chunks._ChunkProgress(lambda fraction, _: told.append(fraction), 0, 1, 100, may)
+    progress._begun -= 1.0
+    for step in (10, 20, 21):
+        progress(step, 2.0, 0.0)
+    assert told == pytest.approx(shown)
+
+
+@pytest.mark.parametrize(("misfits", "round"), [((0.9, 0.99), True), ((0.9, 1.01), False), ((1.01, 0.9), False)])
+def test_psfs_are_tables_over_the_radius_where_each_is_round(misfits, round, monkeypatch):  # noqa: A002
+    made = SimpleNamespace(aberrations=None, window=(3, 9), spreads=True, splines=(1, 2))
+    table = lambda *_, **__: SimpleNamespace(misfit=lambda part: part * depth_model._MAX_MISFIT)  # noqa: E731
+    monkeypatch.setattr(depth_model, "RadialTransfer", table)
+    assert bool(depth_model.DepthModel._radial(made, misfits)) == round
+
+
+@pytest.mark.parametrize(("missing", "said"), [(True, "must be finite, or NaN"), (False, "must be finite, got")])
+def test_light_that_is_not_finite_is_refused_in_words_of_what_may_be(missing, said):
+    with pytest.raises(ValueError, match=said):
+        LinearBlur.require(
+            SimpleNamespace(shape=(2, 2), channels=1), np.full((2, 2), np.inf), "light", missing=missing
+        )

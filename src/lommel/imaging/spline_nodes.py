@@ -106,7 +106,7 @@ def window_difference(windows: Values, reference: Values) -> float:
 
 
 def sufficient_nodes(
-    sample: Callable[[Array], Array], first: float, last: float, tol: float, degree: int = 3
+    sample: Callable[[Array], Array], first: float, last: float, tol: float, degree: int
 ) -> Nodes | None:
     """Return nodes whose splines differ from ``sample(places)`` by at most `tol`; None if `MAX_NODES` is not enough.
 

@@ -78,9 +78,9 @@ def test_what_does_not_change_takes_one_node_and_what_changes_too_much_has_none(
     def steep(places: np.ndarray) -> np.ndarray:
         return np.cos(1e4 * places)[None, :, None, None]
 
-    assert sufficient_nodes(flat, 0.0, 1.0, 1e-3) == Nodes(0.0, 1.0, 1)
-    assert sufficient_nodes(steep, 0.5, 0.5, 1e-3) == Nodes(0.5, 0.5, 1)
-    assert sufficient_nodes(steep, 0.0, 1.0, 1e-3) is None
+    assert sufficient_nodes(flat, 0.0, 1.0, 1e-3, 3) == Nodes(0.0, 1.0, 1)
+    assert sufficient_nodes(steep, 0.5, 0.5, 1e-3, 3) == Nodes(0.5, 0.5, 1)
+    assert sufficient_nodes(steep, 0.0, 1.0, 1e-3, 3) is None
     assert Nodes(0.0, 1.0, 1).finer(1.1).count == 3
     assert Nodes(0.0, 1.0, MAX_NODES).finer(2.0).count == 2 * MAX_NODES - 1
 

@@ -10,8 +10,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+import lommel as lm
 from lommel import microscopy
 from lommel.base.units import with_error
+from lommel.core.answers import ToleranceError
 from lommel.deconvolve.algorithms import MISFIT, STEPS, Restoration, RichardsonLucy, TotalVariation
 from lommel.deconvolve.linear import LinearBlur
 from lommel.imaging import photograph, restoration
@@ -20,12 +22,13 @@ from lommel.imaging.field_blur import FieldPhotographOptions
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.live import LiveDepth
 from lommel.imaging.settings import TableOptions
-from lommel.microscopy import chunks, depth_model, held_out, light_checks, preparation, stack_blur
+from lommel.microscopy import chunks, depth_model, held_out, light_checks, modalities, preparation, stack_blur
 from lommel.recorded import camera_noise, counts
 from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels
 from lommel.recorded.noise import Noise
+from objectives import OIL
 
-RNG = np.random.default_rng(0)
+VORTEX = {"emitter": lm.Beam("vortex")}
 
 
 @pytest.mark.parametrize(("ratio", "count", "told"), [
@@ -185,17 +188,13 @@ def test_a_photograph_has_light_below_saturation(value, limit, fits, recwarn):
 
 @pytest.mark.parametrize(("shape", "largest"), [((1, 900), 1), ((9, 40), 4), ((5000, 4100), 2048)])
 def test_windows_of_tiles_are_at_most_half_of_the_photograph(shape, largest, monkeypatch):
-    class AskedError(Exception):
-        pass
-
-    def blur(*_, largest, **others):
-        raise AskedError(largest)
-
-    monkeypatch.setattr(photograph, "DepthBlur", blur)
+    asked = []
+    monkeypatch.setattr(photograph, "DepthBlur", lambda *_, largest, **others: asked.append(largest) or 1 / 0)
     values, depth = np.broadcast_to(np.float32(0.5), shape), np.broadcast_to(2.0, shape)
     lens, options = SimpleNamespace(wavelength=5e-7), SimpleNamespace(energy=0.9, tol=1e-3)
-    with pytest.raises(AskedError, match=f"^{largest}$"):
+    with pytest.raises(ZeroDivisionError):
         photograph._render_tiles(values, depth, lens, 1e-6, "linear", 64, options, None, None)
+    assert asked == [largest]
 
 
 def test_the_design_error_is_the_largest_bias_in_standard_errors_of_a_window():
@@ -229,7 +228,8 @@ def test_results_tell_in_plain_data_what_they_are_and_the_median_and_ends_of_the
 def test_dark_planes_have_no_slope_and_dim_ones_may():
     ramp = (0.5 + np.linspace(-0.2, 0.2, 9))[:, None, None] * np.ones((1, 4, 4))
     assert light_checks.plane_light_findings(0.0 * ramp, Noise(read=1.0), 0.0) == []
-    assert len(light_checks.plane_light_findings(ramp, Noise(read=1.0), 0.0)) == 1
+    (found,) = light_checks.plane_light_findings(ramp, Noise(read=1.0), 0.0)
+    assert found.numbers["change"] == pytest.approx(0.8)
 
 
 def test_defaults_are_those_that_their_pages_state():
@@ -264,3 +264,25 @@ def test_light_that_is_not_finite_is_refused_in_words_of_what_may_be(missing, sa
         LinearBlur.require(
             SimpleNamespace(shape=(2, 2), channels=1), np.full((2, 2), np.inf), "light", missing=missing
         )
+
+
+def test_depletion_is_relative_to_the_crest_of_the_doughnut_and_a_sheet_needs_a_bound(monkeypatch):
+    asked, given = [], SimpleNamespace(values=np.ones((1, 3, 3)), error_bound=None, method=1, scale=1.0)
+    planes = {"depth": 5e-7, "wavelength": 520e-9}
+    emission, beam, vortex = (OIL.pupil(**planes, **more) for more in ({}, {"emitter": lm.Beam()}, VORTEX))
+    monkeypatch.setattr(modalities, "crest", lambda pupil: 0.25)
+    monkeypatch.setattr(modalities, "psf", lambda *_, **how: asked.append(how.get("method", how.get("tol"))) or given)
+    modalities.sted(beam, vortex, emission, 3, 6.5e-6, saturation=20.0)
+    assert asked[-1].saturation == 80.0
+    with pytest.raises(ToleranceError, match="has no bound"):
+        modalities.light_sheet(emission, 1e-6, 3, 6.5e-6, tol=0.099)
+    with pytest.raises(ValueError, match="tol"):
+        modalities.light_sheet(emission, 1e-6, 3, 6.5e-6, tol=0.101)
+
+
+def test_noise_that_was_estimated_is_told_with_its_error(monkeypatch):
+    stack, remarks = np.ones((1, 4, 4)), SimpleNamespace(notes=[])
+    monkeypatch.setattr(preparation, "measured_noise", lambda _: (Noise(white=0.5, read=1.6, offset=99.0), 0.04))
+    monkeypatch.setattr(preparation, "_without_hot", lambda context, _: context)
+    assert preparation.prepared(stack, None, None, remarks).camera.white == 0.5
+    assert f"{' +- '.join(with_error(0.5, 0.02))} electrons per count and an offset of 99 counts" in remarks.notes[0]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import bank, defocus_verdict, field_blur, focal_tables, live, sensor_light
+from lommel.imaging import bank, defocus_verdict, field_blur, focal_engine, focal_tables, live, sensor_light
 from lommel.imaging.defocus_verdict import _Filters, _Minimum
 from lommel.imaging.field_blur import FieldBlur, MixedBlur
 from lommel.imaging.live import LiveDepth
@@ -242,3 +242,20 @@ def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(ma
         error = math.inf if at == (0, 1) else errors[at] / depth[at] ** 2
         found = [one[row, column] for one in given[3:]]
         assert found == pytest.approx([error, misfit[at], 1.0 / depth[at]])
+
+
+@pytest.mark.parametrize(("refocus", "vergences"), [(False, 0), (True, focal_engine._FOCI)])
+def test_sharp_images_allow_for_the_error_of_depth_in_a_window(refocus, vergences, monkeypatch):
+    """Those of a binned pixel over the root of the number in a window; foci are equal steps of 1 / distance."""
+    foci = []
+    lens = SimpleNamespace(focused=foci.append)
+    task = SimpleNamespace(
+        between=(0.5, 4.0), spectra=[1], lenses=[lens], model=lambda *_: SimpleNamespace(uncertain=np.asarray)
+    )
+    tables = SimpleNamespace(taps=1, degree=2, errors=np.array([2.0, 3.0]))
+    engine = SimpleNamespace(task=task, channels=[tables], light=None, binning=2, _pixels=49.0, images=[])
+    engine._target = lambda *_: None
+    monkeypatch.setattr(focal_engine, "SharpTables", lambda model, *_: model)
+    focal_engine.FocalEngine.sharpen(engine, refocus=refocus)
+    assert engine.images[0] == pytest.approx([4.0 / 7.0, 6.0 / 7.0])
+    assert foci == pytest.approx(1.0 / np.linspace(0.25, 2.0, vergences))

@@ -28,6 +28,7 @@ from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels
 from lommel.recorded.noise import Noise
 from objectives import OIL
 
+RNG = np.random.default_rng(0)
 VORTEX = {"emitter": lm.Beam("vortex")}
 
 
@@ -286,3 +287,14 @@ def test_noise_that_was_estimated_is_told_with_its_error(monkeypatch):
     monkeypatch.setattr(preparation, "_without_hot", lambda context, _: context)
     assert preparation.prepared(stack, None, None, remarks).camera.white == 0.5
     assert f"{' +- '.join(with_error(0.5, 0.02))} electrons per count and an offset of 99 counts" in remarks.notes[0]
+
+
+@pytest.mark.parametrize(("second", "told"), [(65535.0, True), (900.0, False)])
+def test_a_full_scale_is_remarked_where_no_image_has_a_stated_saturation(second, told):
+    values = RNG.poisson(300.0, (9, 9)).astype(np.uint16)
+    values[4, 4] = 1023
+    images = [
+        SimpleNamespace(values=values, known=np.ones((9, 9), bool), saturation=one) for one in (65535.0, second)
+    ]
+    remark = counts.flat_tops(images, Noise(white=1.0, read=1.0), "image")
+    assert remark.startswith("2 pixels have the value 1023 = 2^10 - 1") == told

@@ -22,7 +22,7 @@ from lommel.imaging.field_blur import FieldPhotographOptions
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.live import LiveDepth
 from lommel.imaging.settings import TableOptions
-from lommel.microscopy import chunks, depth_model, held_out, light_checks, modalities, preparation, stack_blur
+from lommel.microscopy import chunks, depth_model, light_checks, modalities, preparation, stack_blur
 from lommel.recorded import camera_noise, counts
 from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels
 from lommel.recorded.noise import Noise
@@ -125,39 +125,6 @@ def test_a_kernel_is_even_where_it_is_its_mirror_along_both_sides_within_a_milli
         place[axis] = 1
         kernel[tuple(place)] += 4.0 * size
     assert stack_blur._mirror_symmetric(kernel) == even
-
-
-@pytest.mark.parametrize(("gains", "runs", "code"), [
-    ((4.1, 1.0), 2, "psf_doubtful"), ((3.9, 3.2), 4, "psf_doubtful"), ((3.9, -0.5), 4, "psf_compared"),
-    ((-0.9, 1.0), 4, "psf_compared"), ((-1.1, 9.0), 2, "psf_compared"), ((2.0, 1.54), 4, "psf_doubtful"),
-    ((2.0, 1.52), 4, "psf_compared"),
-])  # fmt: skip
-def test_an_index_is_preferred_by_two_and_a_half_standard_errors_of_one_half_or_of_both(
-    gains, runs, code, monkeypatch
-):
-    """Both are asked between -1 and 4 of them; errors add up in squares: sqrt(2) 2.5 = 3.536 for two alike."""
-    made = []
-    model = SimpleNamespace(objective=SimpleNamespace(sample=1.4), changed=lambda name, value: value)
-    trial = SimpleNamespace(_model=model)
-
-    def best(label, at, fold=0, course=None):
-        made.append((at, fold))
-        loss = 5.0 if at is model else {1.395: 2.0, 1.39: 9.0}.get(round(at, 6), 5.0)
-        return SimpleNamespace(at=at, fold=fold, course=[], loss=loss)
-
-    def gain(one, other):
-        return (gains[other.fold] if other.at < 1.4 else gains[0] - 30.0) * 2.0, 2.0
-
-    trial.best = best
-    monkeypatch.setattr(held_out, "_gain", gain)
-    found = held_out.HeldOut.finding(trial, SimpleNamespace(at=model, course=[], loss=5.0))
-    more = 1 if code == "psf_doubtful" else 0  # and one index farther, of which the loss is larger
-    assert (found.code, len(made)) == (code, runs + more)
-    total, error = (2.0 * sum(gains), 2.0 * math.sqrt(2.0)) if runs == 4 else (2.0 * gains[0], 2.0)
-    assert (found.numbers["lnL"], found.numbers["lnL_error"]) == pytest.approx((total, error))
-    if more:  # the parabola through 9, 2 and 5
-        assert found.numbers["preferred"] == pytest.approx(1.395 + 0.005 * 0.2)
-        assert found.numbers["preferred_error"] == pytest.approx(2.0 * 0.005 / math.sqrt(10.0))
 
 
 @pytest.mark.parametrize(("after", "before", "overdone", "stopped", "method", "rejected"), [

@@ -244,6 +244,7 @@ def test_depletion_is_relative_to_the_crest_of_the_doughnut_and_a_sheet_needs_a_
     assert asked[-1].saturation == 80.0
     with pytest.raises(ToleranceError, match="has no bound"):
         modalities.light_sheet(emission, 1e-6, 3, 6.5e-6, tol=0.099)
+    assert asked[-1] == pytest.approx(0.099 - 1.1 * (6.0 * 2.0**-53 + 2.0**-24), rel=1e-12)
     with pytest.raises(ValueError, match="tol"):
         modalities.light_sheet(emission, 1e-6, 3, 6.5e-6, tol=0.101)
 

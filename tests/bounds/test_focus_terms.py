@@ -9,7 +9,16 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import bank, defocus_verdict, field_blur, focal_engine, focal_tables, live, sensor_light
+from lommel.imaging import (
+    bank,
+    defocus_depth,
+    defocus_verdict,
+    field_blur,
+    focal_engine,
+    focal_tables,
+    live,
+    sensor_light,
+)
 from lommel.imaging.defocus_verdict import _Filters, _Minimum
 from lommel.imaging.field_blur import FieldBlur, MixedBlur
 from lommel.imaging.live import LiveDepth
@@ -259,3 +268,51 @@ def test_sharp_images_allow_for_the_error_of_depth_in_a_window(refocus, vergence
     focal_engine.FocalEngine.sharpen(engine, refocus=refocus)
     assert engine.images[0] == pytest.approx([4.0 / 7.0, 6.0 / 7.0])
     assert foci == pytest.approx(1.0 / np.linspace(0.25, 2.0, vergences))
+
+
+@pytest.mark.parametrize("stated", [{}, {"f_number_error": 0.02}, {"focus_error": 0.1}])
+def test_depth_and_its_error_follow_from_those_of_a_candidate(stated, monkeypatch):
+    """Candidates are equal steps of v = 1 / z, so that dz = z^2 dv; frames have the exposure of the first."""
+    lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.25, wavelength=540e-9)
+    photos, seen = [np.full((64, 64), 0.2), np.full((64, 64), 0.3)], SimpleNamespace()
+    position, errors = np.full((64, 64), 7.3, np.float32), np.full((64, 64), 0.4, np.float32)
+
+    def engine(task, light):
+        seen.task, seen.light = task, light
+        return SimpleNamespace(known=0.15)
+
+    def search(engine, images, valid, progress):
+        seen.images = images.copy()
+        return position.copy(), errors.copy(), np.ones((64, 64))
+
+    def slopes(position, index_errors, window, limit):
+        seen.window, seen.limit = window, limit
+
+    monkeypatch.setattr(defocus_depth, "FocalEngine", engine)
+    monkeypatch.setattr(defocus_depth, "_search", search)
+    monkeypatch.setattr(defocus_depth, "_add_slope_errors", slopes)
+    monkeypatch.setattr(defocus_depth, "_add_lens_errors", lambda *_: 0.77)
+    monkeypatch.setattr(defocus_depth, "judge_frames", lambda *given: given)
+    noise, lenses = lm.Noise(white=1e4, read=3.0), [lens, lens.focused(2.0)]
+    found = defocus_depth.depth_from_defocus(
+        photos, lenses, 4e-6, encoding="linear", noise=noise, between=(0.8, 4.0), **stated
+    )
+    step = float(seen.task.vergence[1] - seen.task.vergence[0])
+    z = 1.0 / (float(seen.task.vergence[0]) + step * float(position[0, 0]))
+    assert (found.depth[1, 2], found.errors[1, 2]) == pytest.approx((z, z * z * step * 0.4), rel=1e-6)
+    assert (seen.light.mean, *found.exposures) == pytest.approx((2000.0, 1.0, 1.5), rel=1e-6)
+    assert seen.images.mean(axis=(0, 2, 3)) == pytest.approx([2000.0, 2000.0], rel=1e-5)
+    assert (seen.window, seen.limit) == (defocus_depth.WINDOW, pytest.approx(0.15 / step))
+    assert found.verdict[-1] == (0.77 if stated else 0.0)
+
+
+@pytest.mark.parametrize(("second", "fits"), [(56.0, True), (204.0, True), (206.0, False), (54.0, False)])
+def test_live_exposures_are_ratios_of_means_above_the_offset_within_a_factor_of_two(second, fits):
+    sums = np.array([[[200.0, 220.0]], [[2.0 * second, 2.0 * second]], [[1.5, 2.5]]])  # over 4 pixels
+    made = SimpleNamespace(_sums=sums, _offset=5.0, _form=SimpleNamespace(white=0.5, offset=5.0))
+    if fits:
+        ratios, light = LiveDepth._measure_exposures(made)
+        assert (ratios, light) == (pytest.approx((1.0, (second - 5.0) / 100.0)), pytest.approx(50.0))
+    else:
+        with pytest.raises(ValueError, match="factor of 2"):
+            LiveDepth._measure_exposures(made)

@@ -23,7 +23,7 @@ from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.live import LiveDepth
 from lommel.imaging.settings import TableOptions
 from lommel.microscopy import chunks, depth_model, light_checks, modalities, preparation, stack_blur
-from lommel.recorded import camera_noise, counts, stack_files
+from lommel.recorded import camera_noise, counts
 from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels
 from lommel.recorded.noise import Noise
 from objectives import OIL
@@ -266,9 +266,3 @@ def test_a_full_scale_is_remarked_where_no_image_has_a_stated_saturation(second,
     ]
     remark = counts.flat_tops(images, Noise(white=1.0, read=1.0), "image")
     assert remark.startswith("2 pixels have the value 1023 = 2^10 - 1") == told
-
-
-def test_chunks_of_written_stacks_are_of_one_channel_and_no_larger_than_the_stack(tmp_path):
-    recording = SimpleNamespace(metadata={"step": None, "pixel": None, "names": (), "emission": ()})
-    made = stack_files.new_zarr(tmp_path / "a.ome.zarr", (2, 40, 300, 100), recording, "a")
-    assert made.chunks == (1, 32, 256, 100)

@@ -278,10 +278,10 @@ def stacked(call, bounds):
 
 
 def test_a_chunked_stack_has_the_largest_of_its_bounds_or_none(tmp_path):
-    pupil = lm.Pupil(lm.Wavefront(np.array([0.0, 3.0, 9.0])))
+    pupil = lm.Pupil(lm.Wavefront(np.array([0.0, 3.0])))
     stack = lm.psf_to(tmp_path / "a.zarr", pupil, 5, 0.5, chunk=1)
     each = np.asarray(stack.error_bound).ravel()
-    assert stack[0:3].error_bound == each.max() > 1.5 * each.min()
+    assert stack[0:2].error_bound == each.max() > 1.5 * each.min()
     assert stack[1].error_bound == each[1]
     lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.25, wavelength=540e-9)
     far = lens.pupil(np.array([1.0, 2.0]))

@@ -145,8 +145,7 @@ def restore_chunks(
         if settings is None:
             settings, outcome.steps, outcome.strength = iteration.course, count, iteration.strength
             outcome.finding = _finding(counted, stopped, count, after, method, doubts)
-            is_misfit = outcome.finding is not None and outcome.finding.code == "misfit"
-            outcome.stopped = MISFIT if is_misfit else stopped
+            outcome.stopped = _reason(outcome.finding, stopped)
         if isinstance(outcome.background, np.ndarray):
             outcome.background[tile] = np.asarray(counted.background)[inner]
         elif number == 0:
@@ -193,6 +192,11 @@ def _finding(
     advice = "correct the PSF first" if "psf_doubtful" in doubts else "allow more steps"
     text = f"the residual exceeds the noise after the {steps} steps of the method; {advice}"
     return Finding("not_settled", "doubt", text, {"discrepancy": discrepancy, "steps": steps})
+
+
+def _reason(finding: Finding | None, stopped: str) -> str:
+    """Return why the iterations of a chunk ended: what does not fit at the end is a misfit, too."""
+    return MISFIT if finding is not None and finding.code == "misfit" else stopped
 
 
 class _ChunkProgress:

@@ -217,7 +217,7 @@ def test_progress_of_what_may_be_a_misfit_stays_below_three_tenths_until_that_is
         progress(step, 2.0, 0.0)
     assert told == pytest.approx(shown)
     misfit, other = SimpleNamespace(code="misfit"), SimpleNamespace(code="not_settled")
-    assert [chunks._reason(one, STEPS) for one in (None, other, misfit)] == [STEPS, STEPS, MISFIT]
+    assert [chunks._reason(one, STEPS) for one in (None, other, misfit)] == [STEPS, STEPS, chunks.MISFIT]
 
 
 @pytest.mark.parametrize(("misfits", "round"), [((0.9, 0.99), True), ((0.9, 1.01), False), ((1.01, 0.9), False)])

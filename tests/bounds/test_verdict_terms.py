@@ -117,10 +117,12 @@ def outcome(**changes):
     ({"bright_chi2": (float(goodness_of_fit.largest_plausible_chi2(0.1)), 0.1)}, [("misfit", "error")]),
 ])  # fmt: skip
 def test_a_map_of_a_field_is_judged_by_stars_that_were_held_out_rejected_or_bright(changes, expected):
-    assert told(outcome(**changes).findings) == expected
+    found = outcome(**changes).findings
+    assert told(found) == expected
+    assert all(one.numbers["limit"] == pytest.approx(1.45) for one in found if one.code == "held_out")
 
 
-@pytest.mark.parametrize(("chi2", "severity"), [(0.89, "error"), (0.91, None)])
+@pytest.mark.parametrize(("chi2", "severity"), [(0.89, "error"), (0.9, None), (0.91, None)])
 def test_images_that_are_much_too_quiet_are_an_error(chi2, severity):
     fit = SimpleNamespace(
         scores=SimpleNamespace(chi2=[chi2], spread=[0.01]), model=SimpleNamespace(chosen=np.arange(30))

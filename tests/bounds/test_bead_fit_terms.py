@@ -80,9 +80,8 @@ def test_standard_errors_of_beads_are_those_of_all_unknowns_together():
     assert math.sqrt(inverse[0, 0]) == pytest.approx(errors[0], rel=2e-3)
 
 
-@pytest.mark.parametrize(("excess", "steps", "wave", "told"), [
-    (1.0, 20, 0.0, []), (2.0, 20, 0.0, ["excess_noise", "misfit"]), (1.0, 1, 0.6, ["not_settled"]),
-])  # fmt: skip
+@pytest.mark.parametrize(("excess", "steps", "wave", "told"), [(1.0, 20, 0.0, []), (2.0, 20, 0.0, ["excess_noise",
+    "misfit"]), (1.0, 1, 0.6, ["not_settled"])])  # fmt: skip
 def test_a_fit_of_beads_is_judged_by_its_noise_and_its_steps(excess, steps, wave, told, monkeypatch):
     nothing = {"missing_tests": ((), None, []), "missing_findings": ([], None), "reversed_findings": []}
     for name, found in (nothing | {"model_error": 0.0}).items():
@@ -91,10 +90,8 @@ def test_a_fit_of_beads_is_judged_by_its_noise_and_its_steps(excess, steps, wave
     image = electrons(np.array([wave, 0.3, -0.2, place, 80e-9, 0.0, 0.0, *[2e4] * 5, *[10.0] * 5]), Z / 1.25)
     stack = lm.Noise(read=1.6, excess=excess).record(image, seed=1)
     microscope = lm.Microscope(OIL, WAVE, PIXEL)
-    fit = searches.fit_beads(
-        [stack], microscope, z=Z, noise=lm.Noise(read=1.6), diameter=0.0, depth=80e-9, terms=((2, -2),), starts=1,
-        steps=steps, threads=1, priors={},
-    )  # fmt: skip
+    fit = searches.fit_beads([stack], microscope, z=Z, noise=lm.Noise(read=1.6), diameter=0.0, depth=80e-9,
+        terms=((2, -2),), starts=1, steps=steps, threads=1, priors={})  # fmt: skip
     assert [one.code for one in fit.findings if one.severity == "error"] == told
     if not told:
         assert fit.errors[2, -2] == pytest.approx(math.sqrt(fit.covariance[0, 0]))
@@ -108,13 +105,11 @@ def test_widths_of_a_gaussian_and_their_errors_are_those_of_its_deviations(monke
         return np.exp(-0.5 * ((x / sigma[0]) ** 2 + (y / sigma[1]) ** 2 + (z / sigma[2]) ** 2))
 
     asked, rows = [], np.array([(gaussian(sigma + h) - gaussian(sigma - h)) / 2e-3 for h in 1e-3 * np.eye(3)])
-    fit = Made(
-        objective=OIL, wavelength=WAVE, pupil=lambda **_: None, _state=Made(setup=SETUP, waves=None),
-        _images=Made(values=lambda *_: gaussian(sigma)),
-        _jacobian=lambda *given, **__: asked.append(given) or rows, status="", chi2=1.0, covariance=covariance,
-        coefficients={(2, 2): 0.3, "NA": 1.3}, errors={(2, 2): 0.1, "NA": 0.02},
-        beads=[Made(images=np.zeros((5, 3, 3)), model=np.zeros((5, 3, 3)), residual=np.zeros((5, 3, 3)))],
-    )  # fmt: skip
+    fit = Made(objective=OIL, wavelength=WAVE, pupil=lambda **_: None, _state=Made(setup=SETUP, waves=None),
+        _images=Made(values=lambda *_: gaussian(sigma)), _jacobian=lambda *given, **__: asked.append(given) or rows,
+        status="", chi2=1.0, covariance=covariance, coefficients={(2, 2): 0.3, "NA": 1.3}, errors={(2, 2): 0.1,
+        "NA": 0.02}, beads=[Made(images=np.zeros((5, 3, 3)), model=np.zeros((5, 3, 3)), residual=np.zeros((5, 3,
+        3)))])  # fmt: skip
     changes = np.sqrt(np.einsum("kpyx,k->pyx", rows**2, np.diag(covariance)))
     np.testing.assert_allclose(BeadFit.psf_errors(fit, depth=1e-7), changes, rtol=1e-9)
     assert (asked[0][2].shape, asked[0][2].z.tolist()) == ((31, 31), [0.0])
@@ -147,9 +142,8 @@ def test_priors_have_errors_above_0_that_may_be_infinite_where_images_tell_the_c
     assert Prior(2.0, 0.5).score(2.3) == pytest.approx((0.5 * (0.3 / 0.5) ** 2, -0.3 / 0.25, 4.0))
 
 
-@pytest.mark.parametrize(("index", "step", "factor"), [
-    (0, -2.0, 0.5), (1, 0.1, 0.5), (2, 0.2 * PIXEL, 0.25), (3, 4.0, 0.25), (5, 0.6e-6, 0.5), (4, -0.5, 1.0),
-])  # fmt: skip
+@pytest.mark.parametrize(("index", "step", "factor"), [(0, -2.0, 0.5), (1, 0.1, 0.5), (2, 0.2 * PIXEL, 0.25), (3,
+    4.0, 0.25), (5, 0.6e-6, 0.5), (4, -0.5, 1.0)])  # fmt: skip
 def test_steps_of_beads_are_shortened_to_the_largest_change_and_end_within_the_window(index, step, factor):
     model = model_of(1, priors={"sample": Prior(1.33, 0.01), "pixel": Prior(PIXEL, 1e-7)})
     steps = np.array([0.1, 1e-3, 1e-3 * PIXEL, 0.9, -0.3, 1e-8])
@@ -164,10 +158,8 @@ def test_steps_of_beads_are_shortened_to_the_largest_change_and_end_within_the_w
 
 
 def test_chi2_of_beads_is_of_a_degree_of_freedom_and_fits_below_its_limit():
-    parts = [
-        Made(chi2=2.0, chi2_expectation=90.0, chi2_variance=5.0),
-        Made(chi2=8.0, chi2_expectation=110.0, chi2_variance=7.0),
-    ]
+    parts = [Made(chi2=2.0, chi2_expectation=90.0, chi2_variance=5.0), Made(chi2=8.0, chi2_expectation=110.0,
+        chi2_variance=7.0)]  # fmt: skip
     for degrees in (1, 0, -3, 20):
         model = Made(degrees_of_freedom=degrees, size=4, stacks=[Made(z=Z), Made(z=Z)])
         share = max(degrees, 1) / (degrees + 4 + 20)
@@ -178,9 +170,8 @@ def test_chi2_of_beads_is_of_a_degree_of_freedom_and_fits_below_its_limit():
     ended = Made(quality=(101.0, 0.01), log_posterior=0.0, settled=True, fits=lambda _: False)
     other = Made(quality=(102.0, 0.01), log_posterior=50.0, settled=True, fits=lambda _: False)
     assert not bead_search._same_maximum(ended, other)
-    assert not bead_search._same_maximum(
-        Made(**vars(ended) | {"fits": lambda _: True}), Made(**vars(ended) | {"log_posterior": 1.0})
-    )
+    assert not bead_search._same_maximum(Made(**vars(ended) | {"fits": lambda _: True}),
+        Made(**vars(ended) | {"log_posterior": 1.0}))  # fmt: skip
 
 
 def test_sloping_backgrounds_fit_by_weighted_squares():
@@ -202,30 +193,23 @@ def test_sloping_backgrounds_fit_by_weighted_squares():
     assert edge == pytest.approx({(2, -2): 0.3 * math.sqrt(6.0), (3, 1): 0.2 * math.sqrt(8.0), (4, 0): 0.5})
 
 
-@pytest.mark.parametrize(("chi2", "used"), [
-    ([2.0, 2.0, 3.0], [1, 1, 0]), ([2.0, 2.0, 2.999], [1, 1, 1]), ([0.8, 0.9, LIMIT * 0.999], [1, 1, 1]),
-    ([0.8, 0.9, LIMIT], [1, 1, 0]),
-])  # fmt: skip
+@pytest.mark.parametrize(("chi2", "used"), [([2.0, 2.0, 3.0], [1, 1, 0]), ([2.0, 2.0, 2.999], [1, 1, 1]), ([0.8, 0.9,
+    LIMIT * 0.999], [1, 1, 1]), ([0.8, 0.9, LIMIT], [1, 1, 0])])  # fmt: skip
 def test_beads_are_left_out_that_fit_far_worse_than_most(chi2, used):
-    fits = [
-        Made(quality=(one, 0.1), state=Made(waves=np.zeros(1), places=(None,)), fits=lambda _: True) for one in chi2
-    ]
-    model = Made(
-        stacks=[0] * 3, priors={}, bead_parameters=(), brightest_first=lambda: [0, 1, 2], single_bead=lambda k: k,
-        with_beads=lambda _: None,
-    )  # fmt: skip
+    fits = [Made(quality=(one, 0.1), state=Made(waves=np.zeros(1), places=(None,)),
+        fits=lambda _: True) for one in chi2]  # fmt: skip
+    model = Made(stacks=[0] * 3, priors={}, bead_parameters=(), brightest_first=lambda: [0, 1, 2],
+        single_bead=lambda k: k, with_beads=lambda _: None)  # fmt: skip
     self = Made(model=model, setup=None, fit_one=lambda k, _: fits[k], climb=lambda *_: None)
     assert Search.fit_all(self)[1] == [bool(one) for one in used]
 
 
-@pytest.mark.parametrize(("earlier", "chi2", "tried"), [
-    ([5.0, 7.0], [9.0, 7.1, 7.0, 6.0], 3), ([5.0], [9.0, 7.0, 6.0, 5.0], 4), ([5.0, 7.0], [7.1, 8.0, 9.0, 10.0], 4),
-])  # fmt: skip
+@pytest.mark.parametrize(("earlier", "chi2", "tried"), [([5.0, 7.0], [9.0, 7.1, 7.0, 6.0], 3), ([5.0], [9.0, 7.0,
+    6.0, 5.0], 4), ([5.0, 7.0], [7.1, 8.0, 9.0, 10.0], 4)])  # fmt: skip
 def test_more_starts_do_not_help_where_several_beads_fit_as_badly(earlier, chi2, tried, monkeypatch):
     def ended(k, one):
-        return Made(
-            quality=(one, 0.1), log_posterior=10.0 * k, settled=False, fits=lambda _: False, state=Made(waves=None)
-        )
+        return Made(quality=(one, 0.1), log_posterior=10.0 * k, settled=False, fits=lambda _: False,
+            state=Made(waves=None))  # fmt: skip
 
     monkeypatch.setattr(bead_search, "start_of", lambda *_: None)
     calls = iter([ended(k, one) for k, one in enumerate(chi2)])
@@ -269,37 +253,23 @@ def test_effects_are_fitted_that_are_nearly_as_likely_as_the_best(evidence, coun
     assert len(fewer) == (not fits)
 
 
-@pytest.mark.parametrize(
-    ("fits", "sigmas", "told"), [(True, 5.1, 1), (True, 4.9, 0), (False, 5.1, 0), (False, 15.0, 1)]
-)
+@pytest.mark.parametrize(("fits", "sigmas", "told"), [(True, 5.1, 1), (True, 4.9, 0), (False, 5.1, 0), (False, 15.0,
+    1)])  # fmt: skip
 def test_slopes_of_backgrounds_are_estimated_where_they_are_sure_and_explain_a_misfit(fits, sigmas, told):
     """Half of the excess of 0.2 over 2 / 0.1^2 degrees of freedom is 20."""
     fit = Made(quality=(1.8, 0.1), fits=lambda _: fits)
-    assert (
-        len(
-            bead_checks.gradient_findings(
-                fit, [score("other", 9.0), score("background gradient", 80.0, sigmas=sigmas)]
-            )
-        )
-        == told
-    )
+    assert (len(bead_checks.gradient_findings(fit, [score("other", 9.0), score("background gradient", 80.0,
+        sigmas=sigmas)])) == told)  # fmt: skip
 
 
 def test_priors_are_told_that_beads_do_not_test_better(monkeypatch):
-    model, told = (
-        model_of(
-            2,
-            20e-9,
-            priors={"sample": Prior(1.33, 0.01), "pixel": Prior(PIXEL, 1e-8), "coverslip": Prior(1.7e-4, 5e-6)},
-        ),
-        [],
-    )
+    model, told = (model_of(2, 20e-9, priors={"sample": Prior(1.33, 0.01), "pixel": Prior(PIXEL, 1e-8),
+        "coverslip": Prior(1.7e-4, 5e-6)}), [])  # fmt: skip
     tests = [score("sample", 0.0, errors=(0.0101,)), score("coverslip", 0.0, errors=(4.9e-6,)),
              score("depth", 0.0, (1.0, 1.0), (1e-9, 21e-9)), score("drift", 0.0, errors=(9.0,))]  # fmt: skip
-    for name, made in (
-        ("score_tests", lambda *_: tests), ("_neighbor_tests", lambda *_: []), ("untested", lambda *_: {}),
-        ("untested_findings", lambda effects, sizes, priors, never: told.extend(priors)),
-    ):  # fmt: skip
+    for name, made in (("score_tests", lambda *_: tests), ("_neighbor_tests", lambda *_: []), ("untested",
+        lambda *_: {}), ("untested_findings", lambda effects, sizes, priors,
+        never: told.extend(priors))):  # fmt: skip
         monkeypatch.setattr(bead_checks, name, made)
     fit = model.evaluate(State(SETUP, np.zeros(1), (PLACE, PLACE)))
     bead_checks.missing_tests(model, fit)
@@ -308,13 +278,11 @@ def test_priors_are_told_that_beads_do_not_test_better(monkeypatch):
 
 def test_results_of_tests_are_told_in_the_units_of_their_constants():
     model = Made(depths=(Prior(1e-7, 0.0), Prior(2e-7, 0.0)), images=Made(estimated_terms=((2, 2),)))
-    for test, refit, text in (
-        (score("depth", 1.0, (1e-8, -3e-8), (1e-9, 2e-9)), None,
-         "of each bead = 0.1100 +- 0.0010, 0.1700 +- 0.0020 um"),
-        (score("drift", 1.0, (0.5, -0.2), (0.01, 0.02)), None, "= 0.500 +- 0.010, -0.200 +- 0.020 pixels"),
-        (score("noll 11", 1.0, (0.5,), (0.01,)), Made(state=Made(waves=[0.1, 0.7])), "= 0.700 +- 0.010 rad"),
-        (score("diameter", 1.0, (2e-8,), (1e-9,)), None, "= 0.1200 +- 0.0010 um, stated 0.1"),
-    ):  # fmt: skip
+    for test, refit, text in ((score("depth", 1.0, (1e-8, -3e-8), (1e-9, 2e-9)), None,
+        "of each bead = 0.1100 +- 0.0010, 0.1700 +- 0.0020 um"), (score("drift", 1.0, (0.5, -0.2), (0.01, 0.02)),
+        None, "= 0.500 +- 0.010, -0.200 +- 0.020 pixels"), (score("noll 11", 1.0, (0.5,), (0.01,)),
+        Made(state=Made(waves=[0.1, 0.7])), "= 0.700 +- 0.010 rad"), (score("diameter", 1.0, (2e-8,), (1e-9,)), None,
+        "= 0.1200 +- 0.0010 um, stated 0.1")):  # fmt: skip
         assert bead_checks._in_words(test, model, SETUP, refit) == f"{test.name} {text} (9 sigma)"
 
 
@@ -348,6 +316,5 @@ def test_a_neighbor_is_tested_at_its_most_likely_place_with_a_penalty_for_the_ot
     evidence = 0.5 * (share**2 / error**2 + math.log(error**2)) - 0.5 * (share**2 / total + math.log(total))
     evidence -= math.log(allowed / (math.pi * 1.1**2) + 1.0)
     assert found.name.startswith(f"a neighbor of bead 0 by {row} rows and {column} columns")
-    assert (found.size[0], found.errors[0], found.sigmas, found.log_bayes) == pytest.approx(
-        (share, error, sigmas, evidence), rel=1e-6
-    )
+    assert (found.size[0], found.errors[0], found.sigmas, found.log_bayes) == pytest.approx((share, error, sigmas,
+        evidence), rel=1e-6)  # fmt: skip

@@ -19,7 +19,7 @@ from lommel.estimation import (
     field_fit,
     field_search,
     field_stars,
-    fisher,
+    fisher,  # fmt: skip
     phase_retrieval,
     star_checks,
     star_images,
@@ -71,12 +71,9 @@ def test_tables_and_plots_of_fields_have_standard_errors_in_waves(monkeypatch, t
         x, y = np.broadcast_arrays(x, y)
         return np.stack([x, y], axis=-1), 0.1 * np.stack([x + 11.0, y + 7.0], axis=-1)
 
-    fit = Made(
-        names=names, at=at, _pupil=lens, _sensor=chip, degree=1, field=field, twin=None, message="", blurs=(),
-        images=None,
-        _terms=names, distortion=Made(at=at, degree=1), model=None,
-        stars=Made(places=np.zeros((1, 2)), chi2=None, used=None),
-    )  # fmt: skip
+    fit = Made(names=names, at=at, _pupil=lens, _sensor=chip, degree=1, field=field, twin=None, message="", blurs=(),
+        images=None, _terms=names, distortion=Made(at=at, degree=1), model=None, stars=Made(places=np.zeros((1, 2)),
+        chi2=None, used=None))  # fmt: skip
     monkeypatch.setattr(field_fit, "save_table", lambda *parts: tables.append(parts[3]))
     monkeypatch.setattr(field_fit.show.estimates, "field", lambda maps, *_: maps)
     tables = []
@@ -144,15 +141,8 @@ def test_errors_of_stars_of_a_field_are_those_of_their_information_together(monk
     places = [(20, 20), (20, 60), (60, 20), (60, 60)]
     images = [2e4 * (1 + k) * lm.psf(COMA, **STAR).values + 9.0 for k in range(4)]
     windows = NOISE.record(np.array(images), seed=2)
-    given = {
-        "sensor": (80, 80),
-        "pixel": 0.5,
-        "terms": ["noll 8"],
-        "tol": 1e-4,
-        "noise": NOISE,
-        "degree": 0,
-        "blur": False,
-    }
+    given = {"sensor": (80, 80), "pixel": 0.5, "terms": ["noll 8"], "tol": 1e-4, "noise": NOISE, "degree": 0,
+        "blur": False}  # fmt: skip
     refine = field_fit.Search.refine
     monkeypatch.setattr(field_fit.Search, "refine", lambda *a, **b: replace(refine(*a, **b), settled=False))
     nothing = (), Marginal(np.zeros(1), np.eye(1)), []
@@ -177,17 +167,13 @@ def starts_of(*rows):
     return [tuple(map(np.array, zip(*row, strict=True))) for row in rows]
 
 
-@pytest.mark.parametrize(("rows", "best", "settled", "tried"), [
-    (starts_of([(1.0, 0.999 * SURE, True)]), 1.0, True, 1),
-    (starts_of([(1.0, SURE, True)], [(1.5, 9.0, True), (1.9, 9.0, True)]), 1.0, True, 3),
-    (starts_of([(1.0, SURE, True)], [(1.5, 9.0, True), (2.1, 9.0, True)], [(1.0, 9.0, True)] * 2),
-     1.0, True, 5),
-    (starts_of([(1.0, 0.9, False)], *[[(2.0, 1.9, True), (3.0, 2.1, True)]] * 2), 1.0, False, 5),
-    (starts_of([(1.0, 9.0, True)], *[[(5.0, 1.0, False), (6.0, 1.9, True)]] * 2), 6.0, True, 5),
-    (starts_of([(1.0, 9.0, True)], *[[(5.0, 0.9, False), (6.0, 1.9, True)]] * 2), 5.0, False, 5),
-    (starts_of([(1.0, LIMIT, True)], *[[(1.0, LIMIT, True)] * 2] * 2), 1.0, True, 5),
-    (starts_of([(1.0, 0.999 * LIMIT, True)], *[[(1.0, LIMIT, True)] * 2] * 2), 1.0, True, 3),
-])  # fmt: skip
+@pytest.mark.parametrize(("rows", "best", "settled", "tried"), [(starts_of([(1.0, 0.999 * SURE, True)]), 1.0, True,
+    1), (starts_of([(1.0, SURE, True)], [(1.5, 9.0, True), (1.9, 9.0, True)]), 1.0, True, 3), (starts_of([(1.0, SURE,
+    True)], [(1.5, 9.0, True), (2.1, 9.0, True)], [(1.0, 9.0, True)] * 2), 1.0, True, 5), (starts_of([(1.0, 0.9,
+    False)], *[[(2.0, 1.9, True), (3.0, 2.1, True)]] * 2), 1.0, False, 5), (starts_of([(1.0, 9.0, True)], *[[(5.0,
+    1.0, False), (6.0, 1.9, True)]] * 2), 6.0, True, 5), (starts_of([(1.0, 9.0, True)], *[[(5.0, 0.9, False), (6.0,
+    1.9, True)]] * 2), 5.0, False, 5), (starts_of([(1.0, LIMIT, True)], *[[(1.0, LIMIT, True)] * 2] * 2), 1.0, True,
+    5), (starts_of([(1.0, 0.999 * LIMIT, True)], *[[(1.0, LIMIT, True)] * 2] * 2), 1.0, True, 3)])  # fmt: skip
 def test_starts_end_where_one_is_sure_or_three_agree_on_what_is_plausible(rows, best, settled, tried, monkeypatch):
     """A start that has not settled must have half of the chi2 of others."""
     left = iter(rows)
@@ -218,9 +204,8 @@ def test_rounding_of_columns_grows_with_their_number_and_length(side):
 
 
 @pytest.mark.parametrize("side", [0.99, 1.01])
-@pytest.mark.parametrize(("errors", "zero"), [
-    ([0.02, 0.01, 0.0], False), ([0.02, 0.01, 0.0], True), ([0.5, 0.0, 0.0], False),
-])  # fmt: skip
+@pytest.mark.parametrize(("errors", "zero"), [([0.02, 0.01, 0.0], False), ([0.02, 0.01, 0.0], True), ([0.5, 0.0,
+    0.0], False)])  # fmt: skip
 def test_a_parameter_is_unidentifiable_by_its_part_in_directions_that_are(side, errors, zero):
     """q = p + d r: p - q + d r is nothing."""
     limit = min(np.linalg.norm(errors), 0.5 / math.sqrt(3 + zero))
@@ -343,9 +328,8 @@ def test_tolerances_of_searches_are_below_the_read_noise_and_masks_symmetric_wit
         expected = min(max(tol, 0.3 * math.sqrt(read) / 2e4), max(tol, 1e-4))
         assert star_images.loosest_tolerance(data, tol) == pytest.approx(expected, rel=1e-9)
     x = np.array([0.5, -0.25])
-    for off, margin, symmetric in (
-        (0.75e-6, 1.0, True), (1.5e-6, 1.0, False), (None, 1.0, True), (None, -1.0, False), (0.0, -1.0, False),
-    ):  # fmt: skip
+    for off, margin, symmetric in ((0.75e-6, 1.0, True), (1.5e-6, 1.0, False), (None, 1.0, True), (None, -1.0,
+        False), (0.0, -1.0, False)):  # fmt: skip
         opening = Made(rule=lambda _: (x, x, None), margin=lambda *_, margin=margin: np.array([1.0, margin]))
         mask = None if off is None else Made(values=np.array([[0.0, 1.0, 0.0], [0.0, 1.0, off], [0.0, 1.0, 0.0]]))
         pupil = Made(circular=False, segmented=False, phase_mask=False, opening=opening, mask=mask)
@@ -355,9 +339,8 @@ def test_tolerances_of_searches_are_below_the_read_noise_and_masks_symmetric_wit
     assert found == {"wavelength": 1.0, "f_number": 2.0}
 
 
-@pytest.mark.parametrize(("error", "factor", "codes"), [
-    (0.2499, 1.124, []), (0.2501, 1.0, ["too_dim"]), (0.2499, 1.126, ["errors_change"]),
-])  # fmt: skip
+@pytest.mark.parametrize(("error", "factor", "codes"), [(0.2499, 1.124, []), (0.2501, 1.0, ["too_dim"]), (0.2499,
+    1.126, ["errors_change"])])  # fmt: skip
 def test_standard_errors_are_doubted_by_the_phase_or_by_how_they_change(error, factor, codes, monkeypatch):
     monkeypatch.setattr(star_checks, "uncertainty", lambda *_: (error, None))
     monkeypatch.setattr(star_checks, "error_factors", lambda *_: np.array([1.0, factor]))
@@ -448,3 +431,20 @@ def test_a_distance_without_information_beyond_rounding_has_no_error(side, monke
     monkeypatch.setattr(depth_precision, "FocalModel", Made(of=lambda *_, **__: model))
     found = depth_precision._error(lenses, 1.5, 4e-6, Made(light=1e3, read=1.0, contrast=0.3))
     assert found == (math.inf if side < 1.0 else pytest.approx(2.25 / math.sqrt(limit * side * 4.0 * math.pi * 16.0)))
+
+
+@pytest.mark.parametrize("offsets", [(2.0, 3.0), (0.5, 4.0)])
+def test_the_best_foci_are_those_of_the_least_error_in_vergence(offsets, monkeypatch):
+    lens, distance = lm.Lens(focal_length=0.035, f_number=8.0, focus_distance=1.5, wavelength=5.4e-7), 1.5
+    unit = 2.0 * 5.4e-7 / (math.pi * (0.5 * 0.035 / 8.0) ** 2)
+
+    def error(pair, metres, pitch, surface):
+        found = [abs(1.0 / one.focus_distance - 1.0 / metres) / unit for one in pair]
+        return 1e-3 * (
+            1.0 + sum(math.log(max(one, 1e-9) / best) ** 2 for one, best in zip(found, offsets, strict=True))
+        )
+
+    monkeypatch.setattr(depth_precision, "_error", error)
+    pair = lm.best_depth_foci(lens, distance, 4e-6, noise=lm.Noise(white=1e4, read=3.0))
+    found = [abs(1.0 / one.focus_distance - 1.0 / distance) / unit for one in pair]
+    assert found == pytest.approx(offsets, rel=0.03)

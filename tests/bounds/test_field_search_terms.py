@@ -74,9 +74,8 @@ def test_single_stars_have_starts_until_one_is_good_or_two_agree(monkeypatch):
     monkeypatch.setattr(field_search, "SingleStars", lambda stars, rows, widest: rows)
     monkeypatch.setattr(field_search, "search_rows", search)
     stars = made(size=1, first_star=made(sign_ambiguous=False))
-    self = made(
-        stars=stars, simplified_stars=stars, widest=1.0, report=None, _random_start=lambda model, scatter: None
-    )
+    self = made(stars=stars, simplified_stars=stars, widest=1.0, report=None, _random_start=lambda model,
+        scatter: None)  # fmt: skip
     x, chi2, sure = Search.fit_single_stars(self, chosen)
     assert sure.tolist() == [one[2] for one in STARTS]
     assert asked == [one[3] for one in STARTS]
@@ -88,15 +87,11 @@ def test_a_start_is_good_whose_median_star_is_and_trials_come_in_the_order_of_th
     monkeypatch.setattr(field_search, "robust", lambda *_: (None, None))
     fits = [None, solution(1.0801), solution(1.08), solution(1.0)]
     left = iter(fits)
-    self = made(
-        brightest=lambda: np.arange(9), basis=len, stars=made(start=np.zeros((9, 1))), metric=None,
-        squared_widths=None, _trial_polynomials=lambda *_: [1, 2, 3], refine=lambda *_: next(left),
-    )  # fmt: skip
+    self = made(brightest=lambda: np.arange(9), basis=len, stars=made(start=np.zeros((9, 1))), metric=None,
+        squared_widths=None, _trial_polynomials=lambda *_: [1, 2, 3], refine=lambda *_: next(left))  # fmt: skip
     assert Search.fit_from_start(self) is fits[2]
-    held = made(
-        basis=np.ones((1, 1)), row=lambda trial, *_: trial,
-        star_quality=lambda x, *, fast: quality([abs(x[0, 0] - 1.2)] if fast else [1.0]),
-    )  # fmt: skip
+    held = made(basis=np.ones((1, 1)), row=lambda trial, *_: trial, star_quality=lambda x, *, fast: quality([abs(x[0,
+        0] - 1.2)] if fast else [1.0]))  # fmt: skip
     self.model, self.fit_nuisance = lambda *_, held_=held, **__: held_, lambda *_: None
     self.stars.first_star = made(unknowns=made(terms=((2, 0),)))
     assert [trial[0, 0] for trial in Search._trial_polynomials(self, None, np.zeros((1, 1)), None)] == [1.0, 2.0]
@@ -106,12 +101,10 @@ INF = [np.inf] * 4
 STARS = [1.0, 1.1, 1.2, 1.2, 1.3, 1.875, 9.0, 8.0, *INF]  # 1.5 times the median is 1.875
 
 
-@pytest.mark.parametrize(("chi2", "sure", "medians", "best"), [
-    (STARS, 9, [2.0, 1.2751, 1.2749, 1.0], 2), (STARS, 8, [2.0, 1.2749, 1.2749, 1.4], 1),
-    (STARS, 8, [1.2, 1.0801, 1.0799, 1.0], 2), (STARS, 8, [1.08, 1.07, 1.0], 1),
-    ([0.5, 0.5, 1.0, 1.5, 9.0], 5, [2.0], 0), ([1.0, 1.0, 1.0, 9.0], 4, [2.0], 0),
-    ([1.0, 1.0, 1.0, 1.0, 1.5, 9.0, 9.0], 7, [1.0], 0), (INF, 0, [], None),
-])  # fmt: skip
+@pytest.mark.parametrize(("chi2", "sure", "medians", "best"), [(STARS, 9, [2.0, 1.2751, 1.2749, 1.0], 2), (STARS, 8,
+    [2.0, 1.2749, 1.2749, 1.4], 1), (STARS, 8, [1.2, 1.0801, 1.0799, 1.0], 2), (STARS, 8, [1.08, 1.07, 1.0], 1),
+    ([0.5, 0.5, 1.0, 1.5, 9.0], 5, [2.0], 0), ([1.0, 1.0, 1.0, 9.0], 4, [2.0], 0), ([1.0, 1.0, 1.0, 1.0, 1.5, 9.0,
+    9.0], 7, [1.0], 0), (INF, 0, [], None)])  # fmt: skip
 def test_a_joint_fit_begins_with_typical_stars_and_ends_where_it_fits_as_well(chi2, sure, medians, best, monkeypatch):
     asked, fits = [], [solution(median) for median in medians]
     left = iter(fits)
@@ -129,12 +122,10 @@ def test_a_joint_fit_begins_with_typical_stars_and_ends_where_it_fits_as_well(ch
     monkeypatch.setattr(field_search, "candidates", starts)
     single = made(parts=lambda x: (x, x[:, None] ** 2, None))
     monkeypatch.setattr(field_search, "SingleStars", lambda *_: single)
-    self = made(
-        stars=made(first_star=first, fixed_of_images=np.zeros((count, 1, 1))), brightest=lambda: np.arange(count),
-        fit_single_stars=lambda _: (np.arange(count)[:, None] + 1.0, chi2, np.arange(count) < sure), degree=0,
-        widest=1.0, basis=lambda *_: None, places=np.zeros((count, 2)), negated=len, metric=None, draw=None,
-        refine=refine,
-    )  # fmt: skip
+    self = made(stars=made(first_star=first, fixed_of_images=np.zeros((count, 1, 1))),
+        brightest=lambda: np.arange(count), fit_single_stars=lambda _: (np.arange(count)[:, None] + 1.0, chi2,
+        np.arange(count) < sure), degree=0, widest=1.0, basis=lambda *_: None, places=np.zeros((count, 2)),
+        negated=len, metric=None, draw=None, refine=refine)  # fmt: skip
     if best is None:
         with pytest.raises(ToleranceError, match="no star could be fitted"):
             Search.fit_from_single_stars(self)
@@ -150,10 +141,8 @@ def test_a_joint_fit_begins_with_typical_stars_and_ends_where_it_fits_as_well(ch
     assert (asked[1][0], asked[1][1].item()) == (used, width)
 
 
-@pytest.mark.parametrize(("cost", "size", "twin", "rival"), [
-    (7.9, 3.1, None, True), (8.1, 3.1, None, False), (7.9, 2.9, None, False), (-3.0, 4.0, 2.9, False),
-    (0.0, 4.0, 3.1, True),
-])  # fmt: skip
+@pytest.mark.parametrize(("cost", "size", "twin", "rival"), [(7.9, 3.1, None, True), (8.1, 3.1, None, False), (7.9,
+    2.9, None, False), (-3.0, 4.0, 2.9, False), (0.0, 4.0, 3.1, True)])  # fmt: skip
 def test_a_rival_costs_less_than_eight_and_is_three_errors_away_with_its_twin(cost, size, twin, rival):
     """The largest of distances in errors of 0.5 and 0.1 is that of the second coefficient."""
     model = made(wave_count=1, basis=np.ones((3, 2)), covariance=lambda _: np.diag([0.25, 0.01, 9.0]))
@@ -163,11 +152,9 @@ def test_a_rival_costs_less_than_eight_and_is_three_errors_away_with_its_twin(co
     assert Search._rival(self, *pair) == ((cost, pytest.approx(twin or size)) if rival else None)
 
 
-@pytest.mark.parametrize(("costs", "width", "name"), [
-    ((100.0, 101.9, 200.0), 1.0, "Gaussian"), ((100.0, 102.0, 200.0), 1.0, "both"),
-    ((100.0, 200.0, 101.9), 1.0, "seeing"), ((100.0, 101.0, 101.0), 0.07, "both"),
-    ((100.0, 101.0, 101.0), 0.05, "Gaussian"), ((100.0, 98.0, 103.0), 1.0, "Gaussian"),
-])  # fmt: skip
+@pytest.mark.parametrize(("costs", "width", "name"), [((100.0, 101.9, 200.0), 1.0, "Gaussian"), ((100.0, 102.0,
+    200.0), 1.0, "both"), ((100.0, 200.0, 101.9), 1.0, "seeing"), ((100.0, 101.0, 101.0), 0.07, "both"), ((100.0,
+    101.0, 101.0), 0.05, "Gaussian"), ((100.0, 98.0, 103.0), 1.0, "Gaussian")])  # fmt: skip
 def test_blur_of_one_width_is_preferred_unless_two_gain_two(costs, width, name):
     def fit(kind, cost):
         scores = made(deviance=[cost])
@@ -181,29 +168,22 @@ def test_blur_of_one_width_is_preferred_unless_two_gain_two(costs, width, name):
     assert self.blur_costs == {"Gaussian": costs[1], "seeing": costs[2], "both": costs[0]}
 
 
-@pytest.mark.parametrize(("before", "after", "used", "taken"), [
-    (1.5, 1.549, 6, True), (1.5, 1.551, 6, False), (1.1, 1.25, 6, True), (1.1, 1.2501, 6, False),
-    (1.5, 1.2, 5, False),
-])  # fmt: skip
+@pytest.mark.parametrize(("before", "after", "used", "taken"), [(1.5, 1.549, 6, True), (1.5, 1.551, 6, False), (1.1,
+    1.25, 6, True), (1.1, 1.2501, 6, False), (1.5, 1.2, 5, False)])  # fmt: skip
 def test_rejected_stars_are_taken_back_where_more_fit_as_well(before, after, used, taken, monkeypatch):
     def fit(chi2, count):
-        return made(
-            scores=made(chi2=[chi2]), model=made(chosen=np.arange(count)), squared_widths=list,
-            polynomials=lambda: np.zeros((1, 1)),
-        )  # fmt: skip
+        return made(scores=made(chi2=[chi2]), model=made(chosen=np.arange(count)), squared_widths=list,
+            polynomials=lambda: np.zeros((1, 1)))  # fmt: skip
 
     monkeypatch.setattr(field_search, "robust", lambda *_: (None, None))
     refit, calls = fit(after, used), []
-    self = made(
-        basis=len, metric=None, refine=lambda *_: refit, reject_outliers=lambda one: one, _chi2_limit=lambda _: 1.25
-    )
+    self = made(basis=len, metric=None, refine=lambda *_: refit, reject_outliers=lambda one: one,
+        _chi2_limit=lambda _: 1.25)  # fmt: skip
     one = np.zeros((1, 1))
     assert Search._refit_with(self, fit(before, 5), one, np.arange(1), one) is (refit if taken else None)
-    self = made(
-        stars=made(count=6, has_corners=False), misfits=np.array([4]), basis=lambda _: one,
-        _fit_individually=lambda *_: (np.array([True, False, False]), np.zeros((3, 1))),
-        _refit_with=lambda fit, waves, added, _: calls.append(added.tolist()),
-    )  # fmt: skip
+    self = made(stars=made(count=6, has_corners=False), misfits=np.array([4]), basis=lambda _: one,
+        _fit_individually=lambda *_: (np.array([True, False, False]), np.zeros((3, 1))), _refit_with=lambda fit,
+        waves, added, _: calls.append(added.tolist()))  # fmt: skip
     old = fit(before, 3)
     old.model.basis = one
     assert Search.readmit_stars(self, old) is old
@@ -222,10 +202,9 @@ def test_rejected_stars_fit_where_noise_explains_them_or_a_search_is_sure_of_nea
         asked.extend(stars.tolist())
         return np.ones((5, 1)), np.array([1.1, 1.499, 1.5, 1.1, 9.0]), np.array([True, True, True, False, True])
 
-    self = made(
-        stars=made(first_star=made(sign_ambiguous=False)), basis=lambda stars: np.zeros((len(stars), 1)), widest=1.0,
-        misfits=np.array([12]), fit_nuisance=lambda *_: None, fit_single_stars=again, _chi2_limit=lambda _: 1.25,
-    )  # fmt: skip
+    self = made(stars=made(first_star=made(sign_ambiguous=False)), basis=lambda stars: np.zeros((len(stars), 1)),
+        widest=1.0, misfits=np.array([12]), fit_nuisance=lambda *_: None, fit_single_stars=again,
+        _chi2_limit=lambda _: 1.25)  # fmt: skip
     fit = made(squared_widths=list, polynomials=lambda: np.zeros((1, 1)))
     good, _ = Search._fit_individually(self, rejected, fit)
     assert asked == [11, 13, 14, 15, 16]

@@ -117,6 +117,8 @@ def star_matrix(pupil, center, flux, background):
 def test_errors_of_a_star_are_those_of_its_information(monkeypatch):
     none = Marginal(np.zeros(1), np.full((1, 1), 0.25))
     monkeypatch.setattr(phase_retrieval, "star_tests", lambda *_: ((), none, []))
+    doubt = Finding("errors_change", "doubt", "")
+    monkeypatch.setattr(phase_retrieval, "error_findings", lambda *_: [doubt])
     image = 2e4 * lm.psf(COMA, **STAR).values + 9.0
     record = NOISE.record(image, seed=2)
     fit = searches.retrieve(record, lm.Pupil(), noise=NOISE, **FIT)
@@ -127,9 +129,9 @@ def test_errors_of_a_star_are_those_of_its_information(monkeypatch):
     mean = fit.flux[0] * lm.psf(fit.pupil, **STAR, center=tuple(fit.center[0])).values + fit.background[0]
     chi2 = ((record - mean) ** 2 / (2.0 * mean + 4.0)).sum() / (mean.size - 5)
     assert fit.chi2 == pytest.approx(chi2, rel=1e-3)
-    assert [one.code for one in fit.findings if one.severity == "error"] == []
+    assert [one.code for one in fit.findings if one.severity != "note"] == ["errors_change"]
     told = searches.retrieve(NOISE.record(30.0 * image, seed=2), lm.Pupil(), noise=lm.Noise(read=2.0), **FIT)
-    assert {"excess_noise", "misfit"} <= {*told.findings.codes}
+    assert {"excess_noise", "misfit"} <= {*told.findings.codes} <= {"excess_noise", "misfit", "pattern"}
     early = searches.retrieve(record, lm.Pupil(), noise=NOISE, **FIT | {"steps": 1})
     assert "not_settled" in early.findings.codes
     field = [fit.coefficients, fit.errors]
@@ -448,3 +450,49 @@ def test_the_best_foci_are_those_of_the_least_error_in_vergence(offsets, monkeyp
     pair = lm.best_depth_foci(lens, distance, 4e-6, noise=lm.Noise(white=1e4, read=3.0))
     found = [abs(1.0 / one.focus_distance - 1.0 / distance) / unit for one in pair]
     assert found == pytest.approx(offsets, rel=0.03)
+
+
+class _AskedError(Exception):
+    """What was asked for."""
+
+
+def test_images_of_a_search_have_the_tolerance_of_a_search_and_others_their_own(monkeypatch):
+    def plan(shape, pixel, *, tol, integrate, threads):
+        raise _AskedError(tol, integrate)
+
+    class Prepared(dict):
+        def get(self, key):
+            raise _AskedError(key[0], False)
+
+    monkeypatch.setattr(field_stars, "Plan", plan)
+    plain = {"search_tol": 1e-4, "tol": 1e-6, "shape": (5, 5), "pixel": 0.5, "threads": 1, "pupil": lm.Pupil()}
+    stars = Made(**plain, first_star=Made(terms=((2, 0),)))
+    image = Made(pupils=lambda _: lm.Pupil(), plan=Made(tol=1e-6), search_tol=1e-4, _prepared=Prepared())
+    for fast, tol in ((True, 1e-4), (False, 1e-6)):
+        for asked in (
+            lambda fast=fast: field_stars.FieldStars._block(
+                stars, None, np.zeros((1, 1, 1)), None, None, fast, "none"
+            ),
+            lambda fast=fast: star_images.StarImages.images(image, None, fast=fast),
+        ):
+            with pytest.raises(_AskedError) as found:
+                asked()
+            assert found.value.args == (tol, False)
+    model = Made(
+        fixed=np.array([0.1, 0.2]), wave_columns=slice(0, 1), directions=np.array([[0.0, 2.0]]), terms=((2, 0), (4, 0)),
+        pupil_parameters=len, wavelength_ratio=lambda _: 1.3, pupil=lm.Pupil(),
+    )  # fmt: skip
+    found = star_images.StarImages.wavefront(model, np.array([0.5, 9.0])).edge_terms()
+    assert found == pytest.approx({(2, 0): 0.13, (4, 0): 1.56})
+
+
+def test_a_blurred_star_has_the_errors_of_its_field(monkeypatch):
+    nothing = (), Marginal(np.zeros(1), np.full((1, 1), 0.25)), []
+    monkeypatch.setattr(field_search, "missing_tests", lambda *_: nothing)
+    monkeypatch.setattr(field_search, "slope_findings", lambda *_: [])
+    record = NOISE.record(2e4 * lm.psf(COMA, **STAR).values + 9.0, seed=2)
+    fit = searches.retrieve(record, lm.Pupil(), noise=NOISE, blur=lm.Jitter(1e-3), **FIT)
+    inverse = np.linalg.inv(star_matrix(fit.pupil, fit.center[0], fit.flux[0], fit.background[0]))
+    errors = [fit.errors[name][0] for name in ("row", "column", "flux", "background")]
+    assert errors == pytest.approx(np.sqrt(np.diag(inverse)[1:]), rel=0.02)
+    assert fit.errors["noll 8"] == 0.5

@@ -479,8 +479,8 @@ def test_images_of_a_search_have_the_tolerance_of_a_search_and_others_their_own(
                 asked()
             assert found.value.args == (tol, False)
     model = Made(
-        fixed=np.array([0.1, 0.2]), wave_columns=slice(0, 1), directions=np.array([[0.0, 2.0]]), terms=((2, 0), (4, 0)),
-        pupil_parameters=len, wavelength_ratio=lambda _: 1.3, pupil=lm.Pupil(),
+        fixed=np.array([0.1, 0.2]), wave_columns=slice(0, 1), directions=np.array([[0.0, 2.0]]),
+        terms=((2, 0), (4, 0)), pupil_parameters=len, wavelength_ratio=lambda _: 1.3, pupil=lm.Pupil(),
     )  # fmt: skip
     found = star_images.StarImages.wavefront(model, np.array([0.5, 9.0])).edge_terms()
     assert found == pytest.approx({(2, 0): 0.13, (4, 0): 1.56})

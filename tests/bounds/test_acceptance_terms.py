@@ -240,7 +240,7 @@ def test_another_table_is_told_by_ten_of_likelihood_and_four_standard_errors(cou
 
 
 @pytest.mark.parametrize("step", [0.99, 1.01])
-@pytest.mark.parametrize(("chi2", "gain"), [(1.2, 12.0), (30.0, 12.0)])
+@pytest.mark.parametrize(("chi2", "gain"), [(1.2, 12.0), (20.0, 12.0), (30.0, 12.0)])
 def test_planes_are_reversed_where_that_fits_and_is_far_likelier(chi2, gain, step, monkeypatch):
     deviation, steps = 0.05, []
     limit = max(float(largest_plausible_chi2(deviation)), 1.0 + 0.25 * (chi2 - 1.0))

@@ -246,14 +246,14 @@ def test_planes_are_reversed_where_that_fits_and_is_far_likelier(chi2, gain, ste
     limit = max(float(largest_plausible_chi2(deviation)), 1.0 + 0.25 * (chi2 - 1.0))
     made = {"quality": (limit * (2.0 - step), deviation), "log_posterior": 100.0 + gain * step}
     monkeypatch.setattr(bead_checks, "climb", lambda model, state, most, report: steps.append(most) or fit)
-    for of_quality in (limit * 0.9, limit * (2.0 - step)):
-        fit = SimpleNamespace(**made | {"quality": (of_quality, deviation)})
+    for side in (0.9, 2.0 - step, 1.001):
+        fit = SimpleNamespace(**made | {"quality": (limit * side, deviation)})
         model = bead_search.BeadModel.__new__(bead_search.BeadModel)
         monkeypatch.setattr(bead_checks, "replace", lambda one, **_: one)
         vars(model).update(stacks=(), depths=())
         start = SimpleNamespace(setup=None, waves=np.zeros(0))
         found = bead_checks.reversed_findings(model, start, 100.0, chi2, None)
-        assert told(found) == ([("reversed_z", "error")] if step > 1.0 else [])
+        assert told(found) == ([("reversed_z", "error")] if step > 1.0 > side else [])
     assert set(steps) == {20 if chi2 < 20.0 else 10}
 
 

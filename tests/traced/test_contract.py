@@ -12,7 +12,6 @@ import lommel as lm
 from frameworks import THERE
 from lommel.traced import certificate
 from lommel.traced.namespaces import Namespace
-from lommel.traced.traced_psf import Pixels
 
 WHITE = lm.methods.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
 SENSOR = {"wavelength": 550e-9, "f_number": 8.0}
@@ -198,12 +197,3 @@ def test_a_bound_is_infinite_where_there_is_none():
             found = certificate.over_peak(ns, values, np.array([1e-3, 1e-3, np.nan]), 0.0, divided=divided)
             assert np.isfinite(found).tolist() == [True, False, False]
             assert not np.isnan(found).any()
-
-
-def test_averages_of_samples_are_off_by_what_samples_are():
-    pixels = Pixels(2, 3, False, 1.0, 0.25, 2)
-    values, error = pixels.means(
-        Namespace.of(None), {"weights": np.full((2, 1, 2, 1), 0.25)}, np.ones((1, 24)), np.array([0.5]), 0.0
-    )
-    assert values == pytest.approx(np.ones((1, 6)), rel=1e-15)
-    assert error == pytest.approx(0.75, rel=1e-15)

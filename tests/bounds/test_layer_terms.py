@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -13,18 +14,20 @@ import scipy
 import lommel as lm
 from lommel.core.answers import Samples, Wanted
 from lommel.methods import LAYERED, METHODS
-from lommel.methods.layers import chordal_debye, debye_wolf, samples, scanning, stratified
+from lommel.methods.layers import chordal_debye, debye_rings, debye_wolf, samples, scanning, stratified
 from lommel.methods.layers.chordal_debye import Growth, Rule
 from lommel.methods.layers.debye_wolf import refine_until
 from lommel.methods.layers.samples import SampledLight
 from lommel.methods.layers.scanning import Orders, Table
+from lommel.methods.method import stored
 from lommel.optics.grid import Grid
 from lommel.optics.layers import projection
 from lommel.optics.layers.emitter import Harmonic
 from objectives import FIVE, OIL
 
 U = 2.0**-53
-ETA = np.geomspace(0.02, 12.0, 96).tolist()
+ETAS = np.geomspace(0.02, 12.0, 96)
+ETA = ETAS.tolist()
 B = np.geomspace(0.03, 2.7, 64).tolist()
 PUPIL = OIL.pupil(depth=0.5e-6, z=[0.0, 3e-7], wavelength=520e-9, aberrations=FIVE)
 
@@ -52,6 +55,8 @@ def test_points_of_a_disc_are_the_fewest_for_half_of_the_error_each(radius, erro
     growth = [2.0 * radius * math.sinh(0.5 * e) - math.log(2.0) for e in ETA]
     radii = next(n for n in range(1, 999) if gauss(growth, n) <= 0.5 * error)
     assert x.size == y.size == w.size == radii * angles // 2
+    assert samples._points(radius, 2.0 * samples._circle_error(radius, 30))[0].shape[1] % 15 == 0
+    assert samples._points(0.0, 2.0 * samples.gauss_error(0.0 * ETAS - math.log(2.0), 3))[0].shape == (2, 9)
     assert w.sum() == pytest.approx(1.0)
     assert samples.gauss_error(np.array(growth), radii) == pytest.approx(gauss(growth, radii), rel=1e-9)
     assert samples._circle_error(radius, angles) == pytest.approx(circle(radius, angles), rel=1e-9)
@@ -112,14 +117,17 @@ def test_products_of_light_add_their_errors_times_what_is_largest():
 
 def test_light_without_the_rest_of_a_wavefront_is_off_by_twice_its_field(monkeypatch):
     made = Samples(np.ones((2, 3, 3)), np.ones(2), np.array([1e-3, 2e-3]), None, np.array([0.5, 0.25]))
-    monkeypatch.setattr(samples, "candidates", lambda pupil, grid, tol: [tol])
+    asked = []
+    monkeypatch.setattr(samples, "candidates", lambda pupil, grid, tol: asked.append(tol) or [tol])
     monkeypatch.setattr(samples, "first_within_tolerance", lambda methods, compute: (methods[0], made))
     pupil = replace(PUPIL, aberrations=lm.Wavefront.zernike({(2, 2): 0.3}, error=1e-3))
     left = pupil.left_out[0]
     assert left > 0.0
     bright = made.brightest
     expected = made.error * bright + left * (2.0 * np.sqrt(bright) + left)
-    assert samples.light_samples(pupil, Grid(3, 1e-7), 1e-6).error == pytest.approx(expected, rel=1e-12)
+    for tol in (1e-6, 0.0):
+        assert samples.light_samples(pupil, Grid(3, 1e-7), tol).error == pytest.approx(expected, rel=1e-12)
+    assert asked == [1e-6, 1e-12]
 
 
 @pytest.mark.parametrize(("step", "radius", "error"), [(0.6, 1.0, 1e-3), (1.4, 2.5, 1e-6)])
@@ -162,7 +170,7 @@ def test_chords_of_a_disc_are_the_fewest_even_number(radius, error):
     assert chordal_debye.chord_error(radius, expected) == pytest.approx(chord(radius, expected), rel=1e-9)
 
 
-@pytest.mark.parametrize("shift", [-1e-3, 1e-3])
+@pytest.mark.parametrize("shift", [-1e-3, 0.0, 1e-3])
 def test_intensities_are_refined_until_the_error_over_the_least_peak_suffices(shift):
     """The last accuracy is the first at which e / (peak - e) is at most the target."""
     asked = []
@@ -173,7 +181,7 @@ def test_intensities_are_refined_until_the_error_over_the_least_peak_suffices(sh
 
     target = 2.0 * 1e-4 / (0.5 - 2.0 * 1e-4) * (1.0 + shift)
     made = refine_until(compute, target, start=1e-4, floor=1e-9, tol=1e-3)
-    assert len(asked) == (1 if shift > 0 else 2)
+    assert len(asked) == (1 if shift >= 0 else 2)
     if shift < 0:
         worst = 2e-4 / (0.5 - 2e-4)
         assert asked[1] == pytest.approx(1e-4 * max(1e-4, min(0.5, 0.5 * target / worst)), rel=1e-12)
@@ -182,13 +190,11 @@ def test_intensities_are_refined_until_the_error_over_the_least_peak_suffices(sh
     assert made.peak == pytest.approx(peak, rel=1e-14)
     assert made.error == pytest.approx(error / peak, rel=1e-14)
     asked.clear()
-    with pytest.raises(lm.ToleranceError):
+    with pytest.raises(lm.ToleranceError):  # where the error is as large as the peak
         refine_until(
-            lambda a: (np.array([[1.0]]), np.array([1.0 + compute(a)[1][0]])), 1e-3, start=1e-2, floor=1e-4, tol=1e-3
+            lambda a: (np.ones((1, 1)), np.ones(1) + 0.0 * compute(a)[1][:1]), 1e-3, start=1e-2, floor=1e-9, tol=1
         )
-    assert asked[0] == 1e-2
-    assert asked[-1] == 1e-4
-    assert all(a > b for a, b in itertools.pairwise(asked))
+    assert asked == pytest.approx([1e-2, 1e-6, 1e-9], rel=1e-12)
 
 
 def test_a_table_of_radii_reaches_beyond_all_pixels_and_grows_errors_as_between_does():
@@ -354,47 +360,78 @@ def test_a_case_counts_rounding_truncation_and_nodes_for_its_share_of_the_error(
 
 
 @pytest.mark.parametrize("scale", [None, 1.0])
-def test_fields_are_computed_anew_until_the_light_is_within_the_tolerance(scale):
+@pytest.mark.parametrize("shares", [[0.9, 0.45, 0.2], [3.0, 1000.0, 1200.0, 0.1], [700.0] * 9])
+def test_fields_are_computed_anew_until_the_light_is_within_the_tolerance(scale, shares):
     """The error over the least peak, doubled where values are divided by their own peak, and storing."""
-    way, asked, tol = chordal_debye.ChordalDebye(1e-3), [], 1e-3
-    shares = [0.9, 0.45, 0.2]
+    way, asked, tol, wanted = chordal_debye.ChordalDebye(1e-3), [], 1e-3, Wanted(scale, np.dtype(np.float64))
 
     def run(field_error):
         asked.append(field_error)
         return "made", np.array([0.5, 2.0]), 0.5 * tol * np.array([shares[len(asked) - 1], 0.1])
 
-    made, peak, relative = way._prove(PUPIL, tol, Wanted(scale, np.dtype(np.float64)), run)
-    assert (made, peak.tolist()) == ("made", [0.5, 2.0])
-    off = [0.5 * tol * s / (0.5 - 0.5 * tol * s) for s in shares]
-    off = [2.0 * one / (1.0 - one) if scale is None else one for one in off]
-    used = next(k for k, one in enumerate(off) if one + 6 * U <= tol)
-    assert len(asked) == used + 1
-    assert relative[0] == pytest.approx(off[used], rel=1e-9)
+    off = [0.5 * tol * s / (0.5 - 0.5 * tol * s) if s < 1000 else math.inf for s in shares]
+    off = [2.0 * one / (1.0 - one) if one < 1.0 else math.inf for one in off] if scale is None else off
+    used = next((k for k, one in enumerate(off) if one + 6 * U <= tol), None)
+    if used is None:
+        with pytest.raises(lm.ToleranceError):
+            way._prove(PUPIL, tol, wanted, run)
+    else:
+        made, peak, relative = way._prove(PUPIL, tol, wanted, run)
+        assert (made, peak.tolist()) == ("made", [0.5, 2.0])
+        assert relative[0] == pytest.approx(off[used], rel=1e-9)
+        assert len(asked) == used + 1
+        exact = float(stored(relative, np.float64).max())
+        same = 0.5 * tol * np.array([shares[used], 0.1])
+        assert way._prove(PUPIL, exact, wanted, lambda error: (error, peak, same))[0] > 1e-15
     target, assumed = tol / (2.0 if scale is None else 1.0) - 12 * U, debye_wolf.likely_peak(PUPIL) / 4.0
     for k, one in enumerate(asked):
-        assert one == 2.0 ** math.floor(math.log2(target * math.sqrt(assumed) / 6.0))
+        assert one == max(1e-15, 2.0 ** math.floor(math.log2(target * math.sqrt(assumed) / 6.0)))
         target, assumed = target * max(1e-3, min(0.5, 0.5 * tol / off[k])), 0.25 * assumed
+    assert used is not None or asked[-2] > asked[-1] == 1e-15
 
 
-@pytest.mark.parametrize("worst", [[0.4e-6, 0.0], [9e-6, 0.5e-6], [1.2e-6, 1.1e-6, 0.1e-6]])
-def test_profiles_are_refined_until_their_error_over_the_least_peak_suffices(worst, monkeypatch):
-    """The accuracies of each try, for a peak that is assumed lower and lower."""
-    asked, pupil = [], OIL.pupil(depth=0.5e-6, z=[0.0, 3e-7], wavelength=520e-9)
+@pytest.mark.parametrize("worst", [[1e-6], [9e-6, 0.5e-6], [1.2e-6, 1.1e-6, 0.1e-6], [math.inf] * 9])
+def test_stacks_are_refined_for_a_peak_that_is_assumed_lower_and_lower(worst, monkeypatch):
+    """Fields have a 32nd of the tolerance of the root of the peak, what is interpolated an eighth of the peak's."""
+    asked, peak = [], debye_wolf.likely_peak(PUPIL)
+    made = stratified._refine(lambda one: asked.append(one) or ("made", worst[len(asked) - 1]), PUPIL, 1e-6)
+    assert made == (None if worst[-1] > 1e-6 else "made")
+    for (field, interpolation), one in zip(asked, worst, strict=False):
+        assert field == max(2.0**-52, 2.0 ** math.floor(math.log2(1e-6 / 32 * math.sqrt(peak))))
+        assert interpolation == max(2.0**-52, 2.0 ** math.floor(math.log2(1e-6 / 8 * peak)))
+        peak *= max(1e-6, min(0.25, 0.5e-6 / one))
+    assert len(asked) == len(worst) if made else asked[-2].field > asked[-1].field == 2.0**-52
+    assert stratified._refine(lambda _: (None, 1.0), PUPIL, 1e-6) is None
     monkeypatch.setattr(stratified, "layered", lambda pupil, v, field: field)
+    values, error = np.array([[[0.3, 0.5]], [[0.7, 0.2]]]), np.array([1e-7, 1e-9])
+    monkeypatch.setattr(stratified, "layered_profiles", lambda field, v: (values, error))
+    found = lm.methods.Stratified(1e-6).profile(PUPIL, np.array([0.0, 1.0]))
+    assert found.peak == pytest.approx(np.array([0.5, 0.7]) - error, rel=1e-14)
+    assert found.error == pytest.approx(error / found.peak, rel=1e-14)
+    worst = error[0] / (0.5 - error[0])
+    assert stratified.profiles(PUPIL, np.array([0.0, 1.0]), worst * (1 + 1e-9)) is not None
+    assert stratified.profiles(PUPIL, np.array([0.0, 1.0]), worst * (1 - 1e-9)) is None
 
-    def profiles(field, v):
-        asked.append(field)
-        error = worst[len(asked) - 1] / (1.0 + worst[len(asked) - 1])
-        return np.array([[[1.0, 0.5]], [[0.7, 2.0]]]), np.array([error, 0.0])
 
-    monkeypatch.setattr(stratified, "layered_profiles", profiles)
-    _, error = stratified.profiles(pupil, np.array([0.0, 1.0]), 1e-6)
-    used = next(k for k, one in enumerate(worst) if one <= 1e-6)
-    assert len(asked) == used + 1
-    assert error[0] == pytest.approx(worst[used] / (1.0 + worst[used]), rel=1e-9)
-    assert all(a >= b for a, b in itertools.pairwise(asked))
-    for first, second, one in zip(asked, asked[1:], worst, strict=False):
-        assert second <= first * math.sqrt(max(1e-6, min(0.25, 0.5e-6 / one))) * 2.0
+@pytest.mark.parametrize("scale", [None, 1.0])
+@pytest.mark.parametrize("worst", [[1e-6], [9e-6, 0.5e-6], [1.2e-6, 1.1e-6, 0.1e-6], [math.inf] * 9])
+def test_rings_are_computed_anew_for_less_error(scale, worst, monkeypatch):
+    asked = []
+
+    def ringed(pupil, grid, accuracy, wanted):
+        asked.append(accuracy)
+        return Samples(np.ones(2), np.ones(2), np.array([0.5, 1.0]) * worst[len(asked) - 1])
+
+    monkeypatch.setattr(debye_rings, "ringed", ringed)
+    way, wanted = debye_rings.DebyeRings(1e-6), Wanted(scale, np.dtype(np.float64))
+    with nullcontext() if worst[-1] <= 1e-6 else pytest.raises(lm.ToleranceError):
+        way._samples(PUPIL, None, 1e-6, wanted)
+    peak, allowed = debye_wolf.likely_peak(PUPIL) / 4.0, 1e-6 / (2.0 if scale is None else 1.0) - 12 * U
+    for found, one in zip(asked, worst, strict=False):
+        expected = allowed * math.sqrt(peak) / 8, allowed * peak, allowed / 100
+        assert found == tuple(2.0 ** math.floor(math.log2(part)) for part in expected)
+        peak, allowed = peak / 4, allowed * max(1e-6, min(0.5, 0.5e-6 / one))
+    assert len(asked) == len(worst) or asked[-2].field > 1e-15 >= asked[-1].field
 
 
 @pytest.mark.parametrize(("name", "kind"), [*METHODS.items(), *LAYERED.items()])

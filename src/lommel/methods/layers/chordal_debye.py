@@ -189,7 +189,7 @@ class ChordalDebye(AberratedMethod):
                 relative = normalized_error(relative)
             if (worst_error := float(stored(relative, wanted.dtype).max())) <= tol:
                 return result, peak, relative
-            if field_error <= LEAST or (not worst_error < np.inf and assumed_peak < 1e-12):
+            if field_error <= LEAST:
                 raise not_met(self.tol, worst_error, "the largest value in the window")
             # The peak is lower than assumed, or the bound is less tight: reduce the error of fields.
             assumed_peak, target = assumed_peak * 0.25, target * max(1e-3, min(0.5, 0.5 * tol / worst_error))

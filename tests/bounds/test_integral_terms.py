@@ -68,7 +68,7 @@ def test_rules_and_slopes_have_the_errors_of_their_nodes_and_of_rounding():
     rule, sections = debye.rule(LAYERS, model, d, f, v, tol), debye.pieces(LAYERS, model)
     size, reach = max(np.abs(part).sum() for part in rule.parts), 1.33 * d.max() + 1.518 * np.abs(f).max()
     rounding = (4 * LAYERS.wavenumber * reach + 4 * v + 2 * math.sqrt(rule.rho.size) + 64) * U * size
-    assert (rule.error - tol, rule.rounding) == pytest.approx((rounding, rounding), rel=1e-6)
+    assert (rule.error - tol, rule.rounding) == pytest.approx((rounding, rounding), rel=1e-6, abs=0.0)
     found, expected, steep = debye.slope_errors(rule, LAYERS, model, d, f, v, tol), np.zeros(3), np.zeros(2)
     for piece, n in zip(sections, rule.counts, strict=True):
         growth, points = piece.growth_on_best(model, d, f, v, 0.5 * tol), piece.covered
@@ -83,8 +83,8 @@ def test_rules_and_slopes_have_the_errors_of_their_nodes_and_of_rounding():
         ]
         steep = np.maximum(steep, off)
     most = [*(np.abs(rate).max() for rate in rule.rates[1:]), 1.0]
-    assert found == pytest.approx(expected + rounding * np.array(most), rel=1e-9)
-    assert debye.steepest(LAYERS, model) == pytest.approx(steep, rel=1e-9)
+    assert found == pytest.approx(expected + rounding * np.array(most), rel=1e-9, abs=0.0)
+    assert debye.steepest(LAYERS, model) == pytest.approx(steep, rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize("error", [1e-3, 1e-8])
@@ -107,7 +107,7 @@ def test_orders_of_a_wavefront_are_the_fewest_that_are_proven_to_suffice(error):
     pairs = [each[fourier.most - m] + each[fourier.most + m] for m in range(fourier.most + 1)]
     most = next(m for m in range(fourier.most + 1) if sum(pairs[m + 1 :]) <= error)
     assert found.shape[1] == 2 * most + 1
-    assert off == pytest.approx(sum(pairs[most + 1 :]) + fourier.error * size, rel=1e-9)
+    assert off == pytest.approx(sum(pairs[most + 1 :]) + fourier.error * size, rel=1e-9, abs=0.0)
 
 
 def test_series_of_amplitudes_have_the_errors_of_all_integrals(monkeypatch):
@@ -125,7 +125,7 @@ def test_series_of_amplitudes_have_the_errors_of_all_integrals(monkeypatch):
     layers, model, d, f, v, told, factor = asked[0]
     assert (v, told) == (0.0, tol)
     rounding = rule(layers, model, d, f, v, tol, factor).rounding
-    assert made.error == pytest.approx((degree + 2) * tol + 4 * rounding, rel=1e-12)
+    assert made.error == pytest.approx((degree + 2) * tol + 4 * rounding, rel=1e-12, abs=0.0)
     for piece in debye.pieces(layers, model):
         z, r = piece.covered.square.centre / layers.NA**2, piece.covered.square.radius / layers.NA**2
         size, steep = np.abs(z) + np.abs(z - 1.0) + 2.0 * r, debye.steepest(layers, model)
@@ -142,13 +142,15 @@ def test_fields_of_an_objective_have_the_error_of_the_farthest_radius():
     v, f = 2e-6 * layers.wavenumber * 1.4, np.array([0.0, 1e-6])
     assert made.error == debye.rule(layers, Model(), np.full(2, 0.5e-6), f, v, 1e-6).error
     light = np.abs(made.K0) ** 2 + 2.0 * np.abs(made.K1) ** 2 + np.abs(made.K2) ** 2
-    assert made.intensity_error == pytest.approx(4 * made.error * np.sqrt(light) + 4 * made.error**2, rel=1e-9)
+    assert made.intensity_error == pytest.approx(
+        4 * made.error * np.sqrt(light) + 4 * made.error**2, rel=1e-9, abs=0.0
+    )
     for tol, refused in ((1e-14, False), (0.99, False), (0.99e-14, True), (1.0, True)):
         if refused:
             with pytest.raises(ValueError, match="tol must be"):
                 OIL.fields(0.0, tol=tol, **given)
         else:
             assert OIL.fields(0.0, tol=tol, **given).error >= tol
-    assert OIL.fields(0.0, **given).error == pytest.approx(1e-10, rel=1e-3)
+    assert OIL.fields(0.0, **given).error == pytest.approx(1e-10, rel=1e-3, abs=0.0)
     with pytest.raises(ValueError, match=r"at most 190 um, where .*, got 300 um"):
         OIL.fields(0.0, depth=0.0, focus=[3e-4, 0.0], wavelength=520e-9)

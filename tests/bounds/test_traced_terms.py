@@ -42,10 +42,10 @@ COARSE = Coarse("numpy", NS.xp)
 
 def test_errors_of_exponentials_of_intensities_and_of_values_over_their_peak():
     expected = [1.001 * math.exp(-3.0), 1.001 * math.exp(60.0), math.inf]
-    assert certificate.exponential(NS, np.array([-3.0, 60.0, 60.1])) == pytest.approx(expected, rel=1e-12)
+    assert certificate.exponential(NS, np.array([-3.0, 60.0, 60.1])) == pytest.approx(expected, rel=1e-12, abs=0.0)
     found = certificate.of_intensity(NS, np.array([[0.5, 0.04], [0.2, 0.3]]), np.array([0.1, 0.2]), 1e-3)
     expected = [2 * math.sqrt(m) * e + e * e + 4e-3 * m for m, e in ((0.5, 0.1), (0.3, 0.2))]
-    assert found == pytest.approx(expected, rel=1e-12)
+    assert found == pytest.approx(expected, rel=1e-12, abs=0.0)
     values, peaks = np.array([[0.2, 3.0], [0.8, 0.1], [0.5, 0.3]]), (3.0, 0.8, 0.5)
     # None; as large as the peak; about a third of it.
     for off, s in (([0.6, 0.05, 0.0], 0.0), ([3.0, 0.2666, 0.1667], 0.02), ([0.999, 0.2667, 0.1666], 0.02)):
@@ -53,18 +53,22 @@ def test_errors_of_exponentials_of_intensities_and_of_values_over_their_peak():
         for divided in (False, True):
             ratios = [2 * r / (1 - r) if r < 0.5 else math.inf for r in ratios] if divided else ratios
             found = certificate.over_peak(NS, values, np.array(off), s, divided=divided)
-            assert found == pytest.approx([1.001 * (r + s * (1 + r)) if s else 1.001 * r for r in ratios], rel=1e-12)
+            assert found == pytest.approx(
+                [1.001 * (r + s * (1 + r)) if s else 1.001 * r for r in ratios], rel=1e-12, abs=0.0
+            )
 
 
 def test_averages_and_lattices_add_their_own_errors_and_roundings():
     values, error, rng = np.array([[0.7, 0.2], [0.1, 0.5]]), np.array([1e-3, 2e-3]), np.random.default_rng(1)
     _, found = Pixels(1, 2, True, 1.7, 0.02).means(NS, {"matrix": np.eye(2)}, values, error, 1e-2)
-    assert found == pytest.approx(1.7 * (error + 4e-2 * values.max(axis=1)) + 0.02 * values.max(axis=1), rel=1e-12)
+    assert found == pytest.approx(
+        1.7 * (error + 4e-2 * values.max(axis=1)) + 0.02 * values.max(axis=1), rel=1e-12, abs=0.0
+    )
     values, weights = rng.uniform(size=(2, 18)), rng.uniform(size=(3, 1, 3, 1))
     made, found = Pixels(1, 2, False, 1.0, 0.03, 3).means(NS, {"weights": weights}, values, error, 1e-2)
     means = np.einsum("niab,ab->ni", values.reshape(2, 2, 3, 3), weights[:, 0, :, 0])
     assert made == pytest.approx(means)
-    assert found == pytest.approx(error + 0.03 + 18e-2 * means.max(axis=1), rel=1e-12)
+    assert found == pytest.approx(error + 0.03 + 18e-2 * means.max(axis=1), rel=1e-12, abs=0.0)
 
 
 @pytest.mark.parametrize("largest", [0.4, 30.0])
@@ -75,7 +79,7 @@ def test_split_phases_are_exact_sums_and_their_rests_round(largest):
     delta = 2.0 ** -(q + 1) * scale * limit / 0.3 + (2.0 + 0.3 + 1.5) / (2 * math.tau * scale)
     absolute = SINGLE * (math.tau * (2 * 3 + 4) * delta + 3 * math.tau * (0.5 + delta))
     rule, _ = chordal.phase_tables(basis, 4, largest, "float32")
-    assert rule[:4] == pytest.approx((scale, U * (3 + 8 + 9), absolute, limit), rel=1e-12)
+    assert rule[:4] == pytest.approx((scale, U * (3 + 8 + 9), absolute, limit), rel=1e-12, abs=0.0)
     assert chordal.phase_tables(basis, 4, 1e9, "float32")[0].scale == 1.0
     c, size = np.array([[1.0, -2.0], [0.5, 0.1]]), np.array([0.7, 0.9])
     sums = (np.abs(c) @ size) * (1.0 + 1e-5)
@@ -83,7 +87,7 @@ def test_split_phases_are_exact_sums_and_their_rests_round(largest):
         rule = PhaseRule(1.0, 3e-3, 4e-3, most, True)
         found = FieldError(1e-3, 1.5, 0.02, 8.0).total(COARSE, rule, {"size": size}, c, np.array([0.1, 0.2]))
         expected = np.array([0.1, 0.2]) + 1.5 * ((3e-3 + 5e-3) * sums + 4e-3 + 16e-3) + 0.02
-        assert found == pytest.approx([expected[0] if most == sums[0] else math.inf, expected[1]], rel=1e-12)
+        assert found == pytest.approx([expected[0] if most == sums[0] else math.inf, expected[1]], rel=1e-12, abs=0.0)
 
 
 @pytest.mark.parametrize("low", [0.0, 0.16])
@@ -105,7 +109,7 @@ def test_nodes_along_the_radius_are_the_fewest_for_the_box_of_a_stack(low):
     assert len(tables["table"]) == nodes
     sums = np.abs((w * LIGHT.at(t))[:, None] * scipy.special.j0(np.sqrt(t)[:, None] * v)).sum(axis=0).max()
     light = w @ LIGHT.at(t) * (U * (12 + 3 * 3.0 + 3 * LIGHT.slope) + 1.2 * 2e-9 + 6e-10)
-    assert field.error == pytest.approx((U, sums, sums * (nodes + 16) * U + light, 4.0), rel=1e-9)
+    assert field.error == pytest.approx((U, sums, sums * (nodes + 16) * U + light, 4.0), rel=1e-9, abs=0.0)
 
 
 def factors(kind, b):
@@ -136,7 +140,9 @@ def test_chords_and_nodes_are_the_fewest_that_means_on_any_curve_allow(error, mo
     assert tables["along even"].shape[::2] == (chords, nodes // 2)  # half of the chords of each of two disks
     sums, reach = 4 * np.abs(chordal._rule(chords, nodes, disks, LIGHT)[2]).sum(), math.hypot(3, 4) + 3
     rounding = U * (nodes + 2 * chords + 32 + 40 + 4 * reach + 3 * LIGHT.slope)
-    assert made.error == pytest.approx((U, sums, sums * (rounding + 1.1 * MANY.left_out + 6e-10), 8.0), rel=1e-9)
+    assert made.error == pytest.approx(
+        (U, sums, sums * (rounding + 1.1 * MANY.left_out + 6e-10), 8.0), rel=1e-9, abs=0.0
+    )
     assert made.mean is not None
 
 
@@ -159,7 +165,7 @@ def test_without_means_the_largest_integrand_decides_and_makes_the_bound():
         total += np.exp(np.min([logs[k] + 1.0192 * sizes[k] - 2 * count * curves[k] for k in chosen], axis=0))
     # The same sum, made on the device for the curves that were chosen, with its rounding.
     tables |= {"size": np.zeros(5)}
-    assert field._field_error(COARSE, tables, EDGE) == pytest.approx(1.001 * total, rel=1e-9)
+    assert field._field_error(COARSE, tables, EDGE) == pytest.approx(1.001 * total, rel=1e-9, abs=0.0)
 
 
 @BOTH
@@ -175,7 +181,7 @@ def test_a_plan_is_traced_anew_with_a_tenth_of_the_error_until_its_bounds_suffic
     largest = np.abs(chordal.columns(pupil)[1]).sum(axis=1).max()
     first = 1e-4 * pupil.amplitude * (0.04 / (2 * largest + 1) if pupil is RADIAL else 0.15)
     count = 3 if enough else math.ceil(math.log10(first / 2.0**-52)) + 1
-    assert asked == pytest.approx([max(2.0**-52, first * 0.1**k) for k in range(count)], rel=1e-9)
+    assert asked == pytest.approx([max(2.0**-52, first * 0.1**k) for k in range(count)], rel=1e-9, abs=0.0)
     for member in (1e-4, 1.01e-4):
         monkeypatch.setattr(traced_psf, "_largest_bounds", lambda *_, member=member: (member, 1e-5))
         with nullcontext() if member == 1e-4 else pytest.raises(lm.ToleranceError):
@@ -207,7 +213,7 @@ def test_averages_and_colours_have_their_share_of_the_error(pupil, monkeypatch):
         total, error = image.means(NS, tables[0], total, error, U)
         assert values == pytest.approx(total / total.max(axis=1, keepdims=True) if scale is None else 3.0 * total)
         expected = certificate.over_peak(NS, total, error, 8 * U + SINGLE, divided=scale is None)
-        assert bound == pytest.approx(expected, rel=1e-9)
+        assert bound == pytest.approx(expected, rel=1e-9, abs=0.0)
 
 
 def test_an_image_whose_bound_is_the_tolerance_is_proven_and_none_beyond(monkeypatch):
@@ -225,7 +231,7 @@ def test_an_image_whose_bound_is_the_tolerance_is_proven_and_none_beyond(monkeyp
         monkeypatch.setattr(traced_psf, "_pupils_between", lambda c, boxed, factor=factor: factor * c)
         between = float(made.error(factor * POWERS).max())
         found = traced_psf._largest_bounds(made._static, made.tables, POWERS)
-        assert found == pytest.approx((worst, max(worst, between)), rel=1e-9)
+        assert found == pytest.approx((worst, max(worst, between)), rel=1e-9, abs=0.0)
         assert (between > worst) == (factor > 1)
 
 

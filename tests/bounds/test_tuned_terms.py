@@ -53,7 +53,7 @@ def test_intensities_are_interpolated_where_that_saves_and_err_by_it(monkeypatch
         # The wider of pieces have a tenth of the error by interpolation at 24 points.
         width = 4.0 * (0.1e-5 * math.factorial(24)) ** (1 / 24)
         more = 3.03 * given.error + 2.0 * (width / 4.0) ** 24 / math.factorial(24)
-        assert bound == pytest.approx(given.error if v.size == 20 else more, rel=1e-12)
+        assert bound == pytest.approx(given.error if v.size == 20 else more, rel=1e-12, abs=0.0)
     assert asked[-1].size == 24 * math.ceil(20.0 / width)
 
 
@@ -76,16 +76,21 @@ def test_less_error_of_fields_is_allowed_until_profiles_are_within_the_tolerance
     monkeypatch.setattr(TunedClosedForm, "_intensities", intensities)
     with nullcontext() if falls < 4 else pytest.raises(lm.ToleranceError, match=r"stays at 0\.002"):
         found = way.profile(PUPIL, V)
-        assert found.error == pytest.approx(relative_error(intensity, np.array([low, 1e-9])), rel=1e-12)
+        assert found.error == pytest.approx(relative_error(intensity, np.array([low, 1e-9])), rel=1e-12, abs=0.0)
         assert found.peak.tolist() == [0.5, 0.8]
-    assert asked == pytest.approx([0.2e-3 * max(peak, rough) * 0.2**k for k in range(min(falls + 1, 4))], rel=1e-9)
+    assert asked == pytest.approx(
+        [0.2e-3 * max(peak, rough) * 0.2**k for k in range(min(falls + 1, 4))], rel=1e-9, abs=0.0
+    )
     asked.clear()
-    monkeypatch.setattr(TunedClosedForm, "_fields", lambda *_: FieldValues(np.zeros((2, 48)), np.zeros(2)))
-    assert way._error(PUPIL) == pytest.approx(0.2e-3 * rough, rel=1e-12)
+    dark = FieldValues(np.zeros((2, 48)), np.zeros(2))
+    monkeypatch.setattr(TunedClosedForm, "_fields", lambda *given: asked.extend(given) or dark)
+    assert way._error(PUPIL) == pytest.approx(0.2e-3 * rough, rel=1e-12, abs=0.0)
+    assert asked[2] == pytest.approx(scan)
+    assert asked[3] == pytest.approx(0.05 * rough, rel=1e-12, abs=0.0)
 
 
 def test_the_tuned_form_has_tolerances_from_a_millionth():
-    assert TunedClosedForm(1e-6).tol == 1e-6
+    assert (TunedClosedForm(1e-6).tol, TunedClosedForm().tol) == (1e-6, 1e-4)
     with pytest.raises(ValueError, match="tol must be"):
         TunedClosedForm(0.99e-6)
 

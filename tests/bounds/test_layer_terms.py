@@ -130,6 +130,16 @@ def test_light_without_the_rest_of_a_wavefront_is_off_by_twice_its_field(monkeyp
     assert asked == [1e-6, 1e-12]
 
 
+@pytest.mark.parametrize("error", [1e-2, 1e-6, 0.0])
+def test_a_filter_has_as_few_weights_as_are_within_the_error(error):
+    side, response = 3, lambda w: np.sinc(0.7 / math.pi * w)
+    while (fit := samples.fit_taps(response, np.cos, 0.5 * np.arange(side + 1)))[1] > error and side < 63:
+        side += max(2, side // 16)
+    weights, off, gain = samples._response(3, 0.5, error, 0.7, mean=True)
+    assert (weights.size, off, gain) == (side + 1, *fit[1:])
+    assert samples._response(3, 0.5, off, 0.7, mean=True)[0].size == weights.size or error == 0.0
+
+
 @pytest.mark.parametrize(("step", "radius", "error"), [(0.6, 1.0, 1e-3), (1.4, 2.5, 1e-6)])
 def test_a_filter_of_a_disc_sums_the_errors_of_its_chords(step, radius, error):
     made = samples.disc_filter(step, radius, error)
@@ -169,6 +179,7 @@ def chord(radius, chords):
 def test_chords_of_a_disc_are_the_fewest_even_number(radius, error):
     expected = next(n for n in range(2, 202, 2) if chord(radius, n) <= error)
     assert chordal_debye.chords_for(radius, error) == expected
+    assert chordal_debye.chords_for(radius, chordal_debye.chord_error(radius, 40)) == 40
     assert chordal_debye.chord_error(radius, expected) == pytest.approx(chord(radius, expected), rel=1e-9, abs=0.0)
 
 
@@ -230,6 +241,7 @@ def test_heights_of_a_bead_are_the_fewest_that_do(diameter):
         count = next(n for n in range(2, 200) if 2.0 * gauss(growth, n) <= error)
         assert heights.size == count
         assert bound == pytest.approx(2.0 * gauss(growth, count), rel=1e-9, abs=0.0)
+        assert scanning._height_rule(np.array(growth), bound)[0].size == count
         assert weights.sum() == pytest.approx(1.0)
         assert (weights * heights**2).sum() == pytest.approx(0.2)
 
@@ -341,6 +353,8 @@ def test_a_case_counts_rounding_truncation_and_nodes_for_its_share_of_the_error(
     limit = base.times(3)
     norm = projection.norm(PUPIL.layers, PUPIL.emitter.light.model)
     assert case.degree == chordal_debye.degree_for(limit.projection, norm, 0.25 * error)
+    plain = chordal_debye._case(PUPIL.layers, PUPIL.emitter, waves, window, chordal_debye.By(), error)
+    assert plain.degree == chordal_debye.degree_for(base.projection, norm, 0.25 * error) < case.degree
     reach = 0.8 * math.hypot(2.0, 3.5)
     per_term = [3.0 * n * n + 16.0 + len(waves.terms) for n, _ in waves.terms]
     phase = max(sum(abs(c) * p for c, p in zip(edge, per_term, strict=True)) for edge in np.atleast_2d(waves.edge))
@@ -406,13 +420,15 @@ def test_stacks_are_refined_for_a_peak_that_is_assumed_lower_and_lower(worst, mo
         peak *= max(1e-6, min(0.25, 0.5e-6 / one))
     assert len(asked) == len(worst) if made else asked[-2].field > asked[-1].field == 2.0**-52
     assert stratified._refine(lambda _: (None, 1.0), PUPIL, 1e-6) is None
-    monkeypatch.setattr(stratified, "layered", lambda pupil, v, field: field)
+    reach = []
+    monkeypatch.setattr(stratified, "layered", lambda pupil, v, field: reach.append(v))
     values, error = np.array([[[0.3, 0.5]], [[0.7, 0.2]]]), np.array([1e-7, 1e-9])
     monkeypatch.setattr(stratified, "layered_profiles", lambda field, v: (values, error))
-    found = lm.methods.Stratified(1e-6).profile(PUPIL, np.array([0.0, 1.0]))
+    found = lm.methods.Stratified(1e-6).profile(PUPIL, np.array([0.0, 1.0, 3.0]))
     assert found.peak == pytest.approx(np.array([0.5, 0.7]) - error, rel=1e-14, abs=0.0)
     assert found.error == pytest.approx(error / found.peak, rel=1e-14, abs=0.0)
     worst = error[0] / (0.5 - error[0])
+    assert reach == [3.0]
     assert stratified.profiles(PUPIL, np.array([0.0, 1.0]), worst * (1 + 1e-9)) is not None
     assert stratified.profiles(PUPIL, np.array([0.0, 1.0]), worst * (1 - 1e-9)) is None
 

@@ -11,7 +11,7 @@ import pytest
 import lommel as lm
 from lommel.core import engine
 from lommel.core.answers import Declined, Samples, Slopes, Wanted
-from lommel.methods.layers import chordal_debye, debye_rings, samples, scanning, slopes
+from lommel.methods.layers import chordal_debye, debye_rings, debye_wolf, samples, scanning, slopes
 from lommel.methods.layers.samples import SampledLight
 from lommel.methods.layers.scanning import Orders
 from lommel.methods.method import relative_error, stored
@@ -162,7 +162,7 @@ def test_light_is_asked_for_a_twentieth_of_the_tolerance_and_rounded_by_its_orde
 
 @pytest.mark.parametrize("scale", [None, 0.7])
 def test_rings_add_errors_of_fields_of_angles_of_radii_and_of_rounding(scale, monkeypatch):
-    seen, images = [], debye_rings.ringed_images
+    seen, images, pupil = [], debye_rings.ringed_images, replace(BENT, emitter=lm.Dipole(0.7, 0.4, wobble=0.3))
 
     def recorded(sums, *given):
         seen.append((sums, images(sums, *given)))
@@ -170,20 +170,23 @@ def test_rings_add_errors_of_fields_of_angles_of_radii_and_of_rounding(scale, mo
 
     monkeypatch.setattr(debye_rings, "ringed_images", recorded)
     accuracy = debye_rings.Accuracy(1e-4, 1e-3, 1e-3)
-    made = debye_rings.ringed(BENT, Grid((3, 4), 6.5e-6), accuracy, Wanted(scale, np.dtype(np.float64)))
+    made = debye_rings.ringed(pupil, Grid((3, 4), 6.5e-6), accuracy, Wanted(scale, np.dtype(np.float64)))
     (sums, found), terms = seen[0], tuple(FIVE.amplitudes().items())
-    band, radial = 1.6, interpolation.filtered_taps(1.6, 1e-3)
+    radial = interpolation.filtered_taps(1.6, 1e-3)
     reach = 0.8 * (sums.bessel.shape[1] - 1)
-    depth, focus, model = PLAIN.depth.ravel(), PLAIN.focus.ravel(), PLAIN.light.model
-    rule = debye.rule(PLAIN.layers, model, depth, focus, reach, 1e-4, lambda piece: projection.growth(piece, terms))
+    depth, focus, model = pupil.depth.ravel(), pupil.focus.ravel(), pupil.light.model
+    rule = debye.rule(pupil.layers, model, depth, focus, reach, 1e-4, lambda piece: projection.growth(piece, terms))
     orders, omitted = projection.components(FIVE, terms, rule, 1e-5)
-    most, rows = orders.shape[1] // 2 + 2, debye_rings.squares(PLAIN.light.waves.form)
+    most, rows = (
+        orders.shape[1] // 2 + max(map(abs, pupil.light.waves.orders)),
+        debye_rings.squares(pupil.light.waves.form),
+    )
     angular = interpolation.circular_taps(2 * most, 2 * sums.angles, 1e-3)
     size = max(np.abs(part).sum() for part in rule.parts)
     field = rule.error + omitted + 64 * math.sqrt(sums.angles) * U * size
     error = 0.0
     for row, square in zip(rows, found.squares, strict=True):
-        off = field * np.abs(row).sum() / np.sqrt(PLAIN.power)
+        off = field * np.abs(row).sum() / np.sqrt(pupil.power)
         error = error + off * (2 * np.sqrt(square) / math.cos(math.pi * most / sums.angles) + off)
     sizes = found.sums + np.abs(radial.filter).sum() * found.top
     units = 64 * math.sqrt(2 * sums.angles) + 2 * radial.filter.size + 64
@@ -195,8 +198,9 @@ def test_rings_add_errors_of_fields_of_angles_of_radii_and_of_rounding(scale, mo
     if scale is None:
         relative = stored(2 * relative / (1 - relative), np.float64)
     assert made.error == pytest.approx(stored(relative, np.float64), rel=1e-6, abs=0.0)
-    assert (band, debye_rings._radial_taps(5e-12)[0], debye_rings._radial_taps(4.9e-12)[0]) == (1.6, 1.6, 1.1)
-    assert debye_rings._radial_taps(1e-14)[1].error <= 5e-13
+    monkeypatch.setattr(interpolation, "filtered_taps", lambda band, error: error)
+    bands = [debye_rings._radial_taps.__wrapped__(error) for error in (1e-3, 5e-12, 4.9e-12, 1e-14)]
+    assert bands == [(1.6, 1e-3), (1.6, 5e-12), (1.1, 4.9e-12), (1.1, 5e-13)]
 
 
 def test_fields_by_chords_have_errors_of_both_sums_of_rounding_and_of_amplitudes(monkeypatch):
@@ -218,6 +222,11 @@ def test_fields_by_chords_have_errors_of_both_sums_of_rounding_and_of_amplitudes
     assert np.all(np.abs(by).max(axis=(2, 3)) <= tops)
     assert np.all(errors < 0.1 * tops)
     assert np.all(images.bound <= 1e-3)
+    assert images.scale.tolist() == [1.0, 1.0]
+    assert images.brightest == pytest.approx(images.values.max(axis=(1, 2)), rel=1e-3)
+    monkeypatch.setattr(chordal_debye, "error_of_light", lambda *_: np.ones(2))
+    made = chordal_debye.sums(BENT, grid, 1e-6, weights, 0, chordal_debye.By())
+    assert made[2] * BENT.power == pytest.approx([1.0 + 1e-12] * 2, rel=1e-13)
 
 
 class Known(chordal_debye.ChordalDebye):
@@ -286,3 +295,20 @@ def test_what_a_wavefront_leaves_out_is_in_images_and_in_derivatives_by_the_axis
         assert made[1][1] - made[0][1] == pytest.approx(
             4e-5 * grid.step(PLAIN) / made[0][0].brightest, rel=1e-3, abs=0.0
         )
+
+
+def test_plain_quadrature_starts_at_a_fiftieth_and_errs_by_its_farthest_radius(monkeypatch):
+    for v in (np.array([0.0, 5.0]), np.array([0.0, 0.3])):
+        rule = debye.rule(PLAIN.layers, PLAIN.light.model, PLAIN.depth, PLAIN.focus, v[-1], 1e-4)
+        fields = np.abs(debye.fields(rule, PLAIN.light.model, PLAIN.depth, PLAIN.focus, v)).max(axis=2)
+        error = sum(debye_wolf._form_error(h, fields, rule.error) for h in PLAIN.light.harmonics) / PLAIN.power
+        found = debye_wolf.harmonics(PLAIN, v, 1e-4)[1]
+        assert found == pytest.approx(error * (1.0 + 1e-12) + 2.0**-50, rel=2e-13, abs=0.0)
+    asked = []
+    monkeypatch.setattr(debye_wolf, "_form_error", lambda *_: np.zeros(2))
+    assert debye_wolf.harmonics(PLAIN, v, 1e-4)[1].tolist() == [2.0**-50] * 2
+    monkeypatch.setattr(
+        debye_wolf, "harmonics", lambda pupil, v, tol: asked.append(tol) or (made[None, :, 0], OFF * 0)
+    )
+    assert lm.methods.DebyeWolf(1e-5).profile(PLAIN, v[:1]).values.tolist() == [[1.0], [0.7]]
+    assert asked == pytest.approx([2e-7], rel=1e-12, abs=0.0)

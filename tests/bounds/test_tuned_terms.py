@@ -113,3 +113,11 @@ def test_the_best_form_has_the_fewest_terms_within_a_hundredth_of_the_least_erro
     assert least <= min(*each, *(error(t, FresnelErf()) for t in near))
     terms = next(n for n in range(5, 205, 5) if error(made.tangent, AbramowitzErf(n)) <= 1.01 * least)
     assert made.erf == AbramowitzErf(terms)
+
+
+def test_a_stack_is_interpolated_where_all_of_its_pupils_may_be():
+    defocus, v = [1.0, 200.0], np.linspace(0.0, 900.0, 9000)
+    found = ClosedForm().evaluate(lm.Pupil(lm.Wavefront(defocus)), v).values
+    for c, one in zip(defocus, found, strict=True):
+        exact = ClosedForm().evaluate(lm.Pupil(lm.Wavefront(c)), v[::300]).values[0]
+        assert np.abs(one[::300] - exact).max() <= 1e-12

@@ -74,7 +74,9 @@ def test_rules_and_slopes_have_the_errors_of_their_nodes_and_of_rounding():
         growth, points = piece.growth_on_best(model, d, f, v, 0.5 * tol), piece.covered
         rho = np.sqrt(largest(points.square)) / LAYERS.NA
         factors = [one.max(axis=1) for one in (*map(largest, points.rates[1:]), rho)]
-        log = growth + np.log(64 / 15 * 0.5 * (piece.high - piece.low) / (1 - np.exp(-2 * ETA))) - 2 * n * ETA
+        log = growth + np.log(64 / 15 * 0.5 * (piece.high - piece.low) / (1 - np.exp(-2 * ETA)))
+        assert n == max(2, math.ceil(np.min((log - math.log(0.5 * tol)) / (2 * ETA))))
+        log = log - 2 * n * ETA
         expected += [np.exp(np.min(log + np.log(one))) for one in factors]
         row = int(np.flatnonzero(points.analytic)[0])
         off = [

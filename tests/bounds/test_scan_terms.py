@@ -20,6 +20,7 @@ from lommel.optics.layers import debye, projection
 from lommel.special import interpolation
 from objectives import FIVE, OIL
 
+pytest.importorskip("scipy.sparse")  # takes longer to load than any test
 U, EPS = 2.0**-53, 2.0**-50
 PLAIN = OIL.pupil(depth=0.5e-6, z=[0.0, 3e-7], wavelength=520e-9, origin="coverslip")
 BENT = replace(PLAIN, aberrations=FIVE)

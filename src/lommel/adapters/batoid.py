@@ -166,21 +166,20 @@ def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.
         # rays.v is the velocity, with modulus 1 / index, so that v / abs(v)^2 is the direction times the index.
         direction = rays.v / np.square(rays.v).sum(axis=1, keepdims=True)
         relative = direction[:-1] - direction[-1]
-        # Light that travels along -z appears mirrored from behind the sensor.
-        sign = math.copysign(1.0, direction[-1, 2])
         # Intersect the rays with the reference sphere, as batoid.wavefront does.
         rays.toCoordSys(rays.coordSys.shiftLocal(image_point + np.array([0.0, 0.0, radius])))
         batoid.Sphere(-radius).intersect(rays)
         phase = 2.0 * math.pi / metres * (rays.t[:-1] - rays.t[-1])
-        return ray_tracing.TracedField(
-            sign * x,
+        traced = ray_tracing.TracedField(
+            x,
             y,
             np.where(failed, np.nan, phase),
-            sign * relative[:, 0],
+            relative[:, 0],
             relative[:, 1],
-            sign * missed[:, 0],
+            missed[:, 0],
             missed[:, 1],
-            (sign * float(image_point[0]), float(image_point[1])),
+            (float(image_point[0]), float(image_point[1])),
         )
+        return traced.along_light(direction[-1, 2])
 
     return trace, metres, float(optic.pupilObscuration)

@@ -196,6 +196,7 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
             1e-3 * (np.array(rays.y, dtype=np.float64) - float(chief.y[0])),
             (1e-3 * float(chief.x[0]), 1e-3 * float(chief.y[0])),
         )
+        traced = traced.along_light(float(chief.N[0]))
         if not ray_tracing.tilt_off_rays(traced, 1e-6 * micrometres):
             return traced
         # Path lengths begin in a plane perpendicular to the axis. For an oblique wave from infinity, optiland adds

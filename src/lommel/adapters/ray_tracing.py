@@ -60,6 +60,14 @@ class TracedField:
     missed_y: Array
     position: tuple[float, float]  # intersection of the chief ray with the sensor, metres
 
+    def along_light(self, chief_z: float) -> TracedField:
+        """Return the rays in a frame whose z runs along the light; `chief_z` is that of the chief ray's direction."""
+        # After an odd number of mirrors light travels along -z: seen along it, x runs the other way.
+        if chief_z > 0.0:
+            return self
+        x, y = self.position
+        return replace(self, x=-self.x, direction_x=-self.direction_x, missed_x=-self.missed_x, position=(-x, y))
+
 
 Trace = Callable[[float, float, Array, Array], TracedField]
 """Function that traces rays from a field point (hx, hy), in fractions of the largest field, through pupil points."""

@@ -194,8 +194,9 @@ def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[r
             missed[k] = (offset - offset[2] / direction[2] * direction)[:2] / unit
         image_point = np.asarray(sphere[0], dtype=np.float64) / unit
         position = float(image_point[0]), float(image_point[1])
-        return ray_tracing.TracedField(
+        traced = ray_tracing.TracedField(
             x, y, phase, relative[:, 0], relative[:, 1], missed[:, 0], missed[:, 1], position
         )
+        return traced.along_light(chief_direction[2])
 
     return trace, 1e-9 * float(nanometres)

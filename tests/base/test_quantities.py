@@ -59,6 +59,8 @@ def test_rows_and_columns_of_labelled_arrays_are_put_in_order():
     stack = xr.DataArray(SQUARE.reshape(1, 3, 4), dims=("z", "row", "column"))
     for given, right in ((image, SQUARE), (image.T, SQUARE), (stack.transpose("column", "z", "row"), SQUARE[None])):
         assert np.array_equal(plain("side", given), right)
+    movie = xr.DataArray(np.arange(24.0).reshape(2, 3, 1, 4), dims=("z", "channel", "y", "x"))
+    assert np.array_equal(plain("side", movie), movie.values.swapaxes(0, 1))  # channels before planes
     assert np.array_equal(plain("side", xr.DataArray(SQUARE)), SQUARE)  # names by default
     refused("", xr.DataArray(SQUARE, dims=("z", "x")), "have one axis of rows and one of columns, got the axes z, x")
     refused("", xr.DataArray(SQUARE, dims=("a", "b")), "have axes named y and x")

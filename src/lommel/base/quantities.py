@@ -58,9 +58,10 @@ _SYMBOLS = {
 _UNITS = {word: (symbol, 1.0) for word, symbol in _SYMBOLS.items()} | {"": ("", 1.0), "meters": ("m", 1.0)}
 _UNITS |= {unit: ("m", size) for unit, size in LENGTHS.items()}
 _COUNTS = ("electron", "electrons", "adu", "ct", "count", "counts", "ph", "photon", "dn", "")
-_AXES = dict.fromkeys(("y", "row", "rows", "height"), "row") | dict.fromkeys(
-    ("x", "col", "column", "columns", "width"), "column"
-)
+# The order of labelled axes: those that are named otherwise, times, channels, planes, rows, columns.
+_NAMES = (("t", "time"), ("c", "channel"), ("z", "plane"), ("y", "row", "rows", "height"))
+_NAMES += (("x", "col", "column", "columns", "width"),)
+_RANKS = {name: rank for rank, names in enumerate(_NAMES) for name in names}
 _PLAIN = (float, int, np.ndarray, np.float64, str, bool, type(None))  # tested first because they are frequent
 
 
@@ -116,13 +117,12 @@ def plain(name: str, value: Any, unit: str = "") -> Any:
 
 
 def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
-    """Return what a labelled array holds, with rows before columns, and these behind all others."""
-    order = [_AXES.get(str(dim).lower(), "") for dim in dims]
-    if len(dims) > 1 and any(order):
-        if order.count("row") != 1 or order.count("column") != 1:
+    """Return what a labelled array holds, its axes in order: rows before columns, and these behind all others."""
+    ranks = [_RANKS.get(str(dim).lower(), -1) for dim in dims]
+    if len(dims) > 1 and max(ranks) >= 0:
+        if [ranks.count(rank) for rank in (3, 4)] != [1, 1]:
             raise ValueError(f"{name} must have one axis of rows and one of columns, got the axes {_listed(dims)}")
-        last = [dims[order.index("row")], dims[order.index("column")]]
-        value = value.transpose(*(dim for dim in dims if dim not in last), *last)
+        value = value.transpose(*(dims[k] for k in sorted(range(len(dims)), key=ranks.__getitem__)))
     elif len(dims) > 1 and not all(str(dim).startswith("dim_") for dim in dims):
         raise ValueError(
             f"{name} must have axes named y and x, or row and column, behind all others, got {_listed(dims)}; "

@@ -28,6 +28,8 @@ def test_quantities_of_astropy_are_in_the_unit_of_the_argument():
     for value, got in ((1 * u.s, "s"), (2 * u.one, "none"), (3 * u.percent, "%"), (1 / u.m, "1 / m")):
         refused("metres", value, f"be in metres, got the unit {got}$")
     refused("lambda*N", 3 * u.um, r"be in lambda\*N, got the unit um")
+    refused("electrons per count", 3 * u.electron, "be in electrons per count, got the unit electron$")
+    assert lm.Noise(white=1.2 * u.electron / u.adu, read=3 * u.electron).white == pytest.approx(1.2)
     refused("counts", 3 * u.electron / u.s, "be in counts .*, got the unit electron / s")
 
 

@@ -53,6 +53,7 @@ _SYMBOLS = {
     "1/metres": "1/m",
     "seconds": "s",
     "electrons": "electron",
+    "electrons per count": "electron/adu",
     "pixels": "pixel",
 }
 _UNITS = {word: (symbol, 1.0) for word, symbol in _SYMBOLS.items()} | {"": ("", 1.0), "meters": ("m", 1.0)}
@@ -149,7 +150,8 @@ def _converted(name: str, value: Any, stated: Any, unit: str) -> Any:
             factor = _factor(stated, symbol) / size
         except Exception:  # each library raises errors of its own, and this table KeyError
             wanted = "metres" if unit == "m" else unit or "no unit"
-            raise ValueError(f"{name} must be in {wanted}, got the unit {str(stated) or 'none'}") from None
+            hint = "" if unit in _UNITS else "; give a number"
+            raise ValueError(f"{name} must be in {wanted}, got the unit {str(stated) or 'none'}{hint}") from None
     held = (getattr(value, key, None) for key in ("magnitude", "value"))  # pint; astropy and unyt
     values = next((part for part in held if part is not None), value)
     if factor == 1.0:

@@ -429,16 +429,17 @@ def pixel(value: object, *, metric: bool) -> float:
     return pitch
 
 
-_EITHER = "metres or lambda*N, as a number"  # which of both is known with the pupil
+EITHER = "metres or lambda*N"
+"""Unit of lengths on the sensor, for messages: which of both is known with the pupil."""
 
 
 def pitch(name: str, value: object) -> float | tuple[float, float]:
     """Return the side of a square pixel, or (height, width) if these differ; ValueError unless positive."""
     if not isinstance(value, tuple | list):
-        return real(name, value, above=0.0, unit=_EITHER)
+        return real(name, value, above=0.0, unit=EITHER)
     if len(value) != 2:
         raise ValueError(f"{name} must be one number, or (height, width), got {shown(value)}")
-    height, width = (real(f"{name}[{k}]", side, above=0.0, unit=_EITHER) for k, side in enumerate(value))
+    height, width = (real(f"{name}[{k}]", side, above=0.0, unit=EITHER) for k, side in enumerate(value))
     return height if height == width else (height, width)
 
 

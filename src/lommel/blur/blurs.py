@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Json, Numbers, numbers
+from lommel.base.validation import EITHER
 from lommel.optics.base_pupil import BasePupil
 
 KOLMOGOROV = (4.8 * math.gamma(1.2)) ** (5.0 / 6.0)
@@ -294,8 +295,8 @@ class Jitter(Blur):
     def __post_init__(self) -> None:
         # By default the Gaussian is round.
         across = self.sigma if self.across is None else self.across
-        vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
-        vars(self)["across"] = validation.real("across", across, least=0.0)
+        vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0, unit=EITHER)
+        vars(self)["across"] = validation.real("across", across, least=0.0, unit=EITHER)
         vars(self)["angle"] = validation.angle("angle", self.angle)
 
     @property
@@ -331,7 +332,7 @@ class Motion(Blur):
     angle: float = 0.0
 
     def __post_init__(self) -> None:
-        vars(self)["length"] = validation.real("length", self.length, least=0.0)
+        vars(self)["length"] = validation.real("length", self.length, least=0.0, unit=EITHER)
         vars(self)["angle"] = validation.angle("angle", self.angle)
 
     @property

@@ -1120,7 +1120,7 @@ class Seidel(WavefrontsOnSensor):
     """Seidel aberrations: polynomials of the field height and the pupil position."""
 
     def __init__(self, edge: float, waves: Mapping[str, float]) -> None:
-        self.reach = validation.real("edge", edge, above=0.0)
+        self.reach = validation.real("edge", edge, above=0.0, unit=validation.EITHER)
         self.waves = {name: validation.real(name, value) for name, value in waves.items()}
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
@@ -1131,7 +1131,7 @@ class Seidel(WavefrontsOnSensor):
 
 
 def _increasing_array(name: str, value: ArrayLike) -> Array:
-    array = validation.real_array(name, value)
+    array = validation.real_array(name, value, unit=validation.EITHER)
     if array.ndim != 1 or array.size < 2:
         raise ValueError(f"{name} must be of shape (n,) with n at least 2, got shape {array.shape}")
     steps = np.diff(array)

@@ -82,7 +82,7 @@ class Noise(EqualByContent):
         }
         values["excess"] = validation.real("excess", self.excess, least=1.0, most=100.0)
         if self.white is not None:
-            values["white"] = white = _number("white", self.white)
+            values["white"] = white = _number("white", self.white, "electrons per count")
             if not np.all(white > 0.0):
                 raise ValueError(f"white must be > 0 electrons, got {np.min(white):g}")
         vars(self).update(values)

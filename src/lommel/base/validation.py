@@ -47,6 +47,7 @@ _brief.maxstring = _brief.maxother = _brief.maxlong = _MAX_CHARACTERS
 _brief.maxlevel = 3
 
 _Value = TypeVar("_Value")
+_NUMBERS = (float, int, np.ndarray, np.float64, str)  # types without a mask, tested first because they are frequent
 
 
 def shown(value: object) -> str:
@@ -130,7 +131,7 @@ def real(
 ) -> float:
     """Return `value` as a finite float, ``> above``, ``>= least``, ``< below`` and ``<= most``; or raise an error."""
     # The common case is tested first, since isinstance with an abstract class such as numbers.Real is slow.
-    if not isinstance(value, float):
+    if type(value) not in _NUMBERS:
         value = plain(name, value, unit)
     if isinstance(value, float):
         number = float(value)
@@ -215,8 +216,10 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
 
 def array(name: str, value: ArrayLike, unit: str = "") -> Values:
     """Return `value` in `unit` as an array; TypeError if some are masked, since plain arrays would lose the mask."""
-    values = computed(plain(name, value, unit))
-    refuse_masked(name, values)
+    values: Any = value
+    if type(value) not in _NUMBERS:
+        values = computed(plain(name, value, unit))
+        refuse_masked(name, values)
     try:
         return np.asarray(values)
     except (ValueError, TypeError, OverflowError):  # ragged sequences and objects: later checks refuse the dtype
@@ -234,7 +237,8 @@ def parted(name: str, value: object, unit: str = "") -> tuple[Values, NDArray[np
 
     TypeError if it does not hold numbers, ValueError if masked containers in a list have different shapes.
     """
-    value = computed(plain(name, value, unit))
+    if type(value) not in _NUMBERS:
+        value = computed(plain(name, value, unit))
     if not _is_masked(value):
         return number_array(name, cast(ArrayLike, value), unit), None
     if isinstance(value, list | tuple):
@@ -246,9 +250,6 @@ def parted(name: str, value: object, unit: str = "") -> tuple[Values, NDArray[np
     data = value if isinstance(value, np.ndarray) else getattr(value, "data", value)
     numbers = number_array(name, np.array(data, subok=False), unit)
     return numbers, np.broadcast_to(np.asarray(getattr(value, "mask", False)) != 0, numbers.shape)
-
-
-_NUMBERS = (float, int, np.ndarray, np.float64, str)  # types without a mask, tested first because they are frequent
 
 
 def computed(value: object) -> Any:

@@ -40,19 +40,6 @@ def test_parts_add_up_to_the_transfer_function(name, allowed):
         assert np.abs(found - exact).max() <= len(of) * allowed + 4.0 * rounding(pupil, 400) + 1e-12
 
 
-@pytest.mark.parametrize("part", DISCS, ids=["rim", "obscuration in rim", "obscurations"])
-def test_nodes_that_are_proven_are_not_many_more_than_are_needed(part):
-    pupil = lm.Pupil(lm.Wavefront(8.0, 2.0))
-    slopes, low, high = Slopes.of(pupil), 0.4 * part.end, 0.5 * part.end
-    counts = part.counts(slopes, low, high, 1e-8)
-    f = np.linspace(low, high, 5)
-    exact = part.at(pupil, f, (120, 120))
-    fewest = next(k for k in range(1, 200) if np.abs(part.at(pupil, f, (k, 120)) - exact).max() < 1e-8)
-    around = next(k for k in range(2, 200, 2) if np.abs(part.at(pupil, f, (120, k)) - exact).max() < 1e-8)
-    assert fewest <= counts[0] <= 3 * fewest + 6
-    assert around <= counts[1] <= 3 * around + 6
-
-
 def continued(part: Part, pupil: lm.Pupil, f: complex) -> complex:
     """Return a part of the autocorrelation at a complex frequency, by Gauss nodes of its own."""
     x, w = np.polynomial.legendre.leggauss(60)

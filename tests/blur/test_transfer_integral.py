@@ -12,9 +12,9 @@ from mpmath import mp
 from scipy.special import j0
 
 import lommel as lm
-from lommel.blur import recorded, transfer_integral
+from lommel.blur import recorded
 from lommel.blur.blurs import KOLMOGOROV
-from lommel.blur.transfer_integral import Fading, Slopes, TransferIntegral, parts, rule
+from lommel.blur.transfer_integral import TransferIntegral
 
 BLURS = {
     "50": (lm.Seeing(0.02),),
@@ -158,61 +158,6 @@ def test_a_lattice_takes_over_where_it_is_cheaper_or_nothing_else_is_proven():
     assert not asked(lm.Pupil(obscuration=0.6), lm.Seeing(1.0))
     assert not asked(lm.Pupil(), lm.Motion(0.5))
     assert not asked(lm.Pupil(), lm.Seeing(1.0), (0.5, 0.6))
-
-
-def test_images_of_both_ways_agree(monkeypatch):
-    pupil, options = lm.Pupil(lm.Wavefront(1.5, 1.0)), {"blur": lm.Seeing(0.3), "dtype": "float64", "tol": 1e-7}
-    one = lm.psf(pupil, (7, 12), 0.7, center=(3.2, 3.0), integrate=True, **options)
-    monkeypatch.setattr(recorded, "of_transfer", lambda *_: None)
-    other = lm.psf(pupil, (7, 12), 0.7, center=(3.2, 3.0), integrate=True, **options)
-    assert one.method == other.method
-    assert 0.0 < np.abs(one.values - other.values).max() <= (one.error_bound + other.error_bound) * one.values.max()
-
-
-@pytest.mark.parametrize("blur", ["50", "4", "1", "outer scale"])
-@pytest.mark.parametrize("name", ["focus", "defocus", "apodized"])
-def test_a_rule_leaves_out_no_more_than_it_says(name, blur):
-    pupil = PUPILS[name]
-    fading, slopes = Fading.of(BLURS[blur], 1.0, None), Slopes.of(pupil)
-    v = np.linspace(0.0, 60.0, 31)
-    f, weight = spectrum(name, blur)
-    peak = pupil.amplitude**2
-    for allowed in (1e-3, 1e-6, 1e-10):
-        made = rule(fading, tuple(parts(pupil)), slopes, 1e-3 * allowed, 60.0, allowed)
-        summed = transfer_integral.Summed.of(made, pupil, 60.0, allowed)
-        found = summed.at(v)[0]
-        left = 8.0 * pupil.transmission * made.tail
-        off = np.abs(found - peak * j0(2.0 * np.multiply.outer(v, f)) @ weight).max()
-        assert off <= made.error + left + summed.size * summed.rounding(60.0) + 1e-14
-        assert made.error <= allowed
-
-
-def test_half_the_nodes_are_too_few(monkeypatch):
-    """The bound is worth its nodes: with half of each panel's the error is far above what is stated."""
-    pupil, v = lm.Pupil(), np.linspace(0.0, 60.0, 31)
-    fading, slopes = Fading.of(BLURS["4"], 1.0, None), Slopes.of(pupil)
-    fine = rule(fading, tuple(parts(pupil)), slopes, 1e-12, 60.0, 1e-9)
-    exact_values = transfer_integral.Summed.of(fine, pupil, 60.0, 1e-9).at(v)
-    whole = transfer_integral.gauss_nodes
-    monkeypatch.setattr(transfer_integral, "gauss_nodes", lambda *a: np.ceil(0.5 * whole(*a)))
-    rule.cache_clear()
-    coarse = rule(fading, tuple(parts(pupil)), slopes, 1e-12, 60.0, 1e-9)
-    rule.cache_clear()
-    off = np.abs(transfer_integral.Summed.of(coarse, pupil, 60.0, 1e-9).at(v) - exact_values).max()
-    assert off > 10.0 * coarse.error
-
-
-def test_radii_of_the_same_image_are_from_one_sum(monkeypatch):
-    made = []
-    original = transfer_integral.Summed.of
-    monkeypatch.setattr(transfer_integral.Summed, "of", lambda *a: made.append(1) or original(*a))
-    way, pupil = TransferIntegral(1e-6, BLURS["12"]), lm.Pupil()
-    first = way.profile(pupil, np.linspace(0.0, 50.0, 11))
-    again = way.profile(pupil, np.linspace(0.0, 25.0, 6))
-    assert len(made) == 1
-    assert np.array_equal(first.values[0, :6], again.values[0])
-    way.profile(lm.Pupil(lm.Wavefront(1.0)), np.linspace(0.0, 25.0, 6))
-    assert len(made) == 2
 
 
 def test_an_accuracy_beyond_double_precision_is_refused():

@@ -63,17 +63,6 @@ def test_a_table_is_within_its_error_of_the_kernel(kind):
     assert np.abs(between(filtered, step, 1e-11, r) - exact).max() <= (off + 1e-15) * exact.max()
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("far", [25.0, 60.0, 200.0, 800.0])
-def test_the_bound_on_a_halo_is_above_it_and_falls_as_it_does(kind, far):
-    halo = KINDS[kind]
-    beyond = float(np.abs(halo.at(np.linspace(far, 3.0 * far, 301))).max())
-    bound = halo.gated_bound(far)
-    assert beyond <= bound
-    if far >= 200.0:  # nearer, what the gate smears is felt
-        assert bound <= 20.0 * beyond
-
-
 @pytest.mark.parametrize(("outer", "terms"), [*((outer, 6) for outer in OUTER), (None, 3), (15.0, 8), (2.0, 8)])
 def test_mixtures_are_within_their_error_of_the_transfer_function(outer, terms):
     made = turbulence(outer, terms)
@@ -104,51 +93,6 @@ def test_known_blurs_are_multiplied():
     exact = np.prod([each.transfer(f, wavelength=700e-9) for each in several], axis=0)
     np.testing.assert_allclose(found, exact, atol=2e-4)
     assert shape.unknown == 0
-
-
-KINDS_FADING = {
-    "kolmogorov": (lm.Seeing(0.05),),
-    "weak": (lm.Seeing(3.0), lm.Jitter(0.3)),
-    "outer scale": (lm.Seeing(0.1, outer_scale=3.0),),
-    "short outer scale": (lm.Seeing(0.2, outer_scale=0.3), lm.Jitter(0.2)),
-    "two": (lm.Seeing(0.2), lm.Seeing(0.3, outer_scale=20.0)),
-}
-
-
-def transfer(blurs: tuple, x: complex, end: float) -> float:
-    """Return the logarithm of the modulus of the transfer function at ``f = end x^3``, in mpmath."""
-    total, x = mp.mpf(0), mp.mpc(x)
-    for blur in blurs:
-        if not isinstance(blur, lm.Seeing):
-            total -= mp.re(2 * mp.pi**2 * blur.covariance[0, 0] * end**2 * x**6)
-            continue
-        power = (mp.mpf(end) / blur.r0) ** (mp.mpf(5) / 3) * x**5  # q^(5/3)
-        if blur.outer_scale is None:
-            total -= mp.re(KOLMOGOROV * power)
-            continue
-        # The structure function as Gamma(nu) / 2^(1/6) less z^nu K_nu(z), along x: K from both series of I.
-        scales, nu = mp.mpf(blur.outer_scale) / blur.r0, mp.mpf(5) / 6
-        z = 2 * mp.pi / scales * end / blur.r0 * x**3
-        to_z = (2 * mp.pi / scales) ** (mp.mpf(5) / 3)
-
-        def series(order: mp.mpf, s: mp.mpc) -> mp.mpc:
-            return mp.hyp0f1(1 + order, s) / mp.gamma(1 + order)
-
-        both = 2**nu * series(-nu, z * z / 4) - 2 ** (-nu) * to_z * power * series(nu, z * z / 4)
-        bessel = mp.pi / 2 / mp.sin(mp.pi * nu) * both
-        size = mp.mpf(KOLMOGOROV) / 2 * scales ** (mp.mpf(5) / 3) * mp.mpf(2) ** (mp.mpf(1) / 6)
-        size *= mp.gamma(mp.mpf(11) / 6) / mp.pi ** (mp.mpf(8) / 3)
-        total -= mp.re(size * (mp.gamma(nu) / mp.mpf(2) ** (mp.mpf(1) / 6) - bessel))
-    return float(total)
-
-
-@pytest.mark.parametrize("kind", KINDS_FADING)
-def test_on_the_axis_the_reference_is_the_transfer_function(kind):
-    fading = Fading.of(KINDS_FADING[kind], 1.0, None)
-    for x in (0.1, 0.5, 0.9):
-        assert math.exp(transfer(KINDS_FADING[kind], x, 0.2)) == pytest.approx(
-            float(fading.at(np.array(0.2 * x**3))), rel=1e-9
-        )
 
 
 def test_blur_with_a_direction_has_none():

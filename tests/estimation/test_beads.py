@@ -189,16 +189,6 @@ WRONG = {
 }
 
 
-def test_light_too_dim_for_the_standard_errors_is_told():
-    for light, dim in ((250.0, True), (3e3, False)):
-        stack, _ = recorded(4, waves(4), light=light)
-        found = fitted(stack, OIL, terms=TERMS, priors={}, **GIVEN)
-        assert found.converged, found.message
-        total = np.sqrt(sum(error**2 for error in found.errors.values()))
-        assert ("too_dim" in found.findings.codes) == dim == (total > 0.22)
-        assert found.reliable != dim
-
-
 @pytest.mark.parametrize("name", WRONG)
 def test_score_tests_name_the_constant_that_is_wrong(name):
     images, _ = recorded(3, waves(3, 0.1), **WRONG[name], light=3e4)
@@ -238,14 +228,6 @@ def test_what_is_held_and_not_tested_is_named():
     ]
     change = 0.5 * abs(bright[1].coefficients[4, 0] - bright[0].coefficients[4, 0])
     assert change == pytest.approx(told.numbers["coverslip"]["noll 11 spherical"], rel=0.2)
-
-
-def test_unknowns_that_are_as_their_priors_say_are_named():
-    images, _ = recorded(3, waves(3, 0.1), changed_objective(OIL, "sample", 1.345), light=3e3)
-    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.003), "depth": 5e-9})
-    told = found.findings.get("untested")
-    assert told.text.endswith(f"sample, depth (known by their priors), {', '.join(_NEVER_TESTED)}")
-    assert told.numbers["sample"] == {}
 
 
 def test_priors_that_the_beads_contradict_within_chance_are_widened():
@@ -402,20 +384,6 @@ def test_drift_is_estimated():
         assert abs(value - true) < 5.0 * found.beads[0].errors[name]
 
 
-def test_progress_rises_and_an_interrupt_ends_the_fit():
-    images, _ = recorded(10, waves(10))
-    calls = []
-
-    def stop(share, chi2):
-        calls.append(share)
-        if len(calls) == 4:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        fitted(images, OIL, **GIVEN, terms=TERMS, priors={}, progress=stop)
-    assert calls == sorted(calls)
-
-
 def test_a_search_that_ends_at_very_strong_aberrations_is_a_misfit():
     images, _ = recorded(1, waves(1))
     start = lm.Wavefront.zernike({(3, 3): 35.0})
@@ -429,22 +397,6 @@ def test_a_sloping_background_alone_is_no_bead_without_a_search():
     slope = 20.0 + 15.0 * np.linspace(-0.5, 0.5, 15)[None, :, None] * np.ones((9, 15, 15))
     found = fitted(NOISE.record(slope, seed=3), OIL, terms=TERMS, **(GIVEN | {"starts": 5}))
     assert (found.status, found.steps) == ("no_light", 0)
-
-
-def test_several_beads_that_no_model_fits_are_a_misfit_and_not_a_search_that_did_not_settle():
-    away = np.hypot(*(np.indices((15, 15)) - 7.0))
-    stacks = [20.0 + light * (away < radius) * np.ones((9, 1, 1)) for light, radius in ((400, 4), (500, 3), (300, 4))]
-    images = [NOISE.record(stack, seed=seed) for seed, stack in enumerate(stacks)]
-    found = fitted(images, OIL, terms=TERMS[:3], **GIVEN)
-    assert found.status == "misfit"
-    assert "not_settled" not in found.findings.codes
-
-
-def test_noise_alone_is_no_bead():
-    images = NOISE.record(np.full((9, 17, 17), 20.0), seed=1)
-    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
-    assert not found.converged
-    assert found.status == "no_light"
 
 
 STACK = recorded(11, waves(11), light=2e3)[0]

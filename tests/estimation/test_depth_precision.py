@@ -89,16 +89,6 @@ def test_what_cannot_be_known_is_infinite():
     assert lm.depth_precision([LENS, LENS.stopped(16.0)], 1.5, PIXEL, noise=NOISE) < 0.01
 
 
-def test_the_best_foci_are_better_than_those_beside_them():
-    best = lm.best_depth_foci(LENS, 1.5, PIXEL, noise=NOISE)
-    near, far = (lens.focus_distance for lens in best)
-    assert near < 1.5 < far
-    error = lm.depth_precision(best, 1.5, PIXEL, noise=NOISE)
-    for foci in ((0.97 * near, far), (1.03 * near, far), (near, 0.97 * far), (near, 1.03 * far)):
-        assert lm.depth_precision([LENS.focused(z) for z in foci], 1.5, PIXEL, noise=NOISE) > 0.9999 * error
-    assert error < lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE)
-
-
 def test_lenses_that_are_not_round_and_foci_that_there_are_none_of_are_told():
     astigmatic = lm.Lens(
         focal_length=35e-3, f_number=8.0, wavelength=540e-9, aberrations=lm.Wavefront(nonradial={(2, 2): 1.0})

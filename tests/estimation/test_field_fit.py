@@ -200,13 +200,6 @@ def test_corners_of_a_checkerboard_tell_the_field():
     assert abs(fit.blur[0].sigma - 0.4 * 0.9) < 5.0 * fit.blur_errors[0][0]
     np.testing.assert_allclose(fit.stars.flux, 4500.0, rtol=0.02)
     np.testing.assert_allclose(fit.stars.background, 2750.0, rtol=0.01)
-    # Of so few pixels noise explains a chi2 of 1.15, and none of 1.25.
-    for chi2, converged in ((1.15, True), (1.25, False)):
-        noisy = fit.model[:, 0] + (images - fit.model[:, 0]) * np.sqrt(chi2 / fit.chi2)
-        again = fitted(noisy, places, fit.field, **more)
-        assert abs(again.chi2 - chi2) < 0.02
-        assert again.converged is converged
-        assert ("noise alone exceeds this chi2 in" if converged else "noise alone stays below 1.1") in again.message
 
 
 def test_doubles_are_rejected_and_defects_left_out(monkeypatch):
@@ -232,25 +225,6 @@ def test_doubles_are_rejected_and_defects_left_out(monkeypatch):
     assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
 
 
-def test_stars_that_fit_by_themselves_are_taken_back(monkeypatch):
-    places, images, true = case(seed=5, doubles=4)
-    corner = np.argsort(places.sum(axis=1))[:8]
-    regained = Search.readmit_stars
-
-    def without_a_corner(search, found):
-        keep = ~np.isin(found.model.chosen, corner)
-        chosen, own = found.model.chosen[keep], found.nuisance()[keep]
-        astray = found.polynomials()
-        astray[:, 3:] += 0.1
-        return regained(search, search.refine(chosen, astray, found.squared_widths(), 10, own))
-
-    monkeypatch.setattr(Search, "readmit_stars", without_a_corner)
-    fit = fitted(images[:, 0], places)
-    assert fit.converged, fit.message
-    assert np.flatnonzero(~fit.stars.used).tolist() == [0, 1, 2, 3]
-    assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
-
-
 @pytest.mark.usefixtures("searched_once")
 def test_a_degree_that_is_too_low_is_a_misfit_of_the_pixels_with_light():
     places, images, _ = case(seed=5, count=30, defocus=(-3.0, 3.0))
@@ -259,16 +233,6 @@ def test_a_degree_that_is_too_low_is_a_misfit_of_the_pixels_with_light():
     fit = fitted(images, places, degree=1, defocus=(-3.0, 3.0))
     assert not fit.converged
     assert fit.message.startswith("misfit")
-
-
-@pytest.mark.usefixtures("searched_once")
-def test_an_offset_that_is_left_out_is_a_misfit():
-    places, images, _ = case()
-    counts = images[:, 0] / 0.8 + 500.0
-    assert fitted(counts, places, noise=lm.Noise(white=0.8, read=2.0, offset=500.0)).converged
-    fit = fitted(counts, places)
-    assert not fit.converged
-    assert fit.status == "too_quiet"
 
 
 def test_other_random_starts_are_tried_where_the_map_does_not_hold(monkeypatch):

@@ -9,7 +9,6 @@ from functools import partial
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.linalg import eigh
 from scipy.stats import poisson
 
 import lommel as lm
@@ -106,21 +105,6 @@ def test_errors_are_those_that_the_noise_of_the_images_makes_unavoidable(photons
     assert 0.85 < np.sqrt(np.mean(ratio)) < 1.15
 
 
-def test_standard_errors_are_those_of_fishers_information_and_a_little_more():
-    true, _ = random_wavefront(0, 1.0)
-    found = lm.retrieve(stars(true, seed=0), lm.Pupil(), defocus=DEFOCUS, also=(), **ASKED)
-    light = lm.Pupil(found.wavefront + lm.Wavefront(defocus=DEFOCUS))
-    names = (*found.coefficients, "photons", "background")
-    given = {"photons": found.flux, "background": found.background, "noise": NOISE, "together": True}
-    factors = [max(lm.Wavefront.zernike({name: 1.0}).edge_terms().values()) for name in found.coefficients]
-    bound = lm.fisher(light, 33, 0.5, of=names, **given).covariance[:15, :15] / np.outer(factors, factors)
-    # What the model may lack and the images do not show widens them.
-    wider = eigh(found.covariance, bound, eigvals_only=True)
-    assert wider[0] > 1.0 - 1e-3
-    assert wider[-1] < 2.2
-    assert np.median(wider) < 1.1
-
-
 @pytest.mark.parametrize(
     ("terms", "also", "more"),
     [
@@ -163,25 +147,6 @@ def test_the_expected_chi2_is_the_sum_over_all_counts(mean, read):
     assert spread[0] == pytest.approx(289 * (fourth - second**2) / variance**2, rel=1e-9)
 
 
-@pytest.mark.parametrize(("background", "read"), [(0.0, 0.0), (0.05, 0.0), (0.5, 0.0), (0.0, 2.0)])
-@pytest.mark.parametrize("photons", [300, 1000, 3000])
-def test_chi2_of_a_right_model_is_one_however_few_the_electrons(photons, background, read):
-    """Electrons are those of all three images together; fits start at the truth, so that none goes astray."""
-    noise = lm.Noise(read=read)
-    light = lm.Pupil(TRUE + lm.Wavefront(defocus=DEFOCUS))
-    mean = photons / 3.0 * np.maximum(lm.psf(light, 25, 0.5, tol=1e-8).values, 0.0) + background
-    options = {
-        "pixel": 0.5,
-        "noise": noise,
-        "defocus": DEFOCUS,
-        "terms": ("noll 5", "noll 8", "noll 11"),
-        "starts": 1,
-    }
-    found = [searches.retrieve(noise.record(mean, seed), lm.Pupil(TRUE), **options) for seed in range(12)]
-    assert not [each.message for each in found if "misfit" in each.message or "less noisy" in each.message]
-    assert 0.95 < np.mean([each.chi2 for each in found]) < 1.05
-
-
 def test_values_below_the_offset_are_a_misfit_where_nothing_is_read_noisily():
     images = stars(TRUE) - 1e7
     found = searches.retrieve(
@@ -189,14 +154,6 @@ def test_values_below_the_offset_are_a_misfit_where_nothing_is_read_noisily():
     )
     assert found.status == "misfit"
     assert np.isfinite(found.chi2)
-
-
-def test_progress_tells_chi2_of_a_degree_of_freedom():
-    told = []
-    found = lm.retrieve(
-        stars(TRUE), lm.Pupil(), defocus=DEFOCUS, terms=8, progress=lambda _, chi2: told.append(chi2), **ASKED
-    )
-    assert told[-1] == pytest.approx(found.chi2, rel=1e-3)
 
 
 def test_a_verdict_of_converged_means_that_standard_errors_hold():
@@ -494,27 +451,6 @@ def test_what_the_images_do_not_tell_has_no_deviation_but_infinity():
     assert found.reliable  # of what else is solved for
 
 
-def test_a_search_ends_where_three_starts_agree_on_the_lowest_minimum_though_chi2_is_high_by_chance():
-    """The noise of the images is such that chi2 is 3.5 standard deviations above 1 at the only minimum there is."""
-    images = stars(TRUE)
-    found = searches.retrieve(images, lm.Pupil(), defocus=DEFOCUS, **ASKED)
-    assert (found.starts, found.converged) == (1, True)
-    light = found.flux[:, None, None] * found.psf.values + found.background[:, None, None]
-    residual = images - light
-    spread = np.sqrt(2.0 / images.size)
-    high = light + residual * np.sqrt((1.0 + 3.5 * spread) / found.chi2)
-    again = searches.retrieve(high, lm.Pupil(), defocus=DEFOCUS, **ASKED)
-    assert again.starts == 3
-    assert again.converged
-    assert "rare_chi2" in again.findings.codes
-    assert "noise alone exceeds this chi2 in 0.0" in again.message
-    # Beyond what noise explains, starts that agree prove nothing about the images: all are tried, and it is a misfit.
-    wrong = light + residual * np.sqrt((1.0 + 9.0 * spread) / found.chi2)
-    failed = searches.retrieve(wrong, lm.Pupil(), defocus=DEFOCUS, starts=5, **ASKED)
-    assert failed.starts == 5
-    assert failed.status == "misfit"
-
-
 def test_one_seed_makes_one_answer():
     images = stars(random_wavefront(1, 3.0)[0], seed=1)
     first, second = (
@@ -620,12 +556,6 @@ def test_an_aperture_without_point_symmetry_determines_the_sign_of_even_terms(si
 )
 def test_which_apertures_look_the_same_after_half_a_turn(aperture, alike):
     assert _point_symmetric(lm.Pupil(**aperture)) is alike
-
-
-def test_images_that_sum_to_1_are_told_to_be_no_electrons():
-    image = lm.psf(lm.Pupil(lm.Wavefront(1.0)), 33, 0.5).values
-    found = searches.retrieve(image / image.sum(), lm.Pupil(), pixel=0.5, noise=lm.Noise(read=2.0), terms=3, starts=1)
-    assert "; the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons" in found.message
 
 
 def through_air(seed, widths=(0.9, 1.1), side=25, *, defoci=(0.0, 3.0), pixel=0.5, photons=2e4, ratio=math.inf):

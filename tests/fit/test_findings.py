@@ -42,15 +42,6 @@ def test_findings_are_sorted_by_severity_and_found_by_code():
     assert found.get("flat_top") is None
 
 
-def test_the_message_states_the_verdict_the_summary_and_every_finding():
-    made = Fit(findings=Findings([NOTE, ERROR]), summary="chi2 3.1 after 4 steps", coefficients={})
-    assert made.message == f"misfit: chi2 3.1 after 4 steps; {ERROR.text}; {NOTE.text}"
-    assert Fit(findings=Findings(), summary="chi2 1", coefficients={}).message == "converged: chi2 1"
-    assert Fit(findings=Findings([DOUBT]), summary="s", coefficients={}).message.startswith(
-        "converged, but in doubt: s"
-    )
-
-
 def test_pixels_that_may_be_saturated_are_the_first_cause_of_a_fit_that_is_not_reliable():
     flat = Finding("flat_top", "note", "1 pixel has the value 255")
     assert Findings([flat, DOUBT, NOTE]).text == "; ".join(part.text for part in (flat, DOUBT, NOTE))

@@ -47,17 +47,6 @@ def test_waves_up_to_the_rate_are_within_the_error(error):
     assert len(made.matrix) == 1 or np.abs(values - exact).max() >= 1e-3 * error
 
 
-def test_rates_are_those_of_the_phase_across_the_pupil():
-    rho = np.linspace(0.0, 1.0, 2001)
-    pupil = TIRF.pupil(depth=0.2e-6, wavelength=600e-9)
-    by_depth, by_focus = pupil.layers.rates(pupil.layers.cosine(rho))[1:]
-    assert Waves(pupil, "z").rate == pytest.approx(np.ptp(by_focus))
-    depth = Waves(pupil, "depth")
-    assert depth.rate == pytest.approx(np.ptp(by_depth.real))
-    assert depth.decay_rate == pytest.approx(2.0 * by_depth.imag.max())
-    assert Waves(pupil, "z").decay_rate == 0.0
-
-
 @pytest.mark.parametrize("low", [0.0, 0.15e-6])
 @pytest.mark.parametrize("error", [1e-4, 1e-6])
 def test_light_that_fades_with_the_depth_is_within_the_error(low, error):
@@ -80,28 +69,6 @@ def test_light_that_fades_with_the_depth_is_within_the_error(low, error):
         exact = (share(z[1:-1] + step) - share(z[1:-1] - step)) / (2.0 * step)
         assert np.abs(slopes[1:-1] - exact).max() <= made.error.slope + 1e-4 * np.abs(exact).max()
         assert np.abs(exact).max() <= waves.max_slope * 1.001
-
-
-def test_light_falls_to_that_far_from_the_glass():
-    waves = Waves(TIRF.pupil(depth=0.2e-6, wavelength=600e-9), "depth")
-    light = waves.light(np.array([0.0, 0.1e-6, 5e-6]))
-    assert light[0] > light[1] > 1.0
-    assert light[2] == pytest.approx(1.0, abs=1e-3)
-    assert Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z").light(np.zeros(3)).tolist() == [1.0, 1.0, 1.0]
-
-
-def test_gains_bound_what_errors_of_values_become():
-    waves = Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z")
-    low, high = -0.5e-6, 0.5e-6
-    made = pieces(waves, low, high, 1e-5)
-    z = np.linspace(low, high, 999)
-    worst = np.zeros(2)
-    rng = np.random.default_rng(0)
-    for _ in range(200):
-        values, slopes = of(made, rng.choice([-1.0, 1.0], len(made.places)), low, high, z)
-        worst = np.maximum(worst, [np.abs(values).max(), np.abs(slopes).max()])
-    assert 0.3 * made.gain.value <= worst[0] <= made.gain.value
-    assert 0.2 * made.gain.slope <= worst[1] <= made.gain.slope
 
 
 def test_a_range_too_long_is_refused():

@@ -317,21 +317,3 @@ def test_a_small_aperture_has_airys_pattern_and_no_other_polarisation():
     scalar = debye.Model(kind="scalar", aplanatic=False)
     (U,) = debye.fields(debye.rule(of, scalar, *planes, 8.0, 1e-13), scalar, *planes, v)
     assert U[0] == pytest.approx(2 * j1(v) / v, abs=1e-12)
-
-
-def test_the_extremes_of_planes_hold_all_of_them():
-    depth, focus = np.array([1.0, 1.0, 1.0, 2.0]), np.array([0.0, 5.0, 3.0, 7.0])
-    assert sorted(debye.extremes(depth, focus)) == [(1.0, 0.0), (1.0, 5.0), (2.0, 7.0)]
-
-
-def test_nodes_are_the_fewest_that_the_bound_allows():
-    piece = debye.Piece(OIL, 0.0, 0.8)
-    growth = 3.0 + 50.0 * debye.ETA**2
-    for error in (1e-3, 1e-9):
-        n = piece.nodes(growth, error)
-
-        def bound(nodes):
-            eta = debye.ETA
-            return (64 / 15 * 0.4 * np.exp(growth - 2 * nodes * eta) / (1 - np.exp(-2 * eta))).min()
-
-        assert bound(n) <= error < bound(n - 1)

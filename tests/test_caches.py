@@ -186,30 +186,6 @@ def test_clearing_frees_what_is_kept_and_changes_no_bit():
     assert all(np.array_equal(one, other) for one, other in zip(before, again, strict=True))
 
 
-def test_the_last_two_tables_of_a_kind_are_kept_whatever_their_size():
-    limit = 16 * 2**20  # of distances between which samples are interpolated
-    lm.clear_caches()
-    lm.psf(lm.Pupil(), 2950, 80.0)
-    kept = _core.cached_bytes()[0]
-    lm.psf(lm.Pupil(), 33, 0.5, center=(16.2, 15.9))
-    assert _core.cached_bytes()[0] >= kept
-    lm.psf(lm.Pupil(), 93, 0.5, center=(16.2, 15.9))
-    assert _core.cached_bytes()[0] < kept - limit
-
-
-def test_pupils_beyond_a_whole_vector_take_the_tables_of_the_others_where_no_more_are_kept():
-    resource = pytest.importorskip("resource")
-    terms = dict(enumerate(15.0 * np.random.default_rng(1).normal(size=(15, 9)), 4))
-    pupils = lm.Pupil(lm.Wavefront.zernike(terms, order="noll"), obscuration=0.3)
-    plan, out = lm.Plan(128, 0.5, method="chordal-gauss", threads=1), np.empty((9, 128, 128), np.float32)
-    before = 0
-    for _ in range(3):
-        before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
-        plan(pupils, out=out)
-    # A table is made in pages that the process has not had before: 32 MiB of them.
-    assert resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before < 8192
-
-
 def test_caches_may_be_cleared_while_other_threads_compute():
     def work(found: list[list[np.ndarray]]) -> None:
         found.extend([lm.psf(STACK, 33, 0.3).values, lm.psf(COMA, 60, 0.4, method=SERIES).values] for _ in range(2))

@@ -8,7 +8,7 @@ import pytest
 import lommel as lm
 from lommel import channel_psf
 from lommel.io import registry
-from lommel.methods import NijboerZernike, Polychromatic
+from lommel.methods import Polychromatic
 
 WAVES = (450e-9, 550e-9, 650e-9)
 COLOUR = lm.Colour(WAVES, [40e-6, 0.0, 30e-6], [4e-6, 0.0, -3e-6], 20e-3)
@@ -104,19 +104,6 @@ def test_the_exact_sum_over_the_aperture_agrees_at_every_wavelength():
     for found, row in zip(answer, CHANNELS.weights, strict=True):
         expected = sum(share * one.values for share, one in zip(row, exact, strict=True))
         assert lm.peak_error(found, expected) < 1e-8
-
-
-def test_each_wavelength_is_computed_once_for_all_channels(monkeypatch):
-    seen = []
-    whole = NijboerZernike.intensity
-
-    def counted(self, pupil, grid, threads=0):
-        seen.append(pupil.wavelength)
-        return whole(self, pupil, grid, threads)
-
-    monkeypatch.setattr(NijboerZernike, "intensity", counted)
-    lm.colour_psf(LENS.pupil(1.98), 9, 3e-6, CHANNELS, method="nijboer-zernike")
-    assert sorted(seen) == sorted(WAVES)
 
 
 def test_blocks_of_a_stack_are_those_of_the_whole(monkeypatch):

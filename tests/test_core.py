@@ -290,16 +290,3 @@ def test_other_threads_run_while_the_core_computes(name: str) -> None:
 def test_no_other_thread_runs_while_python_itself_computes() -> None:
     """Or else the test above could not fail."""
     assert _ticks_during(lambda: sum(i * i for i in range(30_000))) == 0
-
-
-def test_whole_answers_are_the_same_from_every_thread() -> None:
-    pupils = [lommel.Pupil(lommel.Wavefront(float(d), -0.5 * d), obscuration=0.1) for d in range(-8, 8)]
-
-    def compute(pupil: lommel.Pupil) -> NDArray[Any]:
-        return lommel.psf(pupil, (40, 41), 0.4).values
-
-    alone = [compute(pupil) for pupil in pupils]
-    with ThreadPoolExecutor(8) as pool:
-        together = list(pool.map(compute, pupils * 3))
-    for i, values in enumerate(together):
-        assert np.array_equal(values, alone[i % len(pupils)])

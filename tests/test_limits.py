@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import itertools
 import math
 
@@ -16,17 +15,6 @@ from lommel.core import engine
 from lommel.measures import aperture_means
 from lommel.methods import NijboerZernike
 from lommel.optics.grid import Grid
-
-
-def test_a_pixel_may_be_as_wide_and_as_narrow_as_the_message_says():
-    for good in (1e-4, 1.0, 1e6):
-        validation.pixel_on(good, 1.0, metric=False)
-    for bad in (0.99e-4, 1.01e6):
-        with pytest.raises(ValueError, match="from 1e-4 to 1e6"):
-            validation.pixel_on(bad, 1.0, metric=False)
-    validation.pixel(0.1, metric=True)
-    with pytest.raises(ValueError, match=r"at most 0\.1"):
-        validation.pixel(0.1001, metric=True)
 
 
 def test_an_answer_may_have_as_many_values_as_the_docstring_says(monkeypatch):
@@ -44,12 +32,6 @@ def test_a_series_takes_6000_nodes_and_no_more():
     assert lm.psf(lm.Pupil(lm.Wavefront(1e4)), 1, 0.5, method=NijboerZernike(1e-4)).values.shape == (1, 1)
     with pytest.raises(ValueError, match=r"[67]\d{3} nodes, more than the limit of 6000"):
         lm.psf(lm.Pupil(lm.Wavefront(1.4e4)), 1, 0.5, method=NijboerZernike(1e-4))
-
-
-def test_float32_holds_tolerances_down_to_its_own_and_no_further():
-    assert lm.psf(lm.Pupil(), 5, 0.5, method=NijboerZernike(2.5e-7), dtype="float32").values.dtype == np.float32
-    with pytest.raises(ValueError, match="float32 cannot hold"):
-        lm.psf(lm.Pupil(), 5, 0.5, method=NijboerZernike(2.3e-7), dtype="float32")
 
 
 def test_the_strehl_ratio_is_refined_by_two_fifths_until_two_quadratures_agree_to_1e_12(monkeypatch):
@@ -108,33 +90,6 @@ def test_what_a_near_edge_hides_is_as_wide_as_the_radii_differ(far, hidden):
     assert engine.depth_layers(radius, *ends, ends, 0.5, 64, 1, layers, behind) == (2, 3 * hidden)
     # The nearest far point is a pixel beyond the last near one.
     assert np.array_equal(behind[1] >= 0, (np.arange(30) >= 15 - hidden) & (np.arange(30) < 15))
-
-
-def test_transfer_functions_are_exact_to_the_tolerance_that_is_named_and_that_is_1e_10():
-    pupil = lm.Pupil(lm.Wavefront(3.0, -2.0, nonradial={(3, 1): 1.0}))
-    f = np.linspace(0.05, 0.9, 9) * pupil.cutoff
-    exact = lm.otf(pupil, f, 0.3 * f, tol=1e-13)
-    assert np.abs(lm.otf(pupil, f, 0.3 * f) - exact).max() <= 1e-10
-    for function in (lm.otf, lm.mtf):
-        assert inspect.signature(function).parameters["tol"].default == 1e-10
-
-
-@pytest.mark.parametrize("obscuration", [0.0, 0.6])
-def test_values_are_shares_of_the_light_that_an_obscuration_leaves(obscuration):
-    answer = lm.psf(lm.Pupil(lm.Wavefront(4.0), obscuration=obscuration), 201, 0.5, dtype=np.float64)
-    # Samples no wider than lambda*N / 2 sum to the light in the window.
-    assert answer.values.sum() == pytest.approx(answer.energy, abs=2e-4)
-    assert answer.energy > 0.98
-
-
-@pytest.mark.parametrize(("defocus", "level"), [(12.0, 0.1), (40.0, 0.05)])
-def test_the_lowest_frequency_is_found_of_many_at_which_the_contrast_falls_to_a_level(defocus, level):
-    pupil = lm.Pupil(lm.Wavefront(defocus))
-    f = np.linspace(0.0, 0.5, 501) * pupil.cutoff
-    below = np.flatnonzero(lm.mtf(pupil, f, tol=1e-6) <= level)
-    assert below[-1] + 1 - below[0] > 1
-    found = lm.mtf_frequency(pupil, level)
-    assert f[below[0] - 1] <= found <= f[below[0]]
 
 
 @pytest.mark.parametrize("center", [(4.0, 14.0), (-6.0, 4.0), (-5.0, -7.0)])

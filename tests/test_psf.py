@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import copy
 import math
-import pickle
 
 import numpy as np
 import pytest
@@ -13,9 +11,8 @@ from hypothesis import strategies as st
 from scipy.special import j1
 
 import lommel as lm
-from lommel.field.maps import Vignetting
 from lommel.methods import METHODS, ChordalGauss, Hankel, NijboerZernike, NonuniformFFT, RadialMethod
-from lommel.paper import Fraunhofer, Geometric, TunedClosedForm
+from lommel.paper import TunedClosedForm
 
 METHOD = pytest.mark.parametrize("method", [kind() for kind in METHODS.values()], ids=list(METHODS))
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=500e-9)
@@ -112,30 +109,6 @@ def test_a_stack_is_as_long_as_its_first_axis_and_a_single_image_has_no_length()
     assert stack[0, 0]
 
 
-@pytest.mark.parametrize(
-    ("method", "expected"),
-    [
-        (NijboerZernike(), "float32"),
-        (NijboerZernike(tol=1e-3), "float32"),
-        (NijboerZernike(tol=9e-7), "float64"),
-        (Hankel(), "float64"),
-        (Hankel(tol=1e-4), "float32"),
-        (Fraunhofer(), "float32"),
-        (Geometric(), "float32"),
-    ],
-    ids=repr,
-)
-def test_values_are_float32_where_the_tolerance_is_1e_6_or_more_and_float64_elsewhere(method, expected):
-    assert lm.psf(lm.Pupil(), 3, 0.5, method=method).values.dtype == expected
-
-
-@pytest.mark.parametrize(
-    "dtype", ["float32", "float64", np.float32, np.float64, float, "f4", np.dtype("f8")], ids=repr
-)
-def test_values_have_the_dtype_asked_for(dtype):
-    assert lm.psf(lm.Pupil(), 3, 0.5, dtype=dtype).values.dtype == np.dtype(dtype)
-
-
 @METHOD
 def test_a_bound_on_the_error_is_claimed_by_the_certified_methods_only(method):
     bound = lm.psf(LENS.pupil(1.9), 5, 1e-6, method=method).error_bound
@@ -193,20 +166,3 @@ def test_numpy_sees_the_values_without_a_copy_unless_one_is_needed():
     with pytest.raises(ValueError, match="copy"):
         np.array(image, dtype=np.float64, copy=False)
     assert np.max(image) == image.values.max()
-
-
-@METHOD
-def test_an_image_survives_pickling_and_copying(method):
-    image = lm.psf(LENS.pupil([1.9, 2.5]), 5, 1e-6, method=method)
-    for twin in (pickle.loads(pickle.dumps(image)), copy.deepcopy(image)):
-        np.testing.assert_array_equal(twin.values, image.values)
-        assert (twin.method, twin.pupil, twin.pixel) == (image.method, image.pupil, image.pixel)
-
-
-def test_a_stack_of_apertures_has_the_largest_of_their_bounds_or_none():
-    eyes = Vignetting([0.0, 1e-2], shift=[0.0, 0.8], radius=[0.9, 1.0])
-    field = lm.FieldMap.from_seidel(1e-2, W131=0.1, wavelength=550e-9, f_number=8.0).seen_through(eyes)
-    places = [0.0, 4e-3, 9e-3], [0.0, 0.0, 0.0]
-    bounds = [lm.psf(field.pupil(x, y), 3, 2e-6).error_bound for x, y in zip(*places, strict=True)]
-    assert field.psf(*places, 3, 2e-6).error_bound == max(bounds) > min(bounds)
-    assert field.psf(*places, 3, 2e-6, method=lm.methods.MatrixFourier(16)).error_bound is None

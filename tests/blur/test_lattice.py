@@ -37,15 +37,6 @@ def test_light_beyond_a_lattice_that_is_too_small_is_counted(ratio, margin):
     assert off <= float(made.missing[0])
 
 
-def test_errors_of_samples_and_of_responses_are_as_asked():
-    for error in (1e-5, 1e-8):
-        made = summed(Request(None, 0, error, error, 0.0), lm.Pupil(), Grid(3, 0.5), (lm.Jitter(0.4),))
-        assert made.sample_error is not None
-        assert 0.0 < float(made.response[0]) < 60.0 * error
-        assert 0.0 < float(made.sample_error[0]) < 8.0 * error
-        assert float(made.missing[0]) == 0.0
-
-
 @pytest.mark.parametrize("margin", [20.0, 60.0])
 @pytest.mark.parametrize("ratio", [8.0, 30.0])
 def test_light_beyond_a_lattice_that_is_gathered_is_counted(ratio, margin):

@@ -122,15 +122,6 @@ def test_changes_are_differences_of_tables(table):
     np.testing.assert_allclose(made.combined(sizes)(*places)[:, 0], together, atol=1e-6 * np.abs(together).max())
 
 
-def test_a_depth_that_molecules_do_not_tell_is_named(table, mean):
-    """With the error that they leave, and what that changes."""
-    few = localize_movie(CAMERA.record(mean[:3], 1), table, noise=CAMERA).findings.get("untested")
-    assert 0.0 < few.numbers["depth"]["error"] <= 0.1e-6
-    assert few.numbers["depth"]["z"] > 0.5
-    assert f"depth ({few.numbers['depth']['error'] * 1e9:.0f} nm changes z by " in few.text
-    assert "drift of the focus" in few.text
-
-
 def test_excess_noise_that_is_not_stated_is_told(table, mean):
     draw = np.random.default_rng(4)
     doubled = 2.0 * draw.poisson(mean / 2.0)

@@ -184,14 +184,6 @@ def test_contrast_does_not_alias_whatever_the_pixel(pixel, options):
     np.testing.assert_allclose(psf.mtf(f, of="optics") * np.abs(np.sinc(f * side)), exact, atol=2e-6)
 
 
-def test_jitter_beyond_its_window():
-    psf = lm.psf(camera(), 65, 3e-6, blur=lm.Jitter(1e-6), integrate=False)
-    assert psf.encircled_energy([2e-6, 6e-6, 20e-6]) == pytest.approx([0.2048, 0.8026, 0.9757], abs=5e-4)
-    averaged = lm.psf(camera(), 65, 3e-6, blur=lm.Jitter(1e-6))
-    assert averaged.encircled_energy([2e-6, 6e-6]) == pytest.approx([0.1883, 0.7852], abs=5e-4)
-    np.testing.assert_allclose(averaged.encircled_energy(3e-6, of="optics"), psf.encircled_energy(3e-6), rtol=1e-9)
-
-
 def test_a_star_in_seeing_has_its_light_beyond_the_window():
     """0.8 m at f/10 with a third obscured, 1.2 arcsec: the circle of 0.5 mm holds 99.5 % whatever the window."""
     telescope = lm.Pupil(obscuration=0.3, wavelength=550e-9, f_number=10.0)

@@ -64,18 +64,6 @@ def test_it_is_the_gradient_of_a_misfit():
     assert found == pytest.approx(exact, rel=1e-7)
 
 
-@pytest.mark.parametrize(
-    ("g", "of", "error", "told"),
-    [
-        (np.zeros((3, 27)), None, ValueError, r"g must have the shape of the values, \(9, 9\), got \(3, 27\)"),
-    ],
-)
-def test_what_is_no_gradient_is_refused(g, of, error, told):
-    answer = lm.psf(lm.Pupil(), 9, 0.5)
-    with pytest.raises(error, match=told):
-        answer.pullback(g, of)
-
-
 def test_what_has_no_derivatives_has_no_gradient():
     for more, told in (
         ({"normalize": "peak"}, "kinks"),

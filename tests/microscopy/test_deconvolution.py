@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -146,58 +145,11 @@ def spots(planes=21, side=48, at=(10.0, 20.0), spread=0.25, seed=3):
     return stack, rng
 
 
-def test_light_that_falls_from_plane_to_plane_is_named():
-    stack, rng = spots()
-    fade = np.linspace(1.1, 0.9, len(stack))[:, None, None]
-    counts = rng.poisson(stack - 100.0) + 100.0
-    faded = rng.poisson((stack - 115.0) * fade + 15.0) + 100.0
-    assert plane_light_findings(counts, NOISE, 15.0) == []
-    (found,) = plane_light_findings(faded, NOISE, 15.0)
-    assert (found.code, found.severity) == ("plane_light", "note")
-    light = (faded - 100.0).mean(axis=(1, 2))
-    slope = np.polyfit(np.linspace(-0.5, 0.5, len(light)), light, 1)[0]
-    assert found.numbers["change"] == pytest.approx(slope / light.mean(), rel=1e-6)
-    assert f"falls by {-100.0 * slope / light.mean():.2g} %" in found.text
-    (turned,) = plane_light_findings(faded, NOISE, 15.0, reverse=True)
-    assert turned.numbers["change"] == -found.numbers["change"]
-    assert "rises by" in turned.text
-    assert plane_light_findings(faded[:4], NOISE, 15.0) == []
-
-
-def test_pixels_that_are_unknown_in_some_planes_do_not_change_the_light_of_these():
-    stack, rng = spots()
-    counts = rng.poisson(stack - 100.0) + 100.0
-    for unknown, limit in ((np.where(counts > 300.0, np.nan, counts), np.inf), (counts, 300.0)):
-        (told,) = plane_light_findings(unknown, NOISE, 15.0, limit)
-        assert told.text.startswith("it was not tested whether the light of the planes falls or rises")
-        assert told.numbers["left_out"] > 0.02
-    dark = counts < np.quantile(counts, 0.001)
-    assert plane_light_findings(np.where(dark, np.nan, counts), NOISE, 15.0) == []
-    masked = counts.copy()
-    masked[:, :6] = np.nan
-    assert plane_light_findings(masked, NOISE, 15.0) == []
-
-
 def test_light_that_leaves_the_frame_far_from_focus_is_no_change_along_the_stack():
     stack, rng = spots(side=24, at=(9.0, 11.0), spread=0.6)
     light = (stack - 115.0).mean(axis=(1, 2))
     assert light.min() < 0.9 * light.max()
     assert plane_light_findings(rng.poisson(stack - 100.0) + 100.0, NOISE, 15.0) == []
-
-
-def test_a_stack_that_fades_is_restored_with_a_note_of_what_was_not_tested():
-    weak = dataclasses.replace(OIL_60X, NA=0.4)  # whose cone of light stays in the frame
-    z = (np.arange(25) - 12) * 1e-6
-    psf = lm.psf(weak.pupil(depth=0.0, z=z, wavelength=520e-9), 61, 12e-6, tol=1e-4)
-    mean, rng = spots(planes=11, side=60, at=(4.0, 7.0))
-    fade = np.linspace(1.15, 0.85, len(mean))[:, None, None]
-    stack, faded = (rng.poisson((mean - 100.0) * factor) + 100.0 for factor in (1.0, fade))
-    assert restored(stack, psf, NOISE).findings.get("plane_light") is None
-    found = restored(faded, psf, NOISE).findings.get("plane_light")
-    assert found.numbers["change"] == pytest.approx(-0.3, abs=0.02)
-    # A confocal PSF has no light out of focus: that of planes is that of the specimen in them.
-    sections = dataclasses.replace(psf, values=psf.values * (np.abs(z) < 2e-6)[:, None, None])
-    assert restored(faded, sections, NOISE).findings.get("plane_light") is None
 
 
 def test_an_uneven_background_is_found_beside_beads():

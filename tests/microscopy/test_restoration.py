@@ -10,14 +10,13 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import tifffile
-from scipy.ndimage import gaussian_filter
 
 import lommel as lm
 from lommel.microscopy import refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import HeldOut
 from lommel.microscopy.restored_stack import INTERRUPTED
-from lommel.recorded.camera_noise import contradiction, measured_noise
+from lommel.recorded.camera_noise import measured_noise
 from objectives import OIL_60X
 from restored_stacks import deconvolved, scanning
 
@@ -132,17 +131,6 @@ def test_light_that_falls_along_a_wide_field_stack_is_named_in_the_order_of_its_
     assert sections.channels[0].findings.get("plane_light") is None
 
 
-def test_voxels_at_a_saturation_that_is_stated_are_counted(deep):
-    limit = int(np.sort(deep, axis=None)[-7])
-    sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
-    found = quick(deep, saturation=limit, **sizes)
-    counts = quick(lm.Counts.of(deep, noise=CAMERA, saturation=limit), noise=None, **sizes)
-    np.testing.assert_array_equal(counts.values, found.values)
-    count = int((deep >= limit).sum())
-    told = f"have the saturation that was stated, {limit}, or more, and were left out."
-    assert any(note.startswith(f"{count} voxels (") and note.endswith(told) for note in found.notes)
-
-
 def test_a_restored_stack_does_not_replace_its_recording(file):
     found = quick(file)
     with pytest.raises(ValueError, match="must not replace the recording"):
@@ -156,22 +144,6 @@ def blurred(model, truth):
     image = np.zeros(truth.shape)
     blur.forward(truth, lambda p, r, c, v: image.__setitem__((p, r, c), v))
     return np.maximum(image, 0.0)
-
-
-def test_psfs_by_depth_are_better_than_one_where_every_point_has_its_own():
-    points = {(2, 10, 14): 3e5, (7, 28, 20): 4e5, (11, 12, 30): 3e5, (15, 30, 9): 4e5}
-    stack = recorded(10e-6, points, step=1e-6)
-    truth = np.zeros(stack.shape)
-    for at, photons in points.items():
-        truth[at] = photons * 31 / WINDOW[0]
-    errors = []
-    for slabs in (None, 1):
-        way = lm.imaging.RichardsonLucy(steps=36, target=0.0)
-        given = {"pixel": PIXEL, "step": 1e-6, "wavelength": WAVE, "depth": 10e-6, "window": (31, 41)}
-        found = quick(stack, slabs=slabs, method=way, **(given | {"margin": (1, 2)})).values * 0.5 - 20.0
-        near, right = (gaussian_filter(values, (0.5, 1.0, 1.0)) for values in (found, truth))
-        errors.append(np.linalg.norm(near - right))
-    assert errors[0] < 0.7 * errors[1]
 
 
 def test_psfs_between_two_depths_are_like_the_mean_of_both():
@@ -323,37 +295,6 @@ def test_noise_that_is_not_to_be_known_is_refused():
         lm.microscopy.estimate_noise(np.random.default_rng(0).poisson(50.0, (4, 64, 64)))
     with pytest.raises(ValueError, match="must have the shape"):
         lm.microscopy.estimate_noise(np.ones((4, 4)))
-
-
-def test_equal_planes_have_no_variance():
-    planes = np.repeat(np.random.default_rng(0).poisson(50.0, (1, 16, 16)), 8, axis=0)
-    told = contradiction(planes, lm.Noise(read=1.0))
-    assert told is not None
-    assert told.startswith("The noise of the stack has 0 times the variance that gain, read noise and offset imply")
-    with pytest.raises(ValueError, match="does not clearly grow with the light"):
-        lm.microscopy.estimate_noise(planes)
-
-
-@pytest.mark.parametrize(
-    ("wrong", "said"),
-    [
-        ({}, None),
-        ({"offset": 160.0}, "% of the voxels are below the offset by more than the read noise explains"),
-        ({"white": 0.25}, "The noise of the stack has 0.4"),
-        ({"read": 6.0}, "The noise of the stack has 0."),
-    ],
-    ids=str,
-)
-def test_a_noise_that_the_stack_contradicts_is_told(deep, wrong, said):
-    camera = lm.Noise(**({"white": 0.5, "read": 1.5, "offset": 100.0} | wrong))
-    way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
-    sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "slabs": 1}
-    notes = " ".join(quick(deep, noise=camera, method=way, **sizes).notes)
-    if said is None:
-        assert "noise of the stack" not in notes
-        assert "below the offset" not in notes
-    else:
-        assert said in notes
 
 
 def test_planes_that_a_depth_puts_above_the_sample_are_told(deep):

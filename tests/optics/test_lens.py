@@ -274,15 +274,6 @@ def test_contradictions_are_named(options, message):
         lm.Lens(**{"focal_length": 0.05, "f_number": 2.0, "wavelength": 550e-9} | options)
 
 
-def test_distances_that_do_not_broadcast_with_the_aberrations_are_named():
-    spherical = lm.Wavefront(spherical=[0.0, 1.0])
-    lens = lm.Lens(focal_length=0.05, f_number=2.0, wavelength=550e-9, aberrations=spherical)
-    with pytest.raises(ValueError, match="object_distance") as caught:
-        lens.pupil([1.0, 2.0, 3.0])
-    assert "(3,)" in str(caught.value)
-    assert "(2,)" in str(caught.value)
-
-
 @pytest.mark.parametrize("model", ["paraxial", "aplanatic"])
 @pytest.mark.parametrize("aberrations", [lm.Wavefront(), lm.Wavefront(0.3, 0.2), lm.Wavefront(np.array([1.0, 2.0]))])
 def test_the_pupil_of_a_number_is_that_of_an_array_of_one_bit_by_bit(model, aberrations):
@@ -316,14 +307,3 @@ def test_a_focal_length_in_metres_that_may_be_one_in_mm_is_asked_about():
     assert refractor.stopped(12.0).f_number == pytest.approx(12.0)
     assert refractor.focused(50.0).in_light(600e-9).focal_length == 1.2
     assert telescope.stopped(10.0).focal_length == 8.0
-
-
-def test_a_copy_with_another_wavefront_keeps_stop_and_distances():
-    lens = lm.Lens(focal_length=8.0, f_number=10.0, focus_distance=900.0, wavelength=2e-6, stop=lm.telescopes.vlt())
-    coma = lm.Wavefront.zernike({(3, 1): 0.05}, unit="waves")
-    copy = replace(lens, aberrations=coma)
-    assert (copy.stop, copy.sensor_distance, copy.f_number) == (lens.stop, lens.sensor_distance, lens.f_number)
-    assert copy.aberrations == coma
-    assert lm.rms(copy.pupil(), unit="waves") == pytest.approx(0.05, rel=0.1)
-    assert lm.rms(lens.pupil(), unit="waves") == pytest.approx(0.0, abs=1e-9)
-    assert replace(lens.pupil(), wavefront=coma) == replace(copy.pupil(), wavefront=coma)

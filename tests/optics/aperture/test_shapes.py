@@ -126,14 +126,6 @@ def test_angles_stay_within_two_turns_when_a_shape_is_turned():
     assert Ellipse(0.5, 0.4, 6.0).turned(6.0).angle == pytest.approx(12.0 - 2.0 * math.pi)
 
 
-@given(st.floats(1e-6, 1.99), st.lists(st.floats(-6, 6), min_size=1, max_size=5))
-def test_a_spider_that_leaves_light_makes_a_pupil_and_any_other_is_refused(width, angles):
-    spider = Spider(width, angles)
-    points = np.random.default_rng(1).uniform(-1, 1, (2, 4000))
-    if (np.minimum(-spider.margin(*points), 1 - np.hypot(*points)) > 0).any():
-        assert 0 < Pupil(spider=spider).area < 1
-
-
 @pytest.mark.parametrize(
     ("make", "error", "message"),
     [

@@ -256,50 +256,9 @@ def test_powers_of_high_degree_that_cancel_are_counted():
     assert pair[1].left_out == 0.0
 
 
-@pytest.mark.parametrize(("normalize", "times"), [("strehl", 1.0), ("peak", 2.0)])
-def test_what_powers_lose_is_in_the_bound_of_an_image(normalize, times):
-    powers = 8.0 * zernike.powers_of_edge(np.eye(10)[9])
-    one = Wavefront(0.5 * powers[0], powers[1], powers[2:].tolist())
-    asked = {
-        "method": lm.methods.NijboerZernike(1e-8),
-        "dtype": np.float64,
-        "normalize": normalize,
-        "integrate": False,
-    }
-    found, exact = (
-        lm.psf(lm.Pupil(w), 9, 0.5, **asked) for w in (one, Wavefront.trusted(one.terms, one.edge.copy()))
-    )
-    assert np.array_equal(found.values, exact.values)
-    root = math.sqrt(found.values.max() / found.scale)
-    expected = times * 2.0 * one.left_out / root
-    assert found.error_bound - exact.error_bound == pytest.approx(expected, rel=1e-3)
-
-
 def test_numbers_of_numpy_scale_a_wavefront_too():
     assert np.float64(2.0) * Wavefront(1.0) == Wavefront(2.0)
     assert Wavefront(1.0) * np.int64(2) == Wavefront(2.0)
-
-
-def test_wavefronts_and_what_holds_them_hash_as_they_compare(lenses):
-    plain = lm.Wavefront(1.0, 0.5)
-    for same in (
-        lm.Wavefront(np.array(1.0), 0.5, [0.0, -0.0]),
-        lm.Wavefront(1.0, 0.5, nonradial={(3, 1): 0.0}),
-        lm.Wavefront(1.0) + lm.Wavefront(0.0, 0.5),
-    ):
-        assert same == plain
-        assert hash(same) == hash(plain)
-    others = [
-        lm.Wavefront(1.0),
-        lm.Wavefront(0.5, 1.0),
-        lm.Wavefront([1.0], 0.5),
-        lm.Wavefront(1.0, nonradial={(2, 2): 0.5}),
-    ]
-    assert len({plain, *others, lm.Wavefront(1.0, nonradial={(2, -2): 0.5})}) == 6
-    lens = lm.Lens(focal_length=50e-3, f_number=1.8, wavelength=550e-9, aberrations=plain)
-    assert len({lens, lm.Lens(focal_length=50e-3, f_number=1.8, wavelength=550e-9, aberrations=plain)}) == 1
-    assert len({lens.pupil(2.0), lens.pupil(2.0), lens.pupil(3.0)}) == 2
-    assert len({lm.load_instrument(lenses["phone"]), lm.load_instrument(lenses["phone"])}) == 1
 
 
 def mahajan(n: int, m: int, rho: np.ndarray, eps: float) -> np.ndarray:

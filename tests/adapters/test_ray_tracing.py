@@ -157,26 +157,6 @@ def test_a_band_that_is_none_is_refused(band):
         tracing.single_pupil(dispersive, (0.0, 0.5), WAVELENGTH, 6, 1e-3, circular=False, band=band)
 
 
-def test_a_band_over_which_the_cone_or_the_phases_change_too_fast_is_refused():
-    def slower(wave):
-        return lens(slower=wave / WAVELENGTH)
-
-    with pytest.raises(ValueError, match=r"band must be narrower: at 4\.5e-07 m the cone of light differs by 0\.2"):
-        tracing.single_pupil(slower, (0.0, 0.0), WAVELENGTH, 6, 1e-3, circular=False, band=(450e-9, 650e-9))
-
-    def fast(wave):
-        trace = wavy(lens(), 1e9 * (wave - WAVELENGTH) * math.sqrt(2.0))
-
-        def traced(*point):
-            rays, factor = trace(*point), wave / WAVELENGTH
-            return replace(rays, missed_x=factor * rays.missed_x, missed_y=factor * rays.missed_y)
-
-        return traced
-
-    with pytest.raises(ValueError, match="band must be narrower: between 33 traced wavelengths"):
-        tracing.single_pupil(fast, (0.0, 1.0), WAVELENGTH, 6, 1e-2, circular=False, band=(450e-9, 650e-9))
-
-
 def wavy(trace, waves):
     """The lens with astigmatism that oscillates over the field: `waves` periods from the axis to the edge."""
 

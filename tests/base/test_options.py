@@ -6,14 +6,13 @@ import inspect
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import singledispatch
 from typing import Annotated, Any, Literal
 
 import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.base import display, optional
+from lommel.base import optional
 from lommel.base.options import In, Options, listed, sentences
 
 
@@ -101,15 +100,6 @@ def test_a_signature_shows_each_option_with_its_default():
     assert shown == {"by": "hand", "options": None, "length": 1.0, "width": 2.0, "colour": "blue", "shrink": None}
 
 
-def test_a_docstring_has_the_text_of_the_options():
-    assert inspect.getdoc(sew) == (
-        'Sew.\n\nParameters\n----------\npattern : str\nby : str, default "hand"\n'
-        "length, width : float, default 1\n    Metres,\n    before it is washed.\n"
-        'colour : str, default "blue"\n    Of the cloth, see :func:`lommel.psf`.\nshrink : callable, optional\n\n'
-        "Notes\n-----\nSlowly."
-    )
-
-
 def test_keywords_change_an_object_which_is_checked_and_stays():
     wide = Cloth(width=3)
     assert sew("coat") == Cloth()
@@ -122,13 +112,6 @@ def test_keywords_change_an_object_which_is_checked_and_stays():
         sew("coat", width=0.0)
     with pytest.raises(TypeError, match=r"^shrink must be callable, got 3$"):
         sew("coat", shrink=3)
-
-
-def test_what_is_no_option_is_named_with_those_that_are():
-    with pytest.raises(TypeError, match=r"^sew\(\) has no option 'color'; did you mean colour\?$"):
-        sew("coat", color="red")
-    with pytest.raises(TypeError, match=r"^Tailor\(\) has no option 'x'; known are length, width, colour, shrink, "):
-        Tailor(x=1)
 
 
 def test_a_note_names_the_line_of_the_caller():
@@ -158,12 +141,3 @@ class Child(lm.Wavefront):
 @pytest.mark.parametrize("thing", [lm.Pupil(), lm.Wavefront(), Child()])
 def test_what_is_registered_for_a_class_is_found_for_those_that_inherit_from_it(thing):
     assert "<table" in thing._repr_html_()
-
-
-def test_modules_that_register_are_imported_when_the_first_is_asked_for(monkeypatch):
-    asked = []
-    view = singledispatch(display.html.dispatch(object))
-    monkeypatch.setattr(display, "html", view)
-    monkeypatch.setattr(display, "load", lambda what: asked.append(view.register(int, str)))
-    assert (display.html(3), display.html(4)) == ("3", "4")
-    assert len(asked) == 1

@@ -127,14 +127,6 @@ def test_what_is_no_zarr_store_is_not_replaced_by_one(grid, kind, tmp_path):
     assert (path if kind == "file" else path / "photo").read_text() == "mine"
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
-def test_what_is_not_there_is_an_os_error_with_its_name(grid, suffix, tmp_path):
-    with pytest.raises(FileNotFoundError, match=f"nowhere{suffix}"):
-        lm.PSFGrid.load(tmp_path / f"nowhere{suffix}")
-    with pytest.raises(FileNotFoundError, match=f"nowhere/a{suffix}"):
-        grid.save(tmp_path / "nowhere" / f"a{suffix}")
-
-
 @pytest.mark.parametrize("suffix", [".tif", ".npz"])
 def test_a_stack_without_positions_is_no_grid(grid, suffix, tmp_path):
     path = tmp_path / f"stack{suffix}"

@@ -15,7 +15,7 @@ import lommel as lm
 from lommel import Pupil, Wavefront
 from lommel.measures import energy, spot
 from lommel.measures.errors import mse
-from lommel.methods import Hankel, NijboerZernike, Polychromatic
+from lommel.methods import Hankel, NijboerZernike
 from lommel.paper import ClosedForm, Fraunhofer
 
 FINE = Fraunhofer(samples=256, edge="grey")
@@ -231,21 +231,6 @@ def test_the_light_in_a_pixel_and_at_half_of_the_peak(name, strength):
             step = 0.5 * pixel.fwhm(along, of="optics")
             line = lm.psf(pupil, shape, step, integrate=False, blur=air, tol=1e-6, dtype="float64").values.ravel()
             assert line[0] / line[1] == pytest.approx(0.5, abs=1e-5)
-
-
-def test_pixels_and_wavelengths_count():
-    telescope = lm.Pupil(stop=lm.telescopes.vlt(), wavelength=600e-9, f_number=15.0)
-    air = lm.Seeing(0.2, 120.0, 500e-9, outer_scale=22.0)
-    white = Polychromatic([500e-9, 700e-9], [1.0, 2.0])
-    several = lm.psf(telescope, 3, 300e-6, blur=(air, lm.Motion(1e-4, 0.3)), method=white, tol=1e-5, dtype="float64")
-    assert several.ensquared_energy(150e-6, of="optics") == pytest.approx(several.values[1, 1], abs=2e-5)
-    one = lm.psf(telescope, 3, 300e-6, blur=air, tol=1e-4)
-    assert one.fwhm() > 1.05 * one.fwhm(of="optics")
-    stack = lm.psf(
-        lm.Pupil(lm.Wavefront([0.0, 9.0]), stop=lm.telescopes.vlt()), 3, 9.0, blur=lm.Seeing(0.1), tol=1e-4
-    )
-    assert stack.fwhm()[1] > stack.fwhm()[0]
-    assert stack.fwhm()[0] == stack[0].fwhm()
 
 
 @pytest.mark.parametrize("strength", [30, 150, 1000])

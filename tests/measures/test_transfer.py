@@ -169,15 +169,6 @@ def test_the_phase_transfer_of_a_tilt_is_linear_and_zero_where_there_is_no_contr
     np.testing.assert_allclose(lm.ptf(pupil, [0.0, 0.5, 0.9, 1.0, 2.0]), [0, -0.5, -0.9, 0, 0], rtol=0, atol=1e-8)
 
 
-def test_frequencies_in_cycles_per_metre_and_per_lambda_N_agree():
-    metric = lm.Pupil(COMA, wavelength=633e-9, f_number=5.6)
-    f = np.array([0.1, 0.5])
-    assert metric.cutoff == pytest.approx(1 / (633e-9 * 5.6))
-    np.testing.assert_allclose(
-        lm.mtf(metric, f * metric.cutoff, 0.2 * metric.cutoff), lm.mtf(lm.Pupil(COMA), f, 0.2), rtol=0, atol=1e-9
-    )
-
-
 def test_a_stack_gives_what_each_of_its_pupils_gives():
     stack = lm.Pupil(lm.Wavefront(np.array([[0.0, 3.0]]), nonradial={(2, 2): [[1.0], [2.0]]}), obscuration=0.1)
     f = np.linspace(-0.9, 0.9, 3)

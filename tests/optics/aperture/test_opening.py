@@ -12,7 +12,6 @@ from scipy.special import j1, jv
 
 import lommel as lm
 from lommel.measures.continuous_image import phased_cells
-from lommel.optics.aperture import opening
 from lommel.optics.aperture.mask import cell_centers
 from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.aperture.shapes import CatEye, Ellipse, Spider
@@ -215,11 +214,3 @@ def test_segments_turn_the_phase_of_their_cells():
     whole = phased_cells(lm.Pupil(stop=stop.scaled(0.0)).opening, 256).real > 1.0 - 1e-12
     exact = np.exp(1j * opening.phase(x, y))
     np.testing.assert_allclose(phased_cells(opening, 256)[whole], exact[whole], atol=2e-5)
-
-
-@pytest.mark.parametrize(
-    ("degree", "error", "rule"), [(16, 1e-4, (16, -4)), (17, 9.9e-5, (32, -5)), (15, 3e-3, (16, -3))]
-)
-def test_rows_are_of_a_multiple_of_16_and_of_a_power_of_ten(degree, error, rule, monkeypatch):
-    monkeypatch.setattr(opening, "_rows", lambda _, *which: which)
-    assert lm.Pupil().opening.rows(degree, error) == rule

@@ -96,11 +96,3 @@ def test_the_wobble_is_the_share_that_turns_freely():
         for one in (fixed, free, part)
     ]
     assert light[2] == pytest.approx(0.75 * light[0] + 0.25 * light[1], abs=1e-8)
-
-
-def test_a_jones_vector_may_be_of_any_sequence():
-    beam = lm.Beam((1.0, 0.5j))
-    for given in ([1, 0.5j], np.array([1.0, 0.5j]), (np.float32(1.0), 0.5j)):
-        other = lm.Beam(given)
-        assert other == beam
-        assert hash(other) == hash(beam)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import itertools
 import math
 
@@ -15,6 +16,17 @@ from lommel.core import engine
 from lommel.measures import aperture_means
 from lommel.methods import NijboerZernike
 from lommel.optics.grid import Grid
+
+
+def test_a_pixel_may_be_as_wide_and_as_narrow_as_the_message_says():
+    for good in (1e-4, 1.0, 1e6):
+        validation.pixel_on(good, 1.0, metric=False)
+    for bad in (0.99e-4, 1.01e6):
+        with pytest.raises(ValueError, match="from 1e-4 to 1e6"):
+            validation.pixel_on(bad, 1.0, metric=False)
+    validation.pixel(0.1, metric=True)
+    with pytest.raises(ValueError, match=r"at most 0\.1"):
+        validation.pixel(0.1001, metric=True)
 
 
 def test_an_answer_may_have_as_many_values_as_the_docstring_says(monkeypatch):
@@ -90,6 +102,25 @@ def test_what_a_near_edge_hides_is_as_wide_as_the_radii_differ(far, hidden):
     assert engine.depth_layers(radius, *ends, ends, 0.5, 64, 1, layers, behind) == (2, 3 * hidden)
     # The nearest far point is a pixel beyond the last near one.
     assert np.array_equal(behind[1] >= 0, (np.arange(30) >= 15 - hidden) & (np.arange(30) < 15))
+
+
+def test_transfer_functions_are_exact_to_the_tolerance_that_is_named_and_that_is_1e_10():
+    pupil = lm.Pupil(lm.Wavefront(3.0, -2.0, nonradial={(3, 1): 1.0}))
+    f = np.linspace(0.05, 0.9, 9) * pupil.cutoff
+    exact = lm.otf(pupil, f, 0.3 * f, tol=1e-13)
+    assert np.abs(lm.otf(pupil, f, 0.3 * f) - exact).max() <= 1e-10
+    for function in (lm.otf, lm.mtf):
+        assert inspect.signature(function).parameters["tol"].default == 1e-10
+
+
+@pytest.mark.parametrize(("defocus", "level"), [(12.0, 0.1), (40.0, 0.05)])
+def test_the_lowest_frequency_is_found_of_many_at_which_the_contrast_falls_to_a_level(defocus, level):
+    pupil = lm.Pupil(lm.Wavefront(defocus))
+    f = np.linspace(0.0, 0.5, 501) * pupil.cutoff
+    below = np.flatnonzero(lm.mtf(pupil, f, tol=1e-6) <= level)
+    assert below[-1] + 1 - below[0] > 1
+    found = lm.mtf_frequency(pupil, level)
+    assert f[below[0] - 1] <= found <= f[below[0]]
 
 
 @pytest.mark.parametrize("center", [(4.0, 14.0), (-6.0, 4.0), (-5.0, -7.0)])

@@ -172,3 +172,14 @@ def test_copies_of_the_band_of_the_intensity_begin_where_that_of_the_blur_ends(m
     assert share < 1.0
     assert lattice.step * (1.0 + share) <= np.pi * (1.0 + 1e-14)
     assert lattice.h <= recorded.STEP
+
+
+def test_what_few_lattices_do_not_reach_one_of_its_own_does(monkeypatch):
+    pupil, shared = lm.Pupil(obscuration=0.2, spider=VANES), []
+    of_stack = recorded._stack_images
+    monkeypatch.setattr(
+        recorded, "_stack_images", lambda asked, *args: shared.append(asked.shared) or of_stack(asked, *args)
+    )
+    monkeypatch.setattr(recorded, "_round_up", lambda count: 10**4)
+    assert lm.psf(pupil, 9, 4.0, blur=lm.Seeing(0.05), tol=1e-4).error_bound <= 1e-4
+    assert shared == [True, False]

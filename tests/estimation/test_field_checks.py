@@ -204,3 +204,11 @@ def test_derivatives_by_other_blurs_are_those_of_blurred_images():
     }
     for name, true in wanted.items():
         assert np.abs(found[name][0] / scale - true).max() < 2e-3 * np.abs(true).max(), name
+
+
+def test_one_focus_tells_less_of_wavefronts_that_vary_over_the_field():
+    """An error of 0.17 radians is doubted for one of degree 1, whose limit is 0.22 over the root of 3 polynomials."""
+    dim = fitted(images(flux=1600), degree=1).findings.get("too_dim")
+    assert dim.severity == "doubt"
+    assert 0.127 < dim.numbers["rms"] < 0.22
+    assert dim.numbers["limit"] == pytest.approx(0.22 / 3**0.5)

@@ -225,6 +225,25 @@ def test_doubles_are_rejected_and_defects_left_out(monkeypatch):
     assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
 
 
+def test_stars_that_fit_by_themselves_are_taken_back(monkeypatch):
+    places, images, true = case(seed=5, doubles=4)
+    corner = np.argsort(places.sum(axis=1))[:8]
+    regained = Search.readmit_stars
+
+    def without_a_corner(search, found):
+        keep = ~np.isin(found.model.chosen, corner)
+        chosen, own = found.model.chosen[keep], found.nuisance()[keep]
+        astray = found.polynomials()
+        astray[:, 3:] += 0.1
+        return regained(search, search.refine(chosen, astray, found.squared_widths(), 10, own))
+
+    monkeypatch.setattr(Search, "readmit_stars", without_a_corner)
+    fit = fitted(images[:, 0], places)
+    assert fit.converged, fit.message
+    assert np.flatnonzero(~fit.stars.used).tolist() == [0, 1, 2, 3]
+    assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
+
+
 @pytest.mark.usefixtures("searched_once")
 def test_a_degree_that_is_too_low_is_a_misfit_of_the_pixels_with_light():
     places, images, _ = case(seed=5, count=30, defocus=(-3.0, 3.0))

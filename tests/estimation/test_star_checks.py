@@ -7,6 +7,7 @@ import pytest
 
 import lommel as lm
 import searches
+from lommel.core.answers import Declined
 from lommel.estimation import star_checks
 from lommel.fit.score_tests import Candidate, ScoreTest
 from tests.world import air
@@ -102,6 +103,30 @@ def test_slopes_of_the_background_are_those_of_each_image():
     # Rows and columns of the first image, then of the second.
     assert np.abs(np.asarray(one["size"])[[0, 2]]).max() < 4 * np.asarray(one["errors"]).max()
     np.testing.assert_allclose(np.asarray(one["size"])[[1, 3]], 0.3, atol=5 * np.asarray(one["errors"]).max())
+
+
+def test_blur_that_cannot_be_tested_is_said(monkeypatch):
+    def declined(*_, **__):
+        raise Declined("too fine")
+
+    monkeypatch.setattr(star_checks, "Plan", lambda *_, **__: declined)
+    fit = found(recorded(sigma=0.3))
+    assert fit.findings.get("untested").text == "blur was not tested: too fine"
+    assert fit.findings.get("untested").severity == "note"
+    assert "blur by a Gaussian besides" not in seen(fit)
+
+
+def test_of_one_focus_the_known_defocus_is_said_not_to_be_tested():
+    one = found(recorded(foci=(3.0,)), defocus=[3.0]).findings.get("untested")
+    assert one.severity == "note"
+    assert one.numbers["known defocus"] == {"noll 4 defocus": pytest.approx(0.03 / 3**0.5)}
+    assert "not tested: known defocus (1 % of it changes noll 4 defocus by 0.017 rad)" in one.text
+    for images, options in (
+        (recorded(), {}),
+        (recorded(foci=(3.0,)), {"defocus": [3.0], "terms": ["noll 5", "noll 8"]}),
+    ):
+        told = found(images, **options).findings.get("untested")
+        assert told is None or "known defocus" not in told.numbers
 
 
 def test_what_the_images_favour_within_chance_is_allowed_for_whole():

@@ -165,3 +165,8 @@ def test_an_aperture_with_vanes_has_energies_with_a_bound():
     image = lm.psf(pupil, 161, 0.05, method=NonuniformFFT(1e-8))
     within = np.hypot(*np.meshgrid(image.grid.x, image.grid.y)) < np.array([1.0, 3.0])[:, None, None]
     np.testing.assert_allclose(found.fraction, (image.values * within).sum(axis=(1, 2)), atol=1e-2)
+
+
+def test_a_stack_is_refused():
+    with pytest.raises(ValueError, match="pupil must be a single one"):
+        encircled(lm.Pupil(lm.Wavefront([1.0, 2.0])), [1.0])

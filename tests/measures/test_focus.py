@@ -30,9 +30,13 @@ def test_the_best_focus_of_little_spherical_aberration_balances_it(rms: float) -
     assert found == pytest.approx(float(balanced.defocus), rel=0.01)
 
 
-def test_other_apertures_have_no_best_focus_in_a_circle():
-    with pytest.raises(ValueError, match="pupil must be radially symmetric, got a wavefront or an aperture"):
-        lm.best_focus(lm.Pupil(stop=lm.Polygon.regular(6, 1.0)), 1.0)
+def test_what_is_not_round_has_no_best_focus_in_a_circle_and_no_profile():
+    coma = lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 4.0}))
+    for pupil in (coma, lm.Pupil(stop=lm.Polygon.regular(6, 1.0))):
+        with pytest.raises(ValueError, match="pupil must be radially symmetric, got a wavefront or an aperture"):
+            lm.best_focus(pupil, 1.0)
+    with pytest.raises(ValueError, match="radius must be None for a pupil that is not radial"):
+        lm.psf(coma, 5, 0.1).profile(1.0)
 
 
 X = np.linspace(-3.0, 3.0, 13)

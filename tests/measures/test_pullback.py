@@ -64,6 +64,11 @@ def test_it_is_the_gradient_of_a_misfit():
     assert found == pytest.approx(exact, rel=1e-7)
 
 
+def test_a_gradient_of_another_shape_is_refused():
+    with pytest.raises(ValueError, match=r"g must have the shape of the values, \(9, 9\), got \(3, 27\)"):
+        lm.psf(lm.Pupil(), 9, 0.5).pullback(np.zeros((3, 27)))
+
+
 def test_what_has_no_derivatives_has_no_gradient():
     for more, told in (
         ({"normalize": "peak"}, "kinks"),

@@ -207,6 +207,19 @@ def test_the_error_measures_take_psfs_and_do_not_depend_on_their_scale() -> None
         assert measure(*pairs[0]) > 1e-4
 
 
+@pytest.mark.parametrize(
+    ("values", "reference", "message"),
+    [
+        ([1.0, 2.0], [1.0], "must have the same shape"),
+        ([1.0, 2.0], [0.0, 0.0], "a positive value"),
+    ],
+)
+def test_errors_of_nothing_are_refused(values: list[float], reference: list[float], message: str) -> None:
+    for measure in (mse, lm.peak_error):
+        with pytest.raises(ValueError, match=message):
+            measure(values, reference)
+
+
 APERTURES = {
     "annulus": lm.Pupil(lm.Wavefront(nonradial={(2, 2): 1.0}), obscuration=0.3),
     "vlt": lm.Pupil(stop=lm.telescopes.vlt()),

@@ -297,6 +297,17 @@ def test_noise_that_is_not_to_be_known_is_refused():
         lm.microscopy.estimate_noise(np.ones((4, 4)))
 
 
+@pytest.mark.quick
+def test_a_noise_that_the_stack_contradicts_is_told(deep):
+    sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "slabs": 1, "window": (5, 9)}
+    way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
+    wrong = lm.Noise(white=0.25, read=1.5, offset=100.0)
+    told = [
+        " ".join(quick(deep[5:11, 4:24, 4:24], noise=noise, method=way, **sizes).notes) for noise in (CAMERA, wrong)
+    ]
+    assert ["The noise of the stack has 0.4" in notes for notes in told] == [False, True]
+
+
 def test_planes_that_a_depth_puts_above_the_sample_are_told(deep):
     way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
     sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "method": way}

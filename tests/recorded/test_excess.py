@@ -42,6 +42,12 @@ def test_the_register_has_the_mean_and_the_variance_that_are_stated(excess, mean
     assert plain.variance(mean / excess) == pytest.approx(variance / excess**2, rel=1e-12)
 
 
+@pytest.mark.parametrize("excess", [0.5, 101.0, np.nan, [2.0, 2.0]])
+def test_an_excess_is_a_number_from_1_to_100(excess):
+    with pytest.raises((TypeError, ValueError), match="excess"):
+        lm.Noise(read=1.0, excess=excess)
+
+
 def star(seed=1, flux=2e4, side=25):
     return EM.record(flux * lm.psf(PUPIL, side, 0.5).values + 5.0, seed)
 

@@ -63,6 +63,21 @@ def test_a_map_is_a_copy_that_cannot_be_changed():
         noise.read[0, 0] = 1.0
 
 
+@pytest.mark.parametrize(
+    ("options", "error", "said"),
+    [
+        ({}, TypeError, "read"),
+        ({"read": -1.0}, ValueError, "read must be finite and >= 0, got -1.0"),
+        ({"read": [1.0, 2.0]}, ValueError, r"read must be a number or have the shape .*, got shape \(2,\)"),
+        ({"read": 1, "white": 0}, ValueError, "white must be > 0 electrons, got 0"),
+        ({"read": 1, "white": np.zeros((0, 4))}, ValueError, r"white must be a number or .*, got shape \(0, 4\)"),
+    ],
+)
+def test_what_is_no_noise_is_refused(options, error, said):
+    with pytest.raises(error, match=said):
+        lm.Noise(**options)
+
+
 def test_images_that_do_not_fit_are_refused():
     noise = lm.Noise(white=2.0, read=MAP)
     with pytest.raises(ValueError, match=r"read, of shape \(3, 4\), must have a value for each pixel, got .*\(4"):

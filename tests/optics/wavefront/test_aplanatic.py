@@ -15,7 +15,7 @@ from scipy.fft import dct
 from scipy.special import jv
 
 import lommel as lm
-from lommel.methods import ChordalGauss, NijboerZernike
+from lommel.methods import ChordalGauss, NijboerZernike, Polychromatic
 from lommel.optics.wavefront.wavefront import expansion, path
 from lommel.paper import HuygensFresnel
 from lommel.special import zernike
@@ -236,6 +236,21 @@ def test_an_objective_out_of_focus_has_k_dz_one_minus_cosine():
     cosine = np.sqrt(1.0 - (0.75 * rho) ** 2)
     exact = 2 * math.pi / 515e-9 * dz * (1.0 - cosine)
     assert phase.phase(rho) == pytest.approx(exact, abs=1e-6 * exact.max())
+
+
+def test_bounds_of_derivatives_and_spectra_count_it_too():
+    pupil = lm.Pupil(lm.Wavefront(3.0, error=1e-8), wavelength=550e-9, f_number=4.0)
+    plain = lm.Pupil(lm.Wavefront(3.0), wavelength=550e-9, f_number=4.0)
+    asked = {"dtype": np.float64, "integrate": False}
+    one, two = (lm.psf(p, 9, 1e-6, derivatives=["spherical"], **asked) for p in (pupil, plain))
+    peak = one.values.max() / float(one.scale)
+    more = one.derivative_bounds["spherical"] - two.derivative_bounds["spherical"]
+    assert more == pytest.approx(4e-8 / peak, rel=1e-6)
+    # Half the wavelength: the phase, its error and the field are twice as large.
+    violet = Polychromatic([275e-9], [1.0])
+    one, two = (lm.psf(p, 9, 1e-6, method=violet, **asked) for p in (pupil, plain))
+    peak = one.values.max() / float(one.scale)
+    assert one.error_bound - two.error_bound == pytest.approx(2.0 * 4e-8 / math.sqrt(peak), rel=1e-3)
 
 
 def test_every_map_of_a_wavefront_carries_its_error():

@@ -141,3 +141,8 @@ def test_a_bad_unit_or_normalization_is_refused_both_ways(options, message):
         Wavefront.zernike({(3, 1): 1.0}, **options)
     with pytest.raises(ValueError, match=message):
         Wavefront(1.0).to_zernike(**options)
+
+
+def test_a_term_without_an_index_in_an_order_is_named():
+    with pytest.raises(ValueError, match=r'"fringe" ends with 37 terms and has no \(n, m\) = \(7, 7\)'):
+        Wavefront(nonradial={(7, 7): 1.0}).to_zernike(order="fringe")

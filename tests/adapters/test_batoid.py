@@ -169,9 +169,3 @@ def test_what_is_no_telescope_or_no_direction_is_refused(telescope):
         adapter.pupil(telescope, wavelength=620)
     with pytest.raises(ValueError, match="degree must be higher"):
         adapter.pupil(telescope, FIELD, wavelength=WAVELENGTH, degree=2)
-
-
-def test_without_batoid_the_package_to_install_is_named(monkeypatch):
-    monkeypatch.setitem(__import__("sys").modules, "batoid", None)
-    with pytest.raises(ImportError, match="pip install batoid"):
-        adapter.pupil(None, wavelength=WAVELENGTH)

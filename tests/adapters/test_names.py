@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 
 from lommel import adapters
@@ -18,6 +20,16 @@ def test_an_adapter_is_there_when_it_is_asked_for(name):
 def test_what_is_no_adapter_is_none():
     with pytest.raises(AttributeError, match="has no attribute 'zemax'"):
         adapters.zemax  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    ("name", "module"),
+    [("batoid", "batoid"), ("optiland", "optiland.optic"), ("rayoptics", "rayoptics.optical.opticalmodel")],
+)
+def test_without_its_package_an_adapter_names_what_to_install(name, module, monkeypatch):
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(ImportError, match=f"pip install {name}"):
+        getattr(adapters, name).pupil(None, wavelength=550e-9)
 
 
 @pytest.mark.parametrize("name", ["batoid", "optiland", "rayoptics"])

@@ -260,9 +260,3 @@ def test_phases_that_no_known_tilt_reconciles_with_the_rays_are_refused(triplet,
 def test_distortion_needs_a_symmetric_lens(triplet):
     with pytest.raises(ValueError, match="fields must be left out with distortion"):
         adapter.field_map(triplet, fields=[(0.0, 0.0), (0.0, 1.0), (1.0, 0.0)], distortion=True)
-
-
-def test_without_optiland_the_package_to_install_is_named(monkeypatch):
-    monkeypatch.setitem(__import__("sys").modules, "optiland.optic", None)
-    with pytest.raises(ImportError, match="pip install optiland"):
-        adapter.pupil(None)

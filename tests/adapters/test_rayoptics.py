@@ -209,12 +209,6 @@ def test_what_is_no_lens_is_refused(triplet):
         adapter.pupil(triplet, wavelength=550)
 
 
-def test_without_ray_optics_the_package_to_install_is_named(monkeypatch):
-    monkeypatch.setitem(__import__("sys").modules, "rayoptics.optical.opticalmodel", None)
-    with pytest.raises(ImportError, match="pip install rayoptics"):
-        adapter.pupil(None)
-
-
 def test_versions_with_a_wrong_sign_are_refused():
     adapter._require_version("0.9.10")
     adapter._require_version("1.0.dev3+g12")

@@ -71,23 +71,10 @@ def test_a_length_is_the_float_nearest_to_what_is_written(digits, power, unit):
     assert parse_length("3.99 mm") == 3.99e-3
 
 
-@given(st.floats(-1e15, 1e15).filter(lambda x: x == 0 or abs(x) > 1e-15))
-def test_a_length_reads_back_as_it_was_shown_to_four_digits(metres):
-    assert parse_length(format_length(metres)) == pytest.approx(metres, rel=5.1e-4, abs=0)
-
-
 @given(st.integers(1, 9999), st.integers(-9, 2))
 def test_four_digits_read_back_exactly(digits, power):
     metres = float(Fraction(digits) * Fraction(10) ** power)
     assert parse_length(format_length(metres)) == pytest.approx(metres, rel=1e-15)
-
-
-@given(st.floats(1e-9, 999.0))
-def test_a_length_is_shown_with_the_unit_that_needs_the_fewest_zeros(metres):
-    number, unit = format_length(metres).split()
-    assert unit in ("m", "mm", "um", "nm")
-    assert 0.999 < float(number) < 1000
-    assert "e" not in number
 
 
 @pytest.mark.parametrize(

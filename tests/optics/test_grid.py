@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import FrozenInstanceError
 
 import numpy as np
@@ -47,13 +46,6 @@ def test_values_at_the_radii_are_painted_onto_every_pixel_at_that_distance(grid)
     grid.paint(np.stack([grid.radii, 1 + grid.radii]), np.array([1.0, 2.0]), image)
     np.testing.assert_allclose(image[0], distances(grid), rtol=1e-12)
     np.testing.assert_allclose(image[1], 2 * (1 + distances(grid)), rtol=1e-12)
-
-
-def test_the_optical_coordinate_of_a_pixel_is_pi_pixels_over_lambda_N():
-    pupil = lm.Pupil(wavelength=500e-9, f_number=4.0)
-    grid = Grid(5, 1e-6)
-    assert grid.step(pupil) == pytest.approx(math.pi / 2)
-    np.testing.assert_allclose(grid.v(pupil), grid.radii * math.pi / 2e-6)
 
 
 def test_a_grid_cannot_be_changed_and_can_be_a_key():

@@ -66,22 +66,6 @@ def test_an_aperture_is_given_by_its_diameter_or_by_the_f_number():
     assert lm.Lens(aperture_diameter=0.025, **common).f_number == pytest.approx(4.0)
 
 
-def test_a_close_focus_makes_the_working_f_number_larger():
-    lens = lm.Lens(focal_length=0.1, f_number=4.0, focus_distance=0.15, wavelength=500e-9)
-    # Magnification m = f / (s - f) = 2; the working f-number is N (1 + m).
-    assert lens.f_number == pytest.approx(4.0)
-    assert lens.working_f_number == pytest.approx(12.0)
-
-
-def test_the_pupil_of_a_lens_has_its_scale_and_obscuration(camera):
-    pupil = camera.pupil(1.5)
-    assert pupil.wavelength == 550e-9
-    assert pupil.f_number == camera.working_f_number
-    assert pupil.unit == "m"
-    mirror = lm.Lens(focal_length=1.0, f_number=8.0, wavelength=550e-9, obscuration=0.4)
-    assert mirror.pupil().obscuration == 0.4
-
-
 def test_the_aberrations_of_a_lens_add_to_its_defocus():
     extra = lm.Wavefront(defocus=1.0, spherical=2.0, higher=(3.0,))
     lens = lm.Lens(focal_length=0.05, f_number=2.0, focus_distance=2.0, wavelength=550e-9, aberrations=extra)

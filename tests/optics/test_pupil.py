@@ -20,17 +20,6 @@ pupils = st.builds(lm.Pupil, wavefronts, obscuration=st.floats(0, 0.99))
 METRIC = {"wavelength": 500e-9, "f_number": 4.0}
 
 
-def test_a_pupil_without_a_wavelength_measures_in_lambda_N():
-    pupil = lm.Pupil()
-    assert (pupil.unit, pupil.scale, pupil.area, pupil.shape) == ("lambda*N", 1.0, 1.0, ())
-
-
-def test_a_pupil_with_a_wavelength_measures_in_metres():
-    pupil = lm.Pupil(**METRIC)
-    assert pupil.unit == "m"
-    assert pupil.scale == pytest.approx(2e-6)
-
-
 @pytest.mark.parametrize("options", [{}, METRIC], ids=["lambda*N", "metres"])
 def test_the_airy_radius_is_that_of_the_first_dark_ring(options):
     pupil = lm.Pupil(**options)
@@ -63,13 +52,6 @@ def test_the_geometric_radius_is_in_the_unit_of_the_sensor_and_one_for_each_pupi
     stack = lm.Pupil(lm.Wavefront(defocus=[[1.0], [2.0]], spherical=[0.0, 0.0, 0.0]), **METRIC)
     assert stack.geometric_radius().shape == (2, 3)
     assert stack.geometric_radius()[1, 0] == pytest.approx(8 / math.pi * 2e-6)
-
-
-@given(pupils)
-def test_the_unaberrated_pupil_keeps_the_aperture_and_loses_the_phase(pupil):
-    ideal = pupil.unaberrated()
-    assert ideal.wavefront == lm.Wavefront()
-    assert (ideal.obscuration, ideal.unit, ideal.scale) == (pupil.obscuration, pupil.unit, pupil.scale)
 
 
 @given(pupils)

@@ -55,10 +55,6 @@ def single(trace, field, degree=6, tol=1e-6):
     return tracing.single_pupil(lambda wave: trace, field, WAVELENGTH, degree, tol, circular=True)
 
 
-def mapped(fields):
-    return tracing.field_map(lens(), None, fields, WAVELENGTH, 6, 1, circular=True)
-
-
 def test_the_pupil_and_the_position_are_mirrored_so_that_y_rises_downwards():
     pupil = single(lens(), (0.3, 0.8))
     x, y = 0.4, 0.5

@@ -169,10 +169,6 @@ def test_a_stack_gives_what_each_of_its_pupils_gives():
                 assert whole[0, i] == pytest.approx(number(stack[0, i]), rel=1e-6, abs=1e-9), name
 
 
-def test_the_strehl_ratio_of_an_obscured_lens_is_relative_to_itself():
-    assert float(lm.psf(lm.Pupil(obscuration=0.6), 3, 0.7, method="hankel").strehl) == pytest.approx(1.0, rel=1e-13)
-
-
 def test_of_long_pixels_a_diameter_may_reach_the_corners_of_the_window():
     psf = lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), (9, 33), (0.25, 1.5), integrate=True)
     for radius in (1.0, 24.0):

@@ -83,12 +83,6 @@ def test_light_is_counted_as_it_passes(apodization, obscuration):
     assert perfect.strehl == pytest.approx(1.0, abs=1e-6)
 
 
-def test_a_wide_beam_is_uniform_illumination():
-    uniform = lm.psf(lm.Pupil(lm.Wavefront(7.0, 3.0)), 33, 0.5, dtype=np.float64)
-    wide = lm.psf(lm.Pupil(lm.Wavefront(7.0, 3.0), apodization=1e-9), 33, 0.5, dtype=np.float64)
-    assert lm.peak_error(wide, uniform) < 1e-8
-
-
 def test_derivatives_of_apodized_pupils_are_the_limits_of_differences():
     def at(defocus: float, **more: object) -> lm.PSF:
         pupil = lm.Pupil(lm.Wavefront(defocus, 4.0), apodization=2.0, obscuration=0.2)

@@ -11,7 +11,6 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
-from core_tests import _core_tests
 from disk_questions import disk_question
 from lommel import _core
 from lommel.methods import ChordalGauss, NijboerZernike
@@ -110,35 +109,11 @@ def test_the_tolerance_is_kept_eight_times_a_decade_and_the_bound_is_never_below
     assert len(set(errors)) >= 8
 
 
-def test_the_bound_is_above_the_error_even_where_the_error_is_large():
-    # The rule itself at few chords or nodes, in NumPy, against many, and the bound of the compiled core on that.
-    terms = [(2, 2), (3, 1), (4, 0)]
-    coefficients = np.array([2.0, -1.5, 1.0])
-    exact = rule_field(terms, coefficients, 6.0, *chordal_rule(90, 90))
-    exponents = _core_tests.chordal_bounds(np.array(terms), coefficients, np.zeros(1), -6.0, 6.0)
-    for nodes in (False, True):
-        seen = 0
-        for size in range(8, 40, 4):
-            lines = enumerate(exponents["nodes" if nodes else "chords"])
-            bound = min(_core_tests.chordal_line(nodes, k, e, size, 1.0)["bound"] for k, e in lines)
-            rule = chordal_rule(90, size) if nodes else chordal_rule(size, 90)
-            true = abs(rule_field(terms, coefficients, 6.0, *rule) - exact)
-            assert true <= bound + 1e-14
-            seen += true > 1e-12
-        assert seen >= 2
-
-
 def chordal_rule(chords: int, nodes: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     angle = math.pi * np.arange(1, chords + 1) / (chords + 1)
     eta, w = np.polynomial.legendre.leggauss(nodes)
     x = np.repeat(np.cos(angle)[:, None], nodes, 1)
     return x, np.sin(angle)[:, None] * eta, np.sin(angle)[:, None] ** 2 * w / (chords + 1)
-
-
-def rule_field(terms, coefficients, v, x, y, weights) -> complex:
-    rho, theta = np.hypot(x, y), np.arctan2(y, x)
-    phase = sum(c * zernike.polynomial(n, m, rho, theta) for c, (n, m) in zip(coefficients, terms, strict=True))
-    return complex((weights * np.exp(1j * (phase - v * x))).sum())
 
 
 @pytest.mark.parametrize("index", [641, 875, 1396])
@@ -179,26 +154,6 @@ def test_radial_pupils_agree_with_the_hankel_transform(obscuration, apodization)
         assert (np.abs(found - exact).max(axis=(1, 2)) <= 1e-9 * exact.max(axis=(1, 2))).all()
 
 
-def test_a_perfect_lens_gives_the_airy_pattern():
-    answer = lm.psf(lm.Pupil(), 17, 0.5, method=ChordalGauss(1e-10), normalize="strehl")
-    exact = lm.psf(lm.Pupil(), 17, 0.5, method="hankel", normalize="strehl")
-    assert answer.values[8, 8] == pytest.approx(1.0, abs=1e-10)
-    assert np.abs(answer.values - exact.values).max() < 1e-10
-
-
-@pytest.mark.parametrize("n", [1, 2, 7, 8, 9, 40])
-def test_a_stack_equals_its_members_within_the_bounds(n):
-    rng = np.random.default_rng(n)
-    coefficients = rng.normal(size=(n, 6)) * rng.uniform(0.1, 2.5, (n, 1))
-    pupil = lm.Pupil(lm.Wavefront.zernike({j + 4: coefficients[:, j] for j in range(6)}, order="noll"))
-    method = ChordalGauss(1e-7)
-    stack = lm.psf(pupil, (9, 11), 0.6, method=method, normalize="strehl", dtype=np.float64)
-    for i in range(n):
-        single = lm.psf(pupil[i], (9, 11), 0.6, method=method, normalize="strehl", dtype=np.float64)
-        bound = (stack.error_bound + single.error_bound) * single.values.max() / (1.0 - 1e-6)
-        assert np.abs(stack.values[i] - single.values).max() <= bound
-
-
 @pytest.mark.parametrize("shape", [(1, 1), (1, 8), (8, 1), (2, 3), (16, 16), (17, 5), (33, 34)])
 @pytest.mark.parametrize("center", [None, "half", (2.25, -1.5), (0.0, 0.0)])
 def test_every_window_shows_the_same_pattern(shape, center):
@@ -207,42 +162,6 @@ def test_every_window_shows_the_same_pattern(shape, center):
     grid = Grid(shape, 0.45, center=place)
     answer = lm.psf(pupil, shape, 0.45, method=ChordalGauss(1e-8), center=place, normalize="strehl")
     assert error(answer, polar(pupil, grid, 56, 136)) <= 1e-8
-
-
-@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
-def test_precisions_and_given_arrays_hold_the_same_values(normalize):
-    pupil = lm.Pupil(random_wavefront(np.random.default_rng(6), 1.0), obscuration=0.25)
-    method = ChordalGauss(1e-6)
-    fine = lm.psf(pupil, 12, 0.5, method=method, normalize=normalize, dtype=np.float64)
-    coarse = lm.psf(pupil, 12, 0.5, method=method, normalize=normalize)
-    out = np.zeros((12, 12), np.float32)
-    given_back = lm.Plan(12, 0.5, method=method, normalize=normalize)(pupil, out=out)
-    assert coarse.values.dtype == np.float32
-    assert given_back.values is out
-    assert np.array_equal(out, coarse.values)
-    assert np.abs(coarse.values - fine.values).max() <= 2.0**-23 * fine.values.max()
-    if normalize == "peak":
-        assert fine.values.max() == pytest.approx(1.0, rel=4e-16)
-        assert fine.error_bound <= 1e-6
-
-
-def test_a_positive_x_tilt_moves_the_image_to_higher_columns_by_whole_pixels():
-    coma = {(3, -1): 0.8, (2, 2): -0.4}
-    step = math.pi * 0.5
-    there = lm.psf(
-        lm.Pupil(lm.Wavefront(nonradial={**coma, (1, 1): 2 * step, (1, -1): step})), 21, 0.5, method="chordal-gauss"
-    )
-    here = lm.psf(lm.Pupil(lm.Wavefront(nonradial=coma)), 21, 0.5, method="chordal-gauss")
-    assert np.abs(there.values[1:, 2:] - here.values[:-1, :-2]).max() < 2e-6 * here.values.max()
-
-
-def test_a_tilt_followed_by_the_window_costs_nothing():
-    # The centre of the window is where the tilt puts the image: the same values, and no more chords than without.
-    step = math.pi * 0.5
-    far = lm.Pupil(lm.Wavefront(3.0, nonradial={(1, 1): 4000 * step}))
-    followed = lm.psf(far, 15, 0.5, method=ChordalGauss(1e-8), center=(7, 7 - 4000))
-    plain = lm.psf(lm.Pupil(lm.Wavefront(3.0)), 15, 0.5, method=ChordalGauss(1e-8))
-    assert np.abs(followed.values - plain.values).max() < 2e-8 * plain.values.max()
 
 
 def test_threads_and_instructions_change_nothing_beyond_the_bound():
@@ -295,22 +214,6 @@ def test_a_few_pupils_have_the_values_they_have_among_many(level, dtype):
             assert few.error_bound == many.error_bound
     finally:
         _core.limit_instructions("avx512")
-
-
-def test_a_smaller_disk_has_the_same_phase_in_terms_of_its_own():
-    wavefront = random_wavefront(np.random.default_rng(9), 2.0)
-    eps = 0.37
-    stack = _core_tests.disk_stack(
-        wavefront.indices.astype(np.int64), wavefront.edge, eps, 0.0, 0.0, 1.0, moved=False
-    )
-    terms = stack["terms"]
-    assert set(wavefront.terms) - {(2, 0), (4, 0)} <= set(terms)
-    rho, theta = np.linspace(0.0, 1.0, 40)[:, None], np.linspace(0.0, 6.0, 30)
-    whole = sum(
-        c * zernike.polynomial(n, m, eps * rho, theta) for (n, m), c in zip(terms, stack["outer"], strict=True)
-    )
-    small = sum(c * zernike.polynomial(n, m, rho, theta) for (n, m), c in zip(terms, stack["inner"], strict=True))
-    assert np.abs(small - whole).max() < 1e-12
 
 
 def test_the_strongest_pupil_of_a_stack_may_be_far_stronger_than_the_rest():

@@ -55,14 +55,6 @@ def test_the_error_falls_with_the_tolerance_and_stays_below_it(wavefront: Wavefr
         assert bound[0] <= tol * pupil.area + 1e-15 * (np.abs(pupil.coefficients()).sum() + 20)
 
 
-@pytest.mark.parametrize("block", [1, 1000, 4096])
-def test_the_size_of_the_blocks_does_not_matter(block: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    pupil, v = Pupil(Wavefront(30.0, -7.0)), np.linspace(0.0, 90.0, 301)
-    whole = Hankel().field(pupil, v)
-    monkeypatch.setattr(hankel, "_BLOCK", block)
-    assert np.abs(Hankel().field(pupil, v) - whole).max() <= 1e-15
-
-
 def test_its_intensity_error_bound_is_relative_to_the_largest_value() -> None:
     pupil = Pupil(Wavefront(20.0))
     intensity, bound = Hankel(tol=1e-5).profile(pupil, V)[:2]
@@ -118,49 +110,6 @@ def test_growth_bounds_the_integrand_on_every_ellipse(
         assert np.all(-_phase(coefficients, t).imag + log_j0 <= exponent + 1e-9 * (1 + exponent))
 
 
-@given(st.floats(1e-6, 0.95), st.sampled_from([7, 16, 65]))
-def test_between_points_of_an_annulus_the_kernel_is_below_what_is_said_of_each_interval(
-    low: float, steps: int
-) -> None:
-    fine = np.abs(np.sqrt(hankel.ellipses(ETA, low, 40 * steps)).imag)
-    inside = np.stack([fine[:, k : k + 40 * steps : 40] for k in range(41)])
-    told = hankel.rise(ETA, low, steps)
-    assert np.all(inside <= told * (1 + 1e-12) + 1e-15)
-    assert np.allclose(told.max(axis=1), fine.max(axis=1), rtol=1e-2)
-
-
-def test_the_kernel_of_an_annulus_is_largest_between_points_and_the_bound_says_so() -> None:
-    low, steps = 0.05, 7
-    at = np.abs(np.sqrt(hankel.ellipses(ETA, low, steps)).imag).max(axis=1)
-    fine = np.abs(np.sqrt(hankel.ellipses(ETA, low, 7000)).imag).max(axis=1)
-    assert np.any(at < 0.999 * fine)
-    assert np.all(hankel.rise(ETA, low, steps).max(axis=1) >= fine * (1 - 1e-12))
-
-
-@given(st.lists(st.floats(-1, 1), min_size=1, max_size=4), st.floats(0, 1))
-def test_between_points_a_phase_and_a_kernel_together_are_below_their_bound(parts: list[float], turn: float) -> None:
-    degree, steps = len(parts), 3 * len(parts)
-    fine = np.linspace(0.0, math.pi, 50 * steps + 1)
-    phase = np.abs(sum(a * np.sin(k * fine) for k, a in enumerate(parts, 1)))
-    kernel = turn * np.arange(1.0, steps + 1)
-    largest = max((phase[50 * k : 50 * k + 51].max() + kernel[k]) for k in range(steps))
-    told = hankel.between(phase[None, ::50], kernel[None], degree, 0.1)
-    assert largest <= told[0] * (1 + 1e-12) + 1e-15
-
-
-def test_a_phase_that_is_largest_between_two_points_is_not_missed() -> None:
-    phase = np.sin(np.linspace(0.0, math.pi, 4))[None]
-    assert hankel.between(phase, np.zeros((1, 3)), 1, 0.1)[0] >= 1.0 > phase.max()
-
-
-@given(st.lists(st.tuples(*[st.floats(-200, 200, allow_subnormal=False)] * 2), min_size=2, max_size=5), lows, radii)
-def test_growth_of_a_stack_bounds_that_of_each_pupil(rows: list[tuple[float, float]], low: float, v: float) -> None:
-    stack = np.array(rows)
-    together = hankel.growth(stack, low, v)
-    for row in stack:
-        assert np.all(hankel.growth(row[None], low, v) <= together * (1 + 1e-12))
-
-
 @given(pupils, lows, radii, st.integers(3, 12))
 def test_gauss_quadrature_is_as_accurate_as_promised_with_few_nodes_to_spare(
     coefficients: NDArray[np.float64], low: float, v: float, digits: int
@@ -185,11 +134,3 @@ def test_more_nodes_never_promise_less(coefficients: list[float], v: float) -> N
     errors = [hankel.quadrature_error(g, n, 0.0) for n in range(1, 700)]
     assert all(later <= earlier for earlier, later in itertools.pairwise(errors))
     assert errors[-1] < 1e-15
-
-
-def test_the_estimate_of_rounding_grows_with_the_phase_and_shrinks_with_the_area() -> None:
-    estimate = hankel.rounding_error(np.array([[0.0, 0.0], [400.0, -200.0]]), 0.0, 100)
-    assert estimate.shape == (2,)
-    assert estimate[0] >= 16 * 2.0**-53
-    assert estimate[1] - estimate[0] == pytest.approx(2 * 600 * 2.0**-53)
-    assert hankel.rounding_error(np.zeros((1, 2)), 0.75, 100)[0] == pytest.approx(0.25 * estimate[0])

@@ -7,8 +7,6 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 import lommel as lm
 from lommel import Lens, Pupil, Wavefront
@@ -23,7 +21,6 @@ from lommel.methods import (
     RadialMethod,
     method_from_dict,
 )
-from lommel.methods.method import relative_error
 from lommel.paper import AbramowitzErf, ClosedForm, Fraunhofer, Geometric, HuygensFresnel, LommelSeries, TableErf
 
 LENS = Lens(focal_length=2e-3, f_number=8.0, focus_distance=0.5, wavelength=500e-9)
@@ -126,24 +123,6 @@ def test_the_names_of_the_command_line_are_all_the_methods() -> None:
     assert {kind.__name__ for kind in (*METHODS.values(), *ERFS.values())} <= {*lm.methods.__all__, *lm.paper.__all__}
     assert {kind.sampling for name, kind in METHODS.items() if name != "geometric"} == {"center"}
     assert METHODS["geometric"].sampling == "pixel"
-
-
-unit = st.complex_numbers(max_magnitude=1.0, allow_nan=False, allow_infinity=False)
-
-
-@given(st.lists(unit, min_size=1, max_size=6), st.lists(unit, min_size=6, max_size=6), st.floats(1e-6, 0.3))
-def test_an_error_of_the_field_moves_the_intensity_by_no_more_than_the_bound_of_the_peak(
-    exact: list[complex], direction: list[complex], error: float
-) -> None:
-    """The peak is that of the exact intensity, which the computed one may exceed."""
-    u = np.array([1.0, *exact])
-    off = u + error * np.array([1.0, *direction[: len(exact)]])
-    bound = relative_error(np.abs(off[None]) ** 2, np.array([error]))[0]
-    assert np.abs(np.abs(off) ** 2 - np.abs(u) ** 2).max() <= bound * (np.abs(u) ** 2).max() + 1e-14
-
-
-def test_where_no_light_was_found_no_relative_bound_holds() -> None:
-    assert relative_error(np.zeros((1, 3)), np.array([1e-15]))[0] == math.inf
 
 
 def test_the_bound_of_a_stack_is_that_of_its_worst_pupil() -> None:

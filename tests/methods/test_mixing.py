@@ -48,13 +48,6 @@ def test_sums_and_bounds_are_those_written_out(window):
         assert made.peak == pytest.approx(peak - off, rel=1e-12)
 
 
-def test_parts_are_asked_for_more_until_every_sum_is_exact_enough():
-    ask, asked = parts_of(lambda k, tol: 5.0 * tol if k == 0 else 1e-3 * tol)
-    found = sum_wavelengths(PARTS, SHARES, ask, KEPT, 1e-6)
-    assert max(made.error.max() for made in found) <= 1e-6
-    assert asked[0] == 1e-6 > asked[-1]
-
-
 @pytest.mark.parametrize("worst", [[3e-6, 0.9e-6], [1e-3, 3e-6, 1e-6], [1e-6], [1.9e-6] * 21])
 def test_parts_are_tightened_until_their_sum_is_within_the_tolerance(worst, monkeypatch):
     """By the excess and by two, a thousandth at a time at most, down to the least that there is."""

@@ -134,16 +134,6 @@ def test_in_single_precision_the_bound_includes_the_rounding_of_the_values(name:
     assert np.abs(answer.values - exact).max() / peak <= answer.error_bound <= tol
 
 
-def test_every_pupil_of_a_stack_meets_the_tolerance_by_its_own_peak() -> None:
-    defocus, spherical = np.array([0.0, 3.0, -50.0, 200.0, -200.0]), np.array([0.0, -2.0, 0.0, 0.0, 150.0])
-    for shape, pixel in GRIDS.values():
-        pupils = Pupil(Wavefront(defocus, spherical), obscuration=0.2)
-        answer = lm.psf(pupils, shape, pixel, method=NijboerZernike(1e-7), normalize="strehl", dtype=np.float64)
-        for i, values in enumerate(answer.values):
-            exact = lm.psf(pupils[i], shape, pixel, method=Hankel(), normalize="strehl").values
-            assert np.abs(values - exact).max() <= 1e-7 * _peak(pupils[i], exact)
-
-
 @given(amounts, amounts, st.floats(0, 300, allow_subnormal=False), st.floats(3, 9))
 def test_the_profile_at_one_radius_alone_meets_the_tolerance(
     defocus: float, spherical: float, v: float, digits: float

@@ -20,13 +20,6 @@ def lens(wavelength: float = 550e-9) -> lm.Lens:
     return lm.Lens(focal_length=20e-3, f_number=4.0, wavelength=wavelength, aberrations=aberrations)
 
 
-def test_a_spectrum_is_the_sum_of_what_each_wavelength_makes():
-    answer = lm.psf(lens().pupil(3.0), 41, 2e-6, method=Polychromatic(WAVES, WEIGHTS))
-    parts = [lm.psf(lens(w).pupil(3.0), 41, 2e-6, method="hankel").values for w in WAVES]
-    expected = sum(w / 4.0 * p for w, p in zip(WEIGHTS, parts, strict=True))
-    assert lm.peak_error(answer, expected) <= answer.error_bound <= 1.1e-6
-
-
 def test_without_aberration_the_strehl_ratio_is_one():
     perfect = lm.Pupil(wavelength=550e-9, f_number=4.0)
     answer = lm.psf(perfect, 21, 1e-6, method=Polychromatic(WAVES, WEIGHTS), normalize="strehl", integrate=False)
@@ -39,22 +32,6 @@ def test_without_weights_all_wavelengths_count_alike():
     assert Polychromatic(WAVES, tol=1e-4).weights == pytest.approx((1 / 3, 1 / 3, 1 / 3))
     with pytest.raises(ValueError, match="wavelengths must not be empty"):
         Polychromatic(())
-
-
-def test_a_spectrum_of_a_wavefront_that_depends_on_the_direction_is_the_sum_of_its_parts():
-    pupil = lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 3.0, (2, -2): 1.0}), wavelength=550e-9, f_number=4.0)
-    answer = lm.psf(pupil, (21, 24), 1e-6, method=Polychromatic(WAVES, WEIGHTS), normalize="strehl", dtype=np.float64)
-    total, whole = np.zeros((21, 24)), 0.0
-    for wave, weight in zip(WAVES, WEIGHTS, strict=True):
-        scale = 550e-9 / wave
-        part = lm.Pupil(scale * pupil.wavefront, wavelength=wave, f_number=4.0)
-        one = lm.psf(part, (21, 24), 1e-6, normalize="strehl", method=NijboerZernike(1e-9), dtype=np.float64)
-        total += weight * scale**2 * one.values
-        whole += weight * scale**2
-    assert np.abs(answer.values - total / whole).max() <= answer.error_bound * answer.values.max()
-    assert answer.error_bound <= 1e-6 + 1e-15
-    with pytest.raises(ValueError, match="sums Hankel, which supports radially symmetric"):
-        lm.psf(pupil, 21, 1e-6, method=Polychromatic(WAVES, WEIGHTS, Hankel()))
 
 
 @pytest.mark.parametrize(
@@ -92,18 +69,6 @@ def test_the_energy_of_white_light_within_any_radius_is_that_of_its_parts():
     assert far.energy == pytest.approx(alone.energy, abs=1e-7)
     assert far.fwhm() == pytest.approx(alone.fwhm(), rel=1e-7)
     assert far.energy_diameter(0.9) == pytest.approx(alone.energy_diameter(0.9), rel=1e-6)
-
-
-def test_white_light_of_any_aperture_takes_the_method_of_each_wavelength():
-    pupil = lm.Pupil(lm.Wavefront(1.0), spider=lm.Spider.equal(4, width=0.1), wavelength=550e-9, f_number=4.0)
-    answer = lm.psf(pupil, (9, 8), 2e-6, method=Polychromatic(WAVES, WEIGHTS))
-    exact = np.zeros((9, 8))
-    for wave, weight in zip(WAVES, WEIGHTS, strict=True):
-        part = lm.Pupil(550e-9 / wave * lm.Wavefront(1.0), spider=pupil.spider, wavelength=wave, f_number=4.0)
-        exact += 0.25 * weight * lm.psf(part, (9, 8), 2e-6, dtype="float64").values
-    assert lm.peak_error(answer, exact) < answer.error_bound <= 1e-6
-    with pytest.raises(ValueError, match="Polychromatic sums NijboerZernike, which supports circular and annular"):
-        lm.psf(pupil, 9, 2e-6, method=Polychromatic(WAVES, WEIGHTS, NijboerZernike()))
 
 
 def test_a_sum_dimmer_than_its_parts_together_is_still_within_the_tolerance():

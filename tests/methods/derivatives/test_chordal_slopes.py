@@ -15,7 +15,6 @@ from lommel import _core
 from lommel.core.answers import Wanted
 from lommel.core.engine import DiskStack, Window, chordal_gradient, chordal_images
 from lommel.methods import ChordalGauss
-from lommel.methods.averaging import averaging_filter, spread_out
 from lommel.optics.grid import Grid
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -170,18 +169,6 @@ def test_the_gradient_of_averages_is_the_sum_over_derivatives_too(integrate):
     slopes = method.images(pupil, grid, Wanted(terms=terms)).slopes.values
     found = method.gradient(pupil, grid, weights, terms)
     assert found == pytest.approx(np.einsum("knyx,nyx->nk", slopes, weights), rel=0, abs=1e-9)
-
-
-def test_weights_of_samples_are_the_filter_transposed():
-    taps, rng = averaging_filter(2.7, 1e-6), np.random.default_rng(0)
-    tall, wide = 4 * taps.stride + taps.weights.size, 2 * taps.stride + taps.weights.size
-    samples, weights = rng.normal(size=(2, tall, wide)), rng.normal(size=(2, 5, 3))
-    averages = np.empty((2, 5, 3))
-    _core.average_samples(samples, taps.weights[None], taps.stride, 1, averages, -math.inf)
-    spread = spread_out(weights, taps)
-    assert (samples * spread).sum(axis=(1, 2)) == pytest.approx((averages * weights).sum(axis=(1, 2)), rel=1e-12)
-    _core.average_samples(samples, taps.weights[None], taps.stride, 1, averages)
-    assert averages.min() == 0.0
 
 
 @pytest.mark.parametrize("level", LEVELS)

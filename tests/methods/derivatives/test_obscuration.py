@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from disk_quadrature import exact_lattice
-from lommel.methods.derivatives import _nodes, obscuration_derivative
+from lommel.methods.derivatives import obscuration_derivative
 from lommel.optics.grid import Grid
 
 
@@ -28,19 +28,6 @@ def rim(of: lm.Pupil, vx: np.ndarray, vy: np.ndarray, nodes: int) -> np.ndarray:
     wave = np.exp(1j * of.wavefront.phase(np.full(nodes, eps), theta))
     kernel = np.multiply.outer(vx, np.cos(theta)) + np.multiply.outer(vy, np.sin(theta))
     return np.exp(-1j * eps * kernel) @ wave / nodes
-
-
-@pytest.mark.parametrize("seed", range(12))
-@pytest.mark.parametrize("error", [1e-3, 1e-7, 1e-12])
-def test_as_many_angles_are_taken_as_the_error_needs_and_hardly_more(seed, error):
-    rng = np.random.default_rng(seed)
-    one, reach = pupil(rng), 10.0 ** rng.uniform(-1, 2)
-    angles = rng.uniform(0, 2 * math.pi, 40)
-    vx, vy = reach * np.cos(angles), reach * np.sin(angles)
-    exact = rim(one, vx, vy, 1500)
-    nodes = _nodes(one.wavefront.amplitudes(), one.obscuration, reach, error)
-    assert np.abs(rim(one, vx, vy, nodes) - exact).max() <= error + 1e-13
-    assert np.abs(rim(one, vx, vy, max(1, nodes // 3)) - exact).max() > error
 
 
 @pytest.mark.parametrize("integrate", [False, True])
@@ -63,15 +50,3 @@ def test_the_derivative_is_that_of_quadrature(integrate, error, seed):
     found, bound = obscuration_derivative(one, grid, error)
     assert np.abs(found[0] - exact).max() <= bound[0] + 1e-13
     assert bound[0] <= error
-
-
-def test_each_pupil_of_a_stack_has_its_own():
-    one = pupil(np.random.default_rng(9))
-    both = lm.Pupil(
-        one.wavefront + lm.Wavefront([0.0, 2.0]), obscuration=one.obscuration, apodization=one.apodization
-    )
-    grid = Grid(7, 0.4, center=([3.0, 2.5], [3.2, 3.3]), integrate=True)
-    found, _ = obscuration_derivative(both, grid, 1e-10)
-    for i in range(2):
-        alone, _ = obscuration_derivative(both[i], grid[i], 1e-10)
-        assert found[i] == pytest.approx(alone[0], abs=2e-10)

@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from disk_quadrature import exact_lattice
-from lommel.core.answers import Samples, Wanted
+from lommel.core.answers import Wanted
 from lommel.methods import ChordalGauss, NijboerZernike
 from lommel.methods.averaging import averaging_filter, slope_filter
 from lommel.methods.derivatives import TILTS, scaling_derivative, tilted
@@ -57,36 +57,6 @@ def test_slopes_from_samples_are_those_by_tilts(integrate, pixel, tol):
         for (values, error), exact, known in zip(found, *truth.slopes, strict=True):
             assert np.all(np.abs(values - exact).max(axis=(1, 2)) <= error + known * truth.peak)
             assert np.all(error <= 20.0 * tol)
-
-
-def slopes_of(light, off, integrate):
-    """Slopes along a row of what would be sampled, off by so much, and their bound."""
-
-    def ask(method, pupil, grid, wanted):
-        values = np.broadcast_to(light(np.arange(grid.width) - grid.axis[1], grid.step(pupil)), (1, *grid.shape))
-        return Samples(np.ascontiguousarray(values), np.ones(1), np.array([off]), None, np.ones(1))
-
-    grid = Grid(5, 0.5, integrate=integrate)
-    (slope, error), _ = tilted(NijboerZernike(1e-4), lm.Pupil(lm.Wavefront(0.0)), grid, compute=ask)
-    return slope[0, 2], float(error[0])
-
-
-@pytest.mark.parametrize("integrate", [False, True])
-def test_slopes_from_samples_hold_the_worst_that_samples_are_off_by(integrate):
-    """Errors of alternating signs, which differences add up."""
-    off = 1e-3
-    slope, error = slopes_of(lambda j, _: off * (-1.0) ** np.round(j) * np.sign(np.round(j)), off, integrate)
-    assert 0.4 * error < abs(slope[2]) <= error
-
-
-@pytest.mark.parametrize("integrate", [False, True])
-def test_slopes_from_samples_hold_what_the_filter_is_off_by(integrate):
-    step, worst = Grid(5, 0.5).step(lm.Pupil(lm.Wavefront(0.0))), 0.0
-    for w in np.linspace(0.0, 2.0, 300):
-        slope, error = slopes_of(lambda j, pitch, w=w: np.cos(w * pitch * j), 0.0, integrate)
-        exact = w * np.sin(w * step * (np.arange(5) - 2)) * (np.sinc(0.5 * step * w / math.pi) if integrate else 1.0)
-        worst = max(worst, float(np.abs(slope - exact).max()))
-    assert 0.2 * error < worst <= error
 
 
 @pytest.mark.parametrize("integrate", [False, True])

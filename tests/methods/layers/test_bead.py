@@ -9,7 +9,6 @@ import pytest
 
 import lommel as lm
 from lommel.methods import Bead, DebyeWolf, method_from_dict
-from lommel.methods.layers.samples import ETA
 from lommel.special.legendre import gauss_legendre
 from objectives import FIVE, OIL
 from plane_waves import intensity
@@ -99,17 +98,3 @@ def test_all_light_of_a_bead_is_in_its_image():
 
 def test_a_bead_comes_back_from_what_files_say_of_it():
     assert method_from_dict(Bead(1e-7, 1e-5).to_dict()) == Bead(1e-7, 1e-5)
-
-
-@pytest.mark.parametrize("diameter", [50e-9, 400e-9])
-def test_light_that_fades_into_the_sample_grows_towards_the_glass_as_its_fastest_wave(diameter):
-    pupil = OIL.pupil(depth=1e-6, z=1e-6, wavelength=520e-9)
-    layers = pupil.layers
-    assert layers.sample < layers.NA
-    # From the middle to the top of a ball, for which ellipses shrink to its heights: of |exp(-kappa h)|^2.
-    kappa = layers.wavenumber * np.sqrt(layers.NA**2 - layers.sample**2)
-    growth = Bead(diameter)._growth(pupil)
-    eta = ETA
-    assert np.all(growth >= kappa * diameter * np.cosh(eta))
-    across = layers.wavenumber * 2.0 * layers.NA * 0.5 * diameter * np.sinh(eta)
-    assert np.all(growth <= kappa * diameter * np.cosh(eta) + 1.5 * across)

@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel import _core
-from lommel.core.engine import SeriesSizes, chordal_field_errors, folded_waves
+from lommel.core.engine import SeriesSizes, chordal_field_errors
 from lommel.methods import ChordalDebye, DebyeRings, Stratified
 from lommel.methods.layers import chordal_debye
 from lommel.optics.grid import Grid
@@ -31,18 +31,6 @@ def test_the_light_is_the_sum_of_its_plane_waves(emitter):
     made = lm.psf(pupil, 7, PIXEL, method=ChordalDebye(1e-9), integrate=False, dtype=np.float64)
     assert worst(OIL, pupil, made, 7) <= 1e-10
     assert made.error_bound <= 1e-9
-
-
-@pytest.mark.parametrize("emitter", EMITTERS, ids=repr)
-@pytest.mark.parametrize("integrate", [False, True])
-def test_it_agrees_with_orders_on_circles(emitter, integrate):
-    pupil = OIL.pupil(depth=[0.1e-6, 3e-6], z=[-0.3e-6, 0.5e-6], emitter=emitter, wavelength=WAVE, aberrations=FIVE)
-    chords, circles = (
-        lm.psf(pupil, 9, PIXEL, method=method(1e-8), integrate=integrate, dtype=np.float64)
-        for method in (ChordalDebye, DebyeRings)
-    )
-    assert lm.peak_error(chords, circles) <= 1e-8
-    assert chords.error_bound <= 1e-8
 
 
 @pytest.mark.parametrize("seed", range(30))
@@ -161,27 +149,6 @@ def fine(function):
     return (w[:, None] * rho * function(rho, theta)).sum() / 128
 
 
-@pytest.mark.parametrize("seed", range(8))
-def test_terms_of_high_degree_hardly_reach_a_small_window(seed):
-    rng = np.random.default_rng(seed)
-    wavefront = lm.Wavefront.zernike({(n, m): 0.1 * rng.normal() for n in (2, 3) for m in range(-n, n + 1, 2)})
-    v = rng.uniform(0.3, 3.0)
-    size = chordal_debye.growth(wavefront.flattened(), np.array([-v, -v]), np.array([v, v])).projection
-    q = int(rng.integers(0, 3))
-    degree = q + 2 * (seed + 1) - 1
-
-    def wave(rho, theta):
-        phase = wavefront.phase(rho, theta) - v * rho * (np.cos(theta) + np.sin(theta))
-        return np.exp(1j * (phase + q * theta))
-
-    degrees = np.arange(degree + 1, degree + 40, 2)
-    each = [fine(lambda rho, theta, n=n: zernike.radial(int(n), q, rho) * wave(rho, theta)) for n in degrees]
-    # The worst amplitude of norm 1 without terms up to the degree.
-    exact = np.sqrt(((degrees + 1.0) * np.abs(each) ** 2).sum())
-    bound = chordal_debye.truncation_error(size, degree)
-    assert 1e-5 * bound <= exact + 1e-13 <= bound + 2e-13
-
-
 @pytest.mark.parametrize("few", ["chords", "nodes"])
 @pytest.mark.parametrize("count", [4, 6, 8, 10, 14])
 @pytest.mark.parametrize(("n", "q"), [(0, 0), (4, 0), (6, 2)])
@@ -206,65 +173,6 @@ def test_sums_of_each_term_are_within_the_bound_of_chords_and_nodes(few, count, 
         assert error <= bound + 1e-14
         found.append(error / bound if error > 1e-13 else 0.0)
     assert max(found) > 1e-5 or count > 10  # far from the bound, were it a wrong one
-
-
-@pytest.mark.parametrize(("chords", "nodes"), [(4, 4), (6, 10), (54, 50)])
-def test_waves_are_folded_by_parity(chords, nodes):
-    coefficients = {(2, 2): [0.7, 1.0], (3, 1): [0.2, -3.0], (2, -2): [0.4, 90.0], (1, 1): 1.3, (4, 0): -2.0}
-    wavefront = lm.Wavefront.zernike(coefficients).flattened()
-    at, terms = chordal_debye.quadrant(chords, nodes), chordal_debye.node_terms(chords, nodes, wavefront.terms)
-    signs = np.array([[1, 1, 1, 1], [1, -1, 1, -1], [1, 1, -1, -1], [1, -1, -1, 1]])
-    phases = np.zeros((2, 4, *at.rho.shape))
-    for image, theta in enumerate((at.theta, -at.theta, np.pi - at.theta, np.pi + at.theta)):
-        for j, (n, m) in enumerate(wavefront.terms):
-            phases[:, image] += wavefront.edge[:, j, None, None] * zernike.polynomial(n, m, at.rho, theta)
-    waves = at.weight * np.exp(1j * phases)
-    found = folded_waves(terms, wavefront.edge, at.weight)
-    expected = np.einsum("pi,wihn->wphn", signs, waves)[None]
-    assert found == pytest.approx(expected, rel=0.0, abs=1e-13 * np.abs(expected).max())
-
-
-@pytest.mark.parametrize(("y", "x"), [(0.0, 0.0), (0.3, 0.1), (4.0, 0.0), (0.0, 4.0), (6.0, 8.0), (15.0, 15.0)])
-def test_means_of_the_kernel_are_within_their_bounds(y, x):
-    found = chordal_debye.means_of_kernel(y, x)
-    a, (eta, weight) = 2.0 * np.pi * (np.arange(96) + 0.5) / 96, np.polynomial.legendre.leggauss(40)
-    for k in range(0, 64, 7):
-        b = chordal_debye._B[k]
-        if max(x, y) * np.sinh(b) > 40.0:
-            continue
-        z = a[:, None] + 1j * b
-
-        def light(first, second, turn=0.0):
-            at = np.cos(turn) * first - np.sin(turn) * second, np.sin(turn) * first + np.cos(turn) * second
-            return np.abs(np.exp(-1j * (x * at[0] + y * at[1])))
-
-        across = np.mean([light(np.cos(z), eta * np.sin(z), turn).mean(axis=0) @ weight / 2.0 for turn in a])
-        shares = np.abs(np.sin(z)) ** 2 / (0.5 * np.cosh(2.0 * b))
-        around = (shares * light(np.cos(z), eta * np.sin(z))).mean(axis=0) @ weight / 2.0
-        chord = np.pi / 21 * np.arange(1, 21)[:, None]
-        nodes = light(np.cos(chord), np.sin(chord) * np.cos(a + 1j * b)).mean(axis=1)
-        along = (2.0 / 21 * np.sin(chord[:, 0]) ** 2) @ nodes
-        assert across == pytest.approx(np.exp(found[0][k]), rel=1e-9)
-        assert around * (1.0 - 1e-12) <= np.exp(found[1][k]) <= 4.0 * around
-        assert along * (1.0 - 1e-12) <= np.exp(found[2][k]) <= 8.0 * along
-
-
-def test_tilts_shift_the_window():
-    low, high = np.array([-1.0, 2.0]), np.array([3.0, 5.0])
-    tilted, other = (
-        lm.Wavefront.zernike({(1, -1): 0.7, (1, 1): -0.4, (2, 0): 0.3}),
-        lm.Wavefront.zernike({(2, 0): 0.3}),
-    )
-    moved = np.array([float(tilted.edge_terms()[term]) for term in ((1, -1), (1, 1))])
-    found = chordal_debye.growth(tilted.flattened(), low + moved, high + moved)
-    for one, exact in zip(found, chordal_debye.growth(other.flattened(), low, high), strict=True):
-        assert np.allclose(one, exact, rtol=1e-12)
-
-
-def test_terms_as_factors_grow_like_their_degree():
-    plain = chordal_debye.growth(FIVE.flattened(), np.array([-3.0, -3.0]), np.array([3.0, 3.0]))
-    for one, other in zip(plain.times(4), plain, strict=True):
-        assert np.allclose(one - other, np.log(np.cosh(4.0 * chordal_debye._B)), rtol=0.0, atol=1e-9)
 
 
 def test_errors_of_fields_become_those_of_intensities_and_slopes(monkeypatch):
@@ -308,17 +216,6 @@ def test_coefficients_are_the_integrals_over_the_pupil(kind):
         held = (np.abs(each) ** 2 / (n + 1.0)).sum(axis=1)
         assert np.sqrt(held.max()) <= projection.norm(pupil.layers, model)
     assert made.error <= 2e-9
-
-
-def test_the_rule_of_a_range_of_depths_and_stages_is_shared():
-    pupils = [
-        OIL.pupil(depth=d, z=z, wavelength=WAVE, aberrations=FIVE) for d, z in ((1e-6, 1e-7), (1.01e-6, 1.2e-7))
-    ]
-    for pupil in pupils:
-        lm.psf(pupil, 7, PIXEL, method=ChordalDebye(1e-5))
-    before = projection._integrals.cache_info().misses
-    lm.psf(OIL.pupil(depth=1.02e-6, z=1.1e-7, wavelength=WAVE, aberrations=FIVE), 7, PIXEL, tol=1e-5)
-    assert projection._integrals.cache_info().misses == before
 
 
 @pytest.mark.parametrize("integrate", [False, True])
@@ -402,10 +299,3 @@ def test_strong_aberrations_are_computed_or_declined(waves):
     made = lm.psf(pupil, 5, PIXEL, tol=1e-3, integrate=False)
     assert made.error_bound <= 1e-3
     assert np.isfinite(1e6 * chordal_debye._powers(0, chordal_debye._MOST_DEGREE).sum(axis=0)).all()
-
-
-def test_derivatives_by_terms_are_those_of_small_windows():
-    pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
-    with pytest.raises(ValueError, match="smaller shape"):
-        lm.psf(pupil, 9, PIXEL, method="debye-rings", derivatives=((2, 2),))
-    assert isinstance(lm.psf(pupil, 255, PIXEL, derivatives=("z",)).method, DebyeRings)

@@ -7,7 +7,6 @@ import pytest
 
 import lommel as lm
 from lommel import _core
-from lommel.methods.layers import debye_rings
 from lommel.methods.layers.debye_rings import DebyeRings
 from lommel.optics.layers import debye, projection
 from objectives import EMITTERS, FIVE, OIL
@@ -88,15 +87,6 @@ def test_each_plane_is_over_the_light_of_its_own_depth():
         assert made.values[k] == pytest.approx(alone.values, abs=3e-6 * float(alone.values.max()))
 
 
-def test_a_stack_in_parts_is_the_stack(monkeypatch):
-    wave = lm.Wavefront.zernike({(2, 2): np.linspace(-0.4, 0.3, 19), (3, 1): 0.3})
-    pupil = OIL.pupil(depth=np.linspace(0.0, 1e-6, 19), wavelength=WAVE, aberrations=wave)
-    whole = rings(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
-    monkeypatch.setattr(debye_rings, "_PARTS", 1)
-    made = rings(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
-    assert made == pytest.approx(whole, abs=2e-9 * whole.max())
-
-
 def test_values_over_their_peak_are_the_same_ones():
     pupil = OIL.pupil(depth=0.0, z=[-2e-7, 1e-7], wavelength=WAVE, aberrations=FIVE)
     made = rings(pupil, 9, PIXEL, integrate=False, normalize="peak")
@@ -140,50 +130,6 @@ def test_in_one_medium_with_a_small_aperture_it_is_the_scalar_lens():
     for integrate in (True, False):
         here, there = (lm.psf(one, 21, 20e-6, integrate=integrate, tol=1e-8) for one in (pupil, lens))
         assert here.values == pytest.approx(there.values, abs=5e-8 * there.values.max())
-
-
-WAVEFRONTS = [{(2, 2): 3.0}, {(3, 1): 1.0, (4, -4): 2.0}, {(8, 2): 0.5, (6, 0): 4.0}]
-
-
-@pytest.mark.parametrize("terms", WAVEFRONTS)
-def test_orders_left_out_are_less_than_they_are_proven_to_be(terms):
-    wave = lm.Wavefront(nonradial={t: c for t, c in terms.items() if t[1]}, spherical=terms.get((6, 0), 0.0))
-    rho = np.linspace(0.0, 1.0, 9)
-    found = projection.samples(wave, rho, projection.Orders(60, 256, 0.0))[0]
-    for error in (1e-2, 1e-5, 1e-9):
-        kept = projection.orders(tuple(wave.amplitudes().items()), error)
-        few = projection.samples(wave, rho, kept)[0]
-        off = np.abs(found).sum(axis=0) - np.abs(found[60 - kept.most : 61 + kept.most]).sum(axis=0)
-        off += np.abs(few - found[60 - kept.most : 61 + kept.most]).sum(axis=0)
-        assert off.max() <= kept.error + 1e-13
-        assert kept.error <= error
-        assert kept.most < 58
-
-
-@pytest.mark.parametrize("terms", WAVEFRONTS)
-def test_as_few_orders_as_a_rule_needs_are_kept(terms):
-    waves = [lm.Wavefront.zernike({t: share * c for t, c in terms.items()}) for share in (1.0, 0.5)]
-    pupil = OIL.pupil(depth=0.1e-6, wavelength=WAVE)
-    at = pupil.depth.ravel(), pupil.focus.ravel()
-    rule = debye.rule(pupil.layers, debye.Model(), *at, 20.0, 1e-9)
-    wave = lm.Wavefront.zernike({t: [c, 0.5 * c] for t, c in terms.items()})
-    sizes = tuple(wave.amplitudes().items())
-    for error in (1e-2, 1e-5, 1e-9):
-        across, left = projection.components(wave, sizes, rule, error)
-        most = across.shape[1] // 2
-        assert left <= 1.02 * error
-        worst = 0.0
-        for each, made in zip(waves, across, strict=True):
-            found = projection.samples(each, rule.rho, projection.Orders(120, 512, 0.0))[0]
-            found[120 - most : 121 + most] -= made
-            off = np.abs(found).sum(axis=0)
-            worst = max(worst, *(float((np.abs(part) * off).sum()) for part in rule.parts))
-        assert worst <= left + 1e-13
-        # One order fewer would not do, and many fewer are kept than hold for all radii.
-        assert most < projection.orders(sizes, error).most
-        if most:
-            fewer, more = projection.components(wave, sizes, rule, 0.99 * left)
-            assert fewer.shape[1] // 2 > most or more <= left
 
 
 @pytest.mark.parametrize(

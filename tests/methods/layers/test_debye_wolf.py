@@ -102,16 +102,6 @@ def test_emitted_light_is_what_is_collected_over_that_of_an_emitter_far_away():
     assert ratio == pytest.approx(np.broadcast_to(collected[:, None, None], ratio.shape), rel=1e-5)
 
 
-def test_averages_of_a_dipole_may_have_an_axis_for_each_plane():
-    pupil = OIL.pupil(depth=0.0, z=[-2e-7, 1e-7], wavelength=WAVE, emitter=lm.Dipole(0.5, 0.2))
-    rows, columns = np.array([2.0, 2.5]), np.array([1.5, 2.0])
-    asked = {"integrate": True, "dtype": np.float64, "method": DebyeWolf(1e-7)}
-    made = lm.psf(pupil, 5, PIXEL, center=(rows, columns), **asked)
-    for k in range(2):
-        alone = lm.psf(pupil[k], 5, PIXEL, center=(rows[k], columns[k]), **asked)
-        assert made.values[k] == pytest.approx(alone.values, abs=3e-7 * alone.values.max())
-
-
 def test_origins_differ_by_where_the_focus_is():
     focus = OIL.focus(2e-6, wavelength=WAVE)
     for origin, start in (("coverslip", 0.0), ("paraxial", focus.paraxial), ("brightest", focus.brightest)):

@@ -99,23 +99,6 @@ def test_what_the_terms_leave_out_is_in_bounds(integrate):
         assert vague.derivative_bounds[name] >= sharp.derivative_bounds[name] + most
 
 
-def test_storing_in_single_precision_is_in_bounds():
-    names = ("z", "row", "depth")
-    single, double = (
-        lm.psf(
-            OIL.pupil(depth=1e-6, z=2e-6, wavelength=WAVE, origin="coverslip", emitter=lm.Dipole(0.7, 0.4)),
-            SIDE,
-            PIXEL,
-            dtype=dtype,
-            derivatives=names,
-        )
-        for dtype in (np.float32, np.float64)
-    )
-    for name in names:
-        largest = np.abs(double.derivatives[name]).max() / double.values.max()
-        assert single.derivative_bounds[name] >= double.derivative_bounds[name] + 0.99 * 2.0**-24 * largest
-
-
 def test_each_plane_has_its_own_axis():
     light = {"emitter": lm.Dipole(0.7, 0.4)}
     for more in ({}, {"aberrations": MEASURED}):

@@ -41,13 +41,6 @@ def test_filters_have_the_response_of_a_disc(radius, step, error):
     assert made.gain == pytest.approx(gain)
 
 
-def test_large_discs_are_declined():
-    pupil = OIL.pupil(depth=1e-6, wavelength=525e-9, aberrations=FIVE)
-    beam = {"depth": 1e-6, "z": pupil.focus, "origin": "coverslip", "wavelength": 488e-9, "emitter": lm.Beam()}
-    with pytest.raises(ValueError, match="use a smaller pinhole or bead"):
-        lm.microscopy.confocal(OIL.pupil(**beam), pupil, 5, PIXEL, pinhole=90.0)
-
-
 def colours(beam, emitter, exciting, emitting):
     """Return excitation and emission in two planes."""
     z = np.array([-0.4e-6, 0.1e-6])
@@ -182,12 +175,3 @@ def test_one_set_of_aberrations_excites_and_depletes_all_planes():
     made = lm.psf(emission, 5, PIXEL, method=Confocal(replace(plain, aberrations=FIVE)), normalize="strehl")
     with pytest.raises(ValueError, match="compute an image, and measure that"):
         made.method.profile(emission, np.array([0.0, 1.0]))
-
-
-def test_measures_of_small_windows_take_what_wider_ones_do():
-    pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=525e-9, aberrations=FIVE)
-    one, other = (
-        lm.psf(pupil, 15, PIXEL, method=way) for way in (lm.methods.ChordalDebye(), lm.methods.DebyeRings())
-    )
-    assert one.mtf(1e4) == pytest.approx(other.mtf(1e4), rel=1e-4)
-    assert one.encircled_energy(3e-5) == pytest.approx(other.encircled_energy(3e-5), rel=1e-5)

@@ -9,8 +9,7 @@ import pytest
 from scipy.special import jv
 
 import lommel as lm
-from lommel.methods.layers.samples import between
-from lommel.methods.layers.scanning import Orders, Table, light, product
+from lommel.methods.layers.scanning import Orders, Table, light
 from lommel.optics.layers.emitter import Absorbed
 from objectives import TIRF
 from plane_waves import intensity
@@ -64,28 +63,6 @@ def test_a_beam_is_absorbed_on_average_by_all_dipoles():
     assert total / 3.0 == pytest.approx(at(known) * pupil.power, abs=1e-9)
 
 
-def of(seed, orders, error):
-    """Random light and something that is off by `error` at most."""
-    rng = np.random.default_rng(seed)
-    upper = rng.normal(size=(2, orders + 1, 3)) + 1j * rng.normal(size=(2, orders + 1, 3))
-    upper[:, 0] = upper[:, 0].real
-    exact = np.concatenate([upper[:, :0:-1].conj(), upper], axis=1)
-    off = exact * (error / np.abs(exact).sum(axis=1, keepdims=True))
-    return exact, Orders(exact + off, np.full(2, error))
-
-
-@pytest.mark.parametrize("errors", [(0.0, 1e-3), (1e-3, 0.0), (0.5, 0.5)])
-@pytest.mark.parametrize("orders", [(0, 2), (2, 2), (1, 0)])
-def test_products_are_off_by_no_more_than_they_say(orders, errors):
-    (a, one), (b, other) = (of(k, *each) for k, each in enumerate(zip(orders, errors, strict=True)))
-    made = product(one, other)
-    phi = np.linspace(0.0, 2.0 * np.pi, 50)
-    exact = at(Orders(a, one.error), phi) * at(Orders(b, other.error), phi)
-    off = np.abs(at(made, phi) - exact).max(axis=(1, 2))
-    assert np.all(off <= made.error)
-    assert np.all(made.error <= 40.0 * off)
-
-
 @pytest.mark.parametrize("error", [1e-3, 1e-6, 1e-10])
 @pytest.mark.parametrize("faster", [1.0, 2.1])
 def test_pixels_are_between_even_radii_within_their_bound(error, faster):
@@ -108,31 +85,9 @@ def test_pixels_are_between_even_radii_within_their_bound(error, faster):
     assert added[0] <= 1e-13
 
 
-def test_errors_of_pixels_are_those_of_light_times_what_they_may_grow():
-    table = Table.for_pixels(np.array([3.0, 9.0]), 1e-3, 1.0)
-    # Midway between two radii, with the signs of the weights: errors add up.
-    away = np.arange(table.radii.size) - table.radii.size // 2 + 0.5
-    signs = (-1.0) ** np.floor(np.abs(away))
-    middle = np.array([table.radii[np.abs(away) < 1.0].mean(), 3.0, 9.0])
-    given = Orders(0.5 + 0.1 * signs[None, None], np.full(1, 0.1))
-    found, error = table.interpolate(given, middle, np.ones(3)), table.error(given)
-    off = np.abs(found - 0.5).max()
-    assert 0.15 < off <= error[0] <= 1.001 * off
-
-
 def test_images_of_more_orders_than_the_engine_has_are_those_of_the_reference():
     pupil = replace(TIRF.pupil(depth=0.2e-6, wavelength=520e-9), emitter=Absorbed("x", lm.Dipole(0.7, 0.4)))
     y, x = np.mgrid[-2:3, -2:3] * 6.5e-6
     exact = (intensity(TIRF, pupil, x.ravel(), y.ravel(), 50, 80) / pupil.power[:, None]).reshape(5, 5)
     made = lm.psf(pupil, 5, 6.5e-6, integrate=False)
     assert made.values / made.scale == pytest.approx(exact, abs=1e-6 * exact.max())
-
-
-@pytest.mark.parametrize("ends", [(0.0, 5.0), (2.95, 3.05), (3.3, 9.1), (40.0, 40.0)])
-def test_a_table_has_what_each_pixel_needs_and_no_more(ends):
-    radius = np.linspace(*ends, 301)
-    table = Table.for_pixels(radius, 1e-6, 1.3)
-    first, weights = between(radius / table.step)
-    assert table.positions[0] == first.min()
-    assert table.positions[-1] <= first.max() + weights.shape[-1]
-    assert table.positions[-1] >= first.max() + weights.shape[-1] - 1

@@ -177,14 +177,6 @@ def test_profiles_are_those_of_the_reference(emitter):
     assert Stratified().profile(pupil, np.zeros(0)).values.shape == (3, 0)
 
 
-def test_like_stacks_share_their_angles():
-    depth, z = RNG.uniform(0.0, 3e-6, 50), RNG.uniform(-1e-6, 1e-6, 50)
-    depth[:2], z[:2] = (0.0, 3e-6), (-1e-6, 1e-6)
-    first, second = (OIL.pupil(depth=depth, z=share * z, wavelength=WAVE, origin="paraxial") for share in (1.0, 0.99))
-    one, other = (stratified.layered(pupil, reach, 2.0**-30) for pupil, reach in ((first, 20.0), (second, 19.8)))
-    assert one.rho is other.rho
-
-
 def test_angles_are_found_for_all_planes():
     depth, z = RNG.uniform(0.0, 80e-6, 30), RNG.uniform(-1e-6, 1e-6, 30)
     pupil = OIL.pupil(depth=depth, z=z, wavelength=WAVE, origin="paraxial")
@@ -200,15 +192,6 @@ def test_profiles_far_from_the_peak_are_exact_to_what_is_there():
     made = Stratified(1e-6).profile(planes(2, span=1e-7), np.linspace(50.0, 60.0, 5))
     assert made.peak.max() < 1e-3
     assert made.error.max() <= 1e-6
-
-
-def test_ranges_are_widened_little():
-    for values in (RNG.uniform(-1, 1, 5), np.array([3e-6]), np.array([0.0, 1e-6])):
-        low, high = stratified._rounded_range(values)
-        assert low <= values.min() <= values.max() <= high
-        assert high - low <= 1.25 * (values.max() - values.min()) + 2e-7
-    for reach in (0.0, 0.3, 20.0, 317.0):
-        assert reach <= stratified._rounded_up(reach) <= 1.126 * max(reach, 1.0)
 
 
 def test_threads_do_not_change_values():

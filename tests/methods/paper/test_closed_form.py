@@ -97,12 +97,6 @@ def test_a_series_too_long_for_the_powers_of_a_double_stays_finite() -> None:
     assert np.all(np.isfinite(method.field(pupil, np.array([800.0, 1200.0, 5000.0]))))
 
 
-@given(st.floats(-100, 100), st.floats(0, 500, allow_subnormal=False))
-def test_the_opposite_defocus_makes_the_conjugate_field(defocus: float, v: float) -> None:
-    one, other = (ClosedForm().field(Pupil(Wavefront(d)), v) for d in (defocus, -defocus))
-    assert abs(one - np.conj(other)) <= 1e-14
-
-
 @given(st.floats(-100, 100), st.floats(0.05, 0.95), st.floats(0, 500, allow_subnormal=False))
 def test_an_obscured_aperture_is_the_difference_of_two(defocus: float, obscuration: float, v: float) -> None:
     area = obscuration**2
@@ -144,25 +138,6 @@ def test_a_stack_is_its_members_with_any_instructions_and_threads(erf: Erf) -> N
             assert np.abs(method.profile(stack, v).values - values).max() <= 1e-13
     finally:
         _core.limit_instructions("avx512")
-
-
-@pytest.mark.parametrize("samples", [64, 1024, 16384])
-@pytest.mark.parametrize("defocus", [1.0, 10.0, 200.0])
-def test_with_a_table_the_error_falls_with_the_square_of_its_length(defocus: float, samples: int) -> None:
-    pupil, v = Pupil(Wavefront(defocus)), np.linspace(0.0, 300.0, 601)
-    exact = ClosedForm().field(pupil, v)
-    error = np.abs(ClosedForm(erf=TableErf(samples)).field(pupil, v) - exact).max()
-    # The moments carry the error of the table times (b / 2a)^2, at most 1 where the stationary point is inside.
-    assert error <= 20 / samples**2 * max(1.0, (v[-1] / (4 * defocus)) ** 2)
-
-
-def test_the_series_of_the_paper_is_as_good_as_fresnel_integrals_while_it_has_enough_terms() -> None:
-    """At C_d = 10 and v up to 40 the argument reaches s = 9, that is |Im z| = 6.3, and the terms peak at 13."""
-    pupil, v = Pupil(Wavefront(10.0)), np.linspace(0.0, 40.0, 161)
-    exact = ClosedForm(erf=FresnelErf()).field(pupil, v)
-    errors = [np.abs(ClosedForm(erf=AbramowitzErf(n)).field(pupil, v) - exact).max() for n in (4, 10, 16, 22)]
-    assert errors[0] > 10 * errors[1] > 100 * errors[2]
-    assert errors[3] < 1e-14
 
 
 @pytest.mark.parametrize(("terms", "reported"), [(10, 2.7e-3), (20, 1.9e-3), (30, 1.0e-3), (40, 8.8e-4)])
@@ -207,23 +182,6 @@ def test_piecewise_phases_are_integrated_exactly(wavefront: Wavefront) -> None:
                 kernel = math.sqrt(2 / math.pi) * amplitude * np.cos(at * x - math.pi / 4)
             total += 2 * np.sum(w * x * kernel * np.exp(1j * phase))
         assert abs(value - total) <= 1e-10
-
-
-@pytest.mark.parametrize(("defocus", "spherical"), [(0.0, 20.0), (-30.0, 60.0), (10.0, -200.0), (200.0, 200.0)])
-def test_more_segments_bring_it_to_what_it_makes_of_the_exact_phase(defocus: float, spherical: float) -> None:
-    """The error falls as 1/S^3, by the bound of the fit, down to that of the surrogate of J0."""
-    v = np.linspace(0.0, 120.0, 61)
-    pupil = Pupil(Wavefront(defocus, spherical))
-
-    def field(segments: int) -> NDArray[np.complex128]:
-        return formed(8, 28, segments)(tangent=40.0).field(pupil, v)
-
-    exact = field(400)
-    for segments in (8, 32):
-        bound = fit_quadratics(pupil.wavefront.coefficients.tolist(), segments).bound
-        assert bound is not None
-        # |J0's surrogate| is below 1.6 here, and 2 int R dR = 1.
-        assert np.abs(field(segments) - exact).max() <= 1.6 * bound
 
 
 @pytest.mark.parametrize("variant", ["printed", "corrected"])

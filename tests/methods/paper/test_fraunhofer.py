@@ -63,13 +63,6 @@ def test_the_samples_land_on_the_pixels_and_the_centre_in_the_middle(shape: tupl
     assert np.abs(image - exact).max() <= 2e-3 * exact.max()
 
 
-@pytest.mark.parametrize("edge", ["binary", "grey"])
-def test_rows_and_columns_are_treated_alike(edge: str) -> None:
-    pupil = Pupil(Wavefront(3.0, 1.0), obscuration=0.4)
-    method = Fraunhofer(samples=100, edge=edge)
-    assert np.abs(_image(pupil, (7, 12), 0.6, method) - _image(pupil, (12, 7), 0.6, method).T).max() <= 1e-15
-
-
 @pytest.mark.parametrize("padding", [1.0, 1.001, 1.5, 2.0, 7.3])
 @pytest.mark.parametrize("edge", ["binary", "grey"])
 def test_padding_does_not_change_what_the_pixels_hold(edge: str, padding: float) -> None:
@@ -104,12 +97,6 @@ def test_aliasing_is_refused_and_the_samples_it_asks_for_suffice(
     errors = [np.abs(_image(pupil, shape, pixel, Fraunhofer(k * needed, edge="grey")) - exact).max() for k in (1, 4)]
     assert errors[1] <= 0.5 * errors[0]
     assert errors[1] <= 0.1 * exact.max()
-
-
-def test_physical_pixels_are_taken_in_units_of_lambda_n() -> None:
-    pupil = Pupil(Wavefront(5.0), wavelength=500e-9, f_number=4.0)
-    physical = _image(pupil, 16, 0.5 * 500e-9 * 4.0, Fraunhofer())
-    assert physical == pytest.approx(_image(Pupil(Wavefront(5.0)), 16, 0.5, Fraunhofer()), rel=0, abs=1e-13)
 
 
 @pytest.mark.parametrize("padding", [1.0, 4.0])

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 import lommel as lm
 from lommel import Pupil, Wavefront
 from lommel.methods import Hankel
-from lommel.methods.paper import lommel_series
 from lommel.paper import LommelSeries
 from lommel.special.bessel import bessel_sequence
 
@@ -75,14 +74,6 @@ def test_it_is_what_born_and_wolf_print(defocus: float) -> None:
 def test_an_obscured_aperture_is_the_difference_of_two(defocus: float, obscuration: float, v: list[float]) -> None:
     pupil, at = Pupil(Wavefront(defocus), obscuration=obscuration), np.unique(v)
     assert np.abs(LommelSeries().field(pupil, at) - Hankel().field(pupil, at)).max() <= 1e-13
-
-
-@pytest.mark.parametrize("block", [1, 777])
-def test_the_size_of_the_blocks_does_not_matter(block: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    pupil, v = Pupil(Wavefront(30.0)), np.linspace(0.0, 260.0, 203)
-    whole = LommelSeries().field(pupil, v)
-    monkeypatch.setattr(lommel_series, "_BLOCK", block)
-    assert np.abs(LommelSeries().field(pupil, v) - whole).max() <= 1e-15
 
 
 def test_aberrations_that_are_zero_are_no_aberrations() -> None:

@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel._core import average_samples, limit_instructions
-from lommel.core.answers import Wanted
 from lommel.core.engine import least_average
 from lommel.methods import ChordalGauss, Hankel, NijboerZernike, NonuniformFFT, averaging, chordal_gauss
 from lommel.methods.averaging import averaging_filter, fit_pair_weights
@@ -31,15 +30,6 @@ def test_the_response_of_a_filter_agrees_with_the_pixel_over_the_whole_band(pitc
     assert np.abs(response - np.sinc(0.5 * step * w / math.pi)).max() <= taps.error <= error
     assert np.abs(taps.weights).sum() == pytest.approx(taps.gain)
     assert 1.0 - 2.0 * error <= taps.gain <= 1.5
-
-
-@pytest.mark.parametrize("step", [0.1, 0.785, 1.6, 3.0, 11.0])
-def test_the_bound_on_a_response_is_nearly_reached(step):
-    taps = averaging_filter(step, 1e-7)
-    k = np.arange(taps.weights.size) - taps.weights.size // 2
-    w = np.linspace(0.0, 2.0, 20001)
-    response = np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights
-    assert np.abs(response - np.sinc(0.5 * step * w / math.pi)).max() > 0.5 * taps.error
 
 
 @pytest.mark.parametrize("wave", [0.0, 0.3, 1.1, 2.0])
@@ -120,31 +110,6 @@ def test_dark_samples_alone_are_summed_in_single_precision():
     assert np.array_equal(averages(bright.astype(float), 2.0), averages(bright.astype(float), 0.0))
 
 
-def test_sums_in_single_precision_cost_what_is_set_aside_for_them(monkeypatch):
-    limits, filtering = [], averaging.average_samples
-
-    def recorded(samples, weights, stride, threads, out, dark=0.0):
-        limits.append((dark, weights))
-        filtering(samples, weights, stride, threads, out, dark=dark)
-
-    monkeypatch.setattr(averaging, "average_samples", recorded)
-    pupil, grid = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), Grid((64, 8), 0.8, integrate=True)
-    for tol, dtype in ((1e-5, np.float32), (1e-8, np.float64)):
-        limits.clear()
-        found = NijboerZernike(tol).images(pupil, grid, Wanted(dtype=dtype))
-        dark, weights = limits[-1]
-        cost = 2.0 * (weights.shape[1] + 4) * 2.0**-24 * np.abs(weights).sum(axis=1).max() ** 2
-        # The tolerance without what storing takes, and a peak that is about that of the intensity.
-        aside = 0.1 * tol * least_average(grid.step(pupil)) if dtype == np.float32 else 0.0
-        assert dark * cost == pytest.approx(aside * _peak(pupil), rel=0.05)
-        assert found.error[0] <= tol
-
-
-def _peak(pupil: lm.Pupil) -> float:
-    """Return the largest intensity of a window that holds it."""
-    return float(lm.psf(pupil, 65, 0.1, normalize="strehl").values.max())
-
-
 @given(st.floats(0.02, 2.3), st.floats(-12.0, -2.0), st.integers(0, 3))
 def test_the_responses_of_two_pixels_that_share_samples_agree_with_the_pixel(pitch, digits, more):
     step, error = 10.0**pitch, 10.0**digits
@@ -189,21 +154,6 @@ def test_what_a_filter_makes_of_the_light_of_a_disc_is_off_by_less_than_it_claim
         assert (missed * weigh).sum() <= (2.0 + taps.error) * taps.error
     assert taps.error <= 10.0**digits
     assert taps.gain <= 1.5
-
-
-@pytest.mark.parametrize("pixel", [0.5, 0.75, 1.0, 1.5, 4.0])
-def test_windows_take_few_samples(pixel):
-    step, error = math.pi * pixel, 1e-9
-
-    def side(n):
-        taps = averaging._cheapest_filter(step, error, (n, n), in_mean=False)
-        return averaging.sample_grid(Grid(n, pixel), taps).height
-
-    whole = averaging_filter(step, error)
-    for n in (5, 40, 300):
-        fewest = (n - 1) * whole.stride + whole.weights.size
-        assert side(n) <= 1.05 * fewest
-    assert side(300) < 0.93 * fewest
 
 
 @given(
@@ -263,21 +213,6 @@ def test_a_pixel_around_the_peak_averages_as_much_as_is_promised(step, defocus, 
     pixel = step / math.pi
     around = lm.psf(pupil, 1, pixel, center=(0.0, at / step), integrate=True, normalize="strehl", dtype=np.float64)
     assert around.values[0, 0] >= (1.0 - 1e-4) * least_average(step) * peak
-
-
-def test_half_of_what_is_promised_of_the_best_placed_pixel_would_be_too_little_to_ask():
-    # A wave of the largest frequency is the worst case, and meets the promise for a disc-shaped pixel.
-    step = 1.0
-    x = (np.arange(400) + 0.5) / 400 - 0.5
-    s = np.hypot(x, x[:, None]) * step
-    disc = np.where(s <= 0.5 * step, np.cos(s) ** 2, 0.0).mean()
-    assert disc == pytest.approx(least_average(step), rel=1e-3)
-
-
-def test_a_tolerance_that_samples_cannot_meet_is_told_as_it_was_given():
-    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
-    with pytest.raises(lm.ToleranceError, match=r"tol=1e-11 cannot be met by averages over pixels of 20 lambda\*N"):
-        lm.psf(pupil, 3, 20.0, integrate=True, method=NijboerZernike(1e-11))
 
 
 def test_a_tolerance_beyond_double_precision_names_one_that_is_met():

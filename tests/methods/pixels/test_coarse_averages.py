@@ -131,14 +131,6 @@ def test_derivatives_of_many_coarse_pixels_leave_the_values_and_are_those_of_few
         assert np.abs(many.derivatives["defocus"][10:40, 30:60] - corner.derivatives["defocus"]).max() <= off
 
 
-def test_what_u_is_off_by_counts_where_no_pixel_holds_the_axis_too():
-    """An error of I all over a pixel is one of its average."""
-    pupil, options = lm.Pupil(lm.Wavefront(3.0)), {"method": NijboerZernike(1e-11), **OPTIONS}
-    around = lm.psf(pupil, 5, 3.0, center=(2.2, 1.9), **options)
-    beside = lm.psf(pupil, 5, 3.0, center=(2.2, 8.9), **options)
-    assert beside.error_bound > 0.03 * around.error_bound
-
-
 def test_a_stack_makes_one_table_as_exact_as_its_faintest_image_needs():
     kept = []
     for defocus in (np.linspace(0.0, 50.0, 3), np.full(3, 50.0)):

@@ -146,13 +146,3 @@ def test_the_largest_value_is_one_in_the_window() -> None:
         made = rendered(np.zeros((1, 2)), 0.0, [0.0], (3, 2), step, 1e-3, divided=True, **place)
         assert made.unmet == 0
         assert made.images.max() == pytest.approx(1.0, abs=1e-15)
-
-
-def test_what_the_core_cannot_do_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"take \d+ radii a pixel, more than the limit of 900"):
-        _core.pixel_radii(3, 3, 0.0, 0.0, 2000.0, True, 8, 1)
-    for step in (0.0, math.nan, 1e8):
-        with pytest.raises(ValueError, match="step must be above 0"):
-            _core.pixel_radii(3, 3, 0.0, 0.0, step, True, 8, 1)
-    with pytest.raises(ValueError, match="the centre must be within 1e6 pixels"):
-        _core.pixel_radii(3, 3, math.inf, 0.0, 1.0, True, 8, 1)

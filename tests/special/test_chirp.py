@@ -98,17 +98,6 @@ def test_the_stationary_point_may_lie_before_in_or_beyond_the_interval(a: float,
         assert abs(moments[0] - wave) <= 2 / (a * 0.25)
 
 
-def test_slopes_and_limits_broadcast() -> None:
-    b, low = np.array([[-3.0], [0.0], [500.0]]), np.array([0.0, 0.5, 1.0 - 1e-3, 1.0])
-    moments = chirp_moments(5.0, b, low, 1.0)
-    assert moments.shape == (3, 3, 4)
-    for i in range(3):
-        for k in range(4):
-            assert moments[:, i, k] == pytest.approx(chirp_moments(5.0, b[i, 0], low[k], 1.0), rel=0, abs=1e-14)
-    assert np.all(moments[:, :, 3] == 0)
-    assert chirp_moments(5.0, np.zeros(0), 0.0, 1.0).shape == (3, 0)
-
-
 def test_the_error_function_that_is_given_is_the_one_that_is_used() -> None:
     b = np.linspace(-60.0, 60.0, 121)
     exact = chirp_moments(20.0, b, 0.0, 1.0, erf=FresnelErf())

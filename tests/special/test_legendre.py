@@ -47,18 +47,6 @@ def test_the_many_nodes_of_a_great_phase_are_as_good_for_a_sum_of_order_one(n: i
         assert abs(weights[i] - weight) <= (2.0**-60 if WIDER else 2.0**-57)
 
 
-@pytest.mark.parametrize("n", [1, 2, 5, 16, 63, 500])
-def test_nodes_rise_inside_the_interval_and_the_rule_is_symmetric(n: int) -> None:
-    nodes, weights = gauss_legendre(n, -3.0, 5.0)
-    assert nodes.shape == weights.shape == (n,)
-    assert np.all(np.diff(nodes) > 0)
-    assert nodes[0] > -3
-    assert nodes[-1] < 5
-    assert nodes + nodes[::-1] == pytest.approx(np.full(n, 2.0), rel=1e-15)
-    assert np.array_equal(weights, weights[::-1])
-    assert weights.sum() == pytest.approx(8.0, rel=1e-14)
-
-
 @given(st.integers(1, 40), st.lists(st.floats(-1, 1), min_size=1, max_size=80), st.floats(0, 0.9))
 def test_polynomials_up_to_degree_2n_minus_1_are_integrated_exactly(
     n: int, coefficients: list[float], low: float

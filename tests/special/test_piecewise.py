@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel.special.piecewise import SPLITS, fit_quadratics, split_edges
+from lommel.special.piecewise import SPLITS, fit_quadratics
 
 RHO = np.linspace(0.0, 1.0, 4001)
 amounts = st.floats(-200, 200)
@@ -17,16 +17,6 @@ amounts = st.floats(-200, 200)
 
 def phase(coefficients) -> np.ndarray:
     return sum(c * RHO ** (2 * k + 2) for k, c in enumerate(coefficients))
-
-
-@pytest.mark.parametrize("split", SPLITS)
-@pytest.mark.parametrize("segments", [1, 2, 5, 64])
-def test_the_edges_rise_from_the_middle_to_the_rim(segments, split):
-    edges = split_edges(segments, split)
-    assert edges[0] == 0.0
-    assert edges[-1] == 1.0
-    assert edges.size == segments + 1
-    assert np.all(np.diff(edges) > 0)
 
 
 @given(st.lists(amounts, min_size=1, max_size=4), st.integers(1, 60), st.sampled_from(SPLITS))

@@ -91,19 +91,10 @@ def test_coefficients_that_are_no_answer_are_refused(c, error, message):
         lm.Plan(9, 0.5).traced(RANGE)(c)
 
 
-@pytest.mark.parametrize(
-    ("options", "plan", "error", "message"),
-    [
-        ({"precision": "float32"}, {"tol": 1e-9}, ValueError, "dtype must be float32"),
-        ({"precision": "float32"}, {"tol": 1e-6}, lm.ToleranceError, "cannot be proven in float32"),
-        ({}, {"normalize": "emitted"}, ValueError, 'got "emitted"'),
-        ({}, {"method": lm.paper.Geometric()}, ValueError, "method must be None, NijboerZernike"),
-        ({}, {"center": ([1.0, 2.0], [1.0, 2.0])}, ValueError, "center must be one"),
-    ],
-)
-def test_what_cannot_be_traced_is_refused(options, plan, error, message):
-    with pytest.raises(error, match=message):
-        lm.Plan(9, 0.5, **plan).traced(RANGE, **options)
+@pytest.mark.parametrize("plan", [{"normalize": "emitted"}, {"center": ([1.0, 2.0], [1.0, 2.0])}])
+def test_what_a_traced_plan_would_leave_out_is_refused(plan):
+    with pytest.raises(ValueError, match=next(iter(plan))):
+        lm.Plan(9, 0.5, **plan).traced(RANGE)
 
 
 def test_what_is_no_round_pupil_is_refused():
@@ -111,14 +102,6 @@ def test_what_is_no_round_pupil_is_refused():
         lm.Plan(9, 0.5).traced(LENS)
     with pytest.raises(ValueError, match="round aperture"):
         lm.Plan(9, 0.5).traced(lm.Pupil(spider=lm.Spider(width=0.1, angles=[0.0])))
-
-
-@pytest.mark.parametrize("name", ["jax", "torch", "cupy"])
-def test_where_a_framework_is_missing_it_is_said_how_to_get_it(name, monkeypatch):
-    for module in (name, f"{name}.numpy", f"array_api_compat.{name}"):
-        monkeypatch.setitem(sys.modules, module, None)
-    with pytest.raises(ImportError, match=f'pip install {name} .the extra "{name}" of lommel'):
-        Namespace.of(name)
 
 
 def test_phases_beyond_what_float32_was_split_for_have_no_bound():

@@ -116,10 +116,3 @@ def test_coefficients_that_are_no_numbers_leave_their_neighbours_alone():
     assert np.isnan(images[3:]).all()
     assert np.isinf(bound[3:]).all()
     assert f(np.zeros((0, 6))).shape == (0, 9, 9)
-
-
-@pytest.mark.parametrize("change", [{"chords": 7}, {"nodes": 2}, {"chords": 1026}])
-def test_the_core_refuses_numbers_of_chords_that_it_has_not(change):
-    sums = traced(CASES["odd"], EDGE)._static.lights[0][1].sums._replace(**change)
-    with pytest.raises(ValueError, match="chords and nodes must be even"):
-        sums.intensity(EDGE, 1)

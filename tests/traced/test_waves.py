@@ -96,10 +96,3 @@ def test_a_folded_sum_is_that_over_all_nodes(columns, rows):
     kernels = chordal.folded_tables(x, y, weights, kept, held)
     found = chordal.folded_intensity(Namespace.of(None), kernels, waves, (over, along))
     assert np.abs(found - np.abs(exact).reshape(2, -1) ** 2).max() < 1e-13 * np.abs(exact).max() ** 2
-
-
-@pytest.mark.parametrize("name", ["odd", "even", "samples of pixels"])
-def test_of_a_window_about_its_middle_half_the_places_are_kept(name):
-    axis, kept = chordal.axis_of(PLACES[name])
-    assert len(kept) <= len(PLACES[name]) // 2 + 1
-    assert axis.negative > 0

@@ -110,6 +110,30 @@ def test_growth_bounds_the_integrand_on_every_ellipse(
         assert np.all(-_phase(coefficients, t).imag + log_j0 <= exponent + 1e-9 * (1 + exponent))
 
 
+def test_the_kernel_of_an_annulus_is_largest_between_points_and_the_bound_says_so() -> None:
+    low, steps = 0.05, 7
+    at = np.abs(np.sqrt(hankel.ellipses(ETA, low, steps)).imag).max(axis=1)
+    fine = np.abs(np.sqrt(hankel.ellipses(ETA, low, 7000)).imag).max(axis=1)
+    assert np.any(at < 0.999 * fine)
+    assert np.all(hankel.rise(ETA, low, steps).max(axis=1) >= fine * (1 - 1e-12))
+
+
+@given(st.lists(st.floats(-1, 1), min_size=1, max_size=4), st.floats(0, 1))
+def test_between_points_a_phase_and_a_kernel_together_are_below_their_bound(parts: list[float], turn: float) -> None:
+    degree, steps = len(parts), 3 * len(parts)
+    fine = np.linspace(0.0, math.pi, 50 * steps + 1)
+    phase = np.abs(sum(a * np.sin(k * fine) for k, a in enumerate(parts, 1)))
+    kernel = turn * np.arange(1.0, steps + 1)
+    largest = max((phase[50 * k : 50 * k + 51].max() + kernel[k]) for k in range(steps))
+    told = hankel.between(phase[None, ::50], kernel[None], degree, 0.1)
+    assert largest <= told[0] * (1 + 1e-12) + 1e-15
+
+
+def test_a_phase_that_is_largest_between_two_points_is_not_missed() -> None:
+    phase = np.sin(np.linspace(0.0, math.pi, 4))[None]
+    assert hankel.between(phase, np.zeros((1, 3)), 1, 0.1)[0] >= 1.0 > phase.max()
+
+
 @given(pupils, lows, radii, st.integers(3, 12))
 def test_gauss_quadrature_is_as_accurate_as_promised_with_few_nodes_to_spare(
     coefficients: NDArray[np.float64], low: float, v: float, digits: int

@@ -182,20 +182,3 @@ def test_piecewise_phases_are_integrated_exactly(wavefront: Wavefront) -> None:
                 kernel = math.sqrt(2 / math.pi) * amplitude * np.cos(at * x - math.pi / 4)
             total += 2 * np.sum(w * x * kernel * np.exp(1j * phase))
         assert abs(value - total) <= 1e-10
-
-
-@pytest.mark.parametrize("variant", ["printed", "corrected"])
-@pytest.mark.parametrize(
-    ("wavefront", "pixel"), [(Wavefront(10.0), 0.3), (Wavefront(40.0), 1.0), (Wavefront(5.0, 9.0), 0.5)]
-)
-def test_the_best_form_of_a_window_is_better_than_any_other_centre(
-    wavefront: Wavefront, pixel: float, variant: str
-) -> None:
-    pupil = Pupil(wavefront)
-    best = ClosedForm.best(pupil, 61, pixel, variant=variant)
-    exact = lm.psf(pupil, 61, pixel)
-    least = mse(lm.psf(pupil, 61, pixel, method=best), exact)
-    for tangent in (2.0, 10.0, 30.0, 100.0, 0.9 * best.tangent, 1.1 * best.tangent):
-        other = ClosedForm(tangent=tangent, variant=variant)
-        assert least <= 1.03 * mse(lm.psf(pupil, 61, pixel, method=other), exact)
-    assert isinstance(best.erf, AbramowitzErf | FresnelErf)

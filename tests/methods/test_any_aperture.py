@@ -263,15 +263,6 @@ def test_a_mask_is_the_same_sum_by_either_method_whatever_else_narrows_the_apert
     assert lm.peak_error(a, b) <= 1e-9
 
 
-@pytest.mark.parametrize("method", [NonuniformFFT(1e-8), MatrixFourier(256), Fraunhofer(256, edge="grey")], ids=repr)
-def test_tilt_moves_the_image_and_coma_points_as_the_conventions_say(method: Method) -> None:
-    spider = Spider.equal(3, 0.05)
-    still = lm.psf(Pupil(spider=spider), 21, 0.5, method=method, center=(7, 13), dtype=np.float64).values
-    tilt = Wavefront(nonradial={(1, 1): 1.5 * math.pi, (1, -1): -1.5 * math.pi})
-    moved = lm.psf(Pupil(tilt, spider=spider), 21, 0.5, method=method, dtype=np.float64).values
-    assert np.abs(moved - still).max() <= 1e-8 * still.max()
-
-
 @pytest.mark.parametrize("threads", [1, 2])
 def test_threads_do_not_change_the_image(threads: int) -> None:
     pupil = PUPILS["four vanes"]

@@ -265,15 +265,6 @@ def test_measures_are_those_of_each(name):
     assert np.abs(answer.centroid - lm.centroid(pupil)).max() < 0.3 * unit
 
 
-def test_pieces_of_a_stack_of_averages_keep_their_axes(monkeypatch):
-    from lommel.methods import averaging
-
-    expected = lm.psf(PUPILS["coma"][:5], 6, 0.8, center=([3, 3.2, 2.7, 3, 2], 2.5), integrate=True)
-    monkeypatch.setattr(averaging, "_BLOCK_SAMPLES", 600)
-    found = lm.psf(PUPILS["coma"][:5], 6, 0.8, center=([3, 3.2, 2.7, 3, 2], 2.5), integrate=True)
-    np.testing.assert_allclose(found.values, expected.values, atol=2e-6 * expected.values.max())
-
-
 @pytest.mark.parametrize("side", [1, 2, 3, 5])
 def test_samples_far_apart_are_around_the_axis_of_their_own_pupil(side):
     pupils = lm.Pupil(lm.Wavefront(np.linspace(0.0, 3.0, 6), 1.0))

@@ -20,13 +20,6 @@ def lens(wavelength: float = 550e-9) -> lm.Lens:
     return lm.Lens(focal_length=20e-3, f_number=4.0, wavelength=wavelength, aberrations=aberrations)
 
 
-def test_without_aberration_the_strehl_ratio_is_one():
-    perfect = lm.Pupil(wavelength=550e-9, f_number=4.0)
-    answer = lm.psf(perfect, 21, 1e-6, method=Polychromatic(WAVES, WEIGHTS), normalize="strehl", integrate=False)
-    assert answer.strehl == pytest.approx(1.0, abs=2e-6)
-    assert answer.values.max() == pytest.approx(1.0, abs=2e-6)
-
-
 def test_without_weights_all_wavelengths_count_alike():
     assert Polychromatic(WAVES) == Polychromatic(WAVES, (2.0, 2.0, 2.0))
     assert Polychromatic(WAVES, tol=1e-4).weights == pytest.approx((1 / 3, 1 / 3, 1 / 3))

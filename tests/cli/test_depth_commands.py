@@ -34,19 +34,6 @@ def folder(tmp_path):
     return tmp_path
 
 
-def test_the_sharp_image_of_linear_integers_is_linear(folder, call_lommel):
-    for name in ("near", "far"):
-        light = tifffile.imread(folder / f"{name}.tif")
-        tifffile.imwrite(folder / f"{name}.tif", np.clip(65535.0 * light, 0, 65535).round().astype(np.uint16))
-    call_lommel(
-        "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "--encoding", "linear", "--sharp", "sharp.tif",
-        "-o", "depth.tif", folder=folder,
-    )  # fmt: skip
-    sharp, near = (tifffile.imread(folder / f"{name}.tif") for name in ("sharp", "near"))
-    assert sharp.dtype == np.uint16
-    assert sharp.mean() == pytest.approx(near.mean(), rel=0.02)
-
-
 def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, call_lommel):
     result = call_lommel(
         "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "-o", "depth.tif", "-o", "error.npy",
@@ -94,10 +81,6 @@ def test_masks_leave_pixels_out_and_json_is_that_of_python(folder, call_lommel):
     assert told.items() >= found.to_dict().items()
     depth = lm.imaging.read_depth(folder / "depth.tif")
     assert np.array_equal(depth, found.depth.astype(np.float32), equal_nan=True)
-    np.save(folder / "small.npy", np.zeros((9, 9)))
-    refused = call_lommel(*arguments, "--mask", "small.npy", folder=folder)
-    assert refused.returncode == 2
-    assert "--mask must have the shape of the images, 112 x 112, one or 2, got 1 of 9 x 9" in refused.stderr
 
 
 def test_precision_is_a_table_and_a_picture(folder, call_lommel):

@@ -9,9 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
-from PIL import Image
 
 NOLL = """\
 name = "a"
@@ -30,16 +28,12 @@ normalization = "rms"
 8 = 0.1
 """
 LENS_FILES = {
-    "faulty.toml": 'name = "a"\nsource = "b"\n[lens]\nfocal_lenght = 1\nwavelength = 550\n[sensor]\npixel = "1 kg"\n',
     "twice.toml": NOLL.replace("8 = 0.1", "8 = 0.1\n08 = 0.2"),
 }
 NAME = "50mm [fast] f/1.8 [red] [/b] :smile: \\\\"
 
 # Arguments, {phone} and {hubble} standing for lens files, and a part of the error.
 BAD = [
-    ("paint {phone}", "Unknown command 'paint'; known are examples, info, psf"),
-    ("deblur {phone}", "Unknown command 'deblur'; did you mean restore?"),
-    ("psf nowhere.toml", "nowhere.toml: No such file or directory"),
     ("info twice.toml", "terms.08 (line 15): the term 08 was given before, aberrations.zernike.terms.8 (line 14)"),
     ("psf {phone} -m hankel --set tol=1e-9 --tol 1e-8", "tol is given twice, by --tol and by --set"),
     ("psf {phone} --set tangent=200", "--set needs --method, whose option it is, got --set tangent=200"),
@@ -93,44 +87,6 @@ def test_nothing_is_computed_where_plots_cannot_be_drawn(call_lommel, lenses, fo
     assert sorted(folder.rglob("*")) == before
 
 
-def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_python(call_lommel, lenses, folder):
-    y, x = np.mgrid[:20, :20]
-    Image.fromarray(np.full((20, 20), 90, np.uint8)).save(folder / "photo.png")
-    np.save(folder / "gaps.npy", np.where(x + y, 2.0, np.nan))
-    np.save(folder / "near.npy", np.full((20, 20), 0.3))
-    photo = ("blur", "photo.png", "gaps.npy", lenses["nifty-fifty"], "-o", "a.png")
-    refused(call_lommel(*photo, folder=folder), 'give --missing "nearest" (')
-    np.save(folder / "zeros.npy", np.pad(np.full((20, 19), 1.9), ((0, 0), (1, 0))))
-    refused(call_lommel(*photo[:2], "zeros.npy", *photo[3:], folder=folder), "unknown, state it as --unknown")
-    Image.fromarray(np.full((20, 20), 1900, np.uint16)).save(folder / "levels.png")
-    refused(
-        call_lommel(*photo[:2], "levels.png", *photo[3:], folder=folder),
-        "give the scale, e.g. --depth-scale 0.001 for millimetres",
-    )
-    stars = ("retrieve", "photo.png", lenses["phone"], "--read", "2", "--terms", "size")
-    refused(
-        call_lommel(*stars, folder=folder),
-        "must be one of 'defocus', 'spherical', 'rho^6', 'rho^8', or a Zernike term",
-    )
-    photo = (*photo[:2], "near.npy", *photo[3:])
-    refused(
-        call_lommel(*photo, folder=folder),
-        "windows of more than 21 pixels a side to hold 0.98 of the light; stop down",
-    )
-    refused(call_lommel(*photo, "--focus", "10 mm", folder=folder), "--focus must exceed the focal length")
-    field = ("psf", lenses["camera-field"], "--tol", "1e-9", "--set", "tol=1e-3")
-    refused(call_lommel(*field, folder=folder), "got --set tol=1e-3")
-
-
-@pytest.mark.parametrize("arguments", ["psf {phone}", "compare {phone} --shape 3", "psf {hubble} -m lommel-series"])
-def test_no_trace_of_the_progress_bar_is_left_in_a_pipe(call_lommel, lenses, tmp_path, arguments):
-    result = call_lommel(*fill(arguments, lenses), folder=tmp_path)
-    if result.returncode == 0:
-        assert result.stderr == ""
-    else:
-        assert result.stderr == "Error: LommelSeries supports defocus only; this pupil has spherical aberration\n"
-
-
 @pytest.mark.parametrize("command", ["info", "psf", "compare"])
 def test_a_name_is_shown_as_it_is_written(call_lommel, lenses, tmp_path, command):
     lines = lenses["phone"].read_text(encoding="utf-8").splitlines()
@@ -139,32 +95,6 @@ def test_a_name_is_shown_as_it_is_written(call_lommel, lenses, tmp_path, command
     result = call_lommel(command, "lens.toml", "--shape", 3, folder=tmp_path)
     assert result.returncode == 0
     assert result.stdout.splitlines()[0] == NAME.replace("\\\\", "\\")
-
-
-@pytest.mark.parametrize("traced", [False, True])
-def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
-    traced, call_lommel, lenses, tmp_path, monkeypatch
-):
-    from lommel.report import optics as reports
-
-    def broken(*_):
-        raise AttributeError("'int' object\nhas no attribute")
-
-    monkeypatch.setattr(reports, "describe_lens", broken)
-    monkeypatch.delenv("LOMMEL_TRACEBACK", raising=False)
-    if traced:
-        monkeypatch.setenv("LOMMEL_TRACEBACK", "1")
-        with pytest.raises(AttributeError):
-            call_lommel("info", lenses["phone"], folder=tmp_path)
-        return
-    result = call_lommel("info", lenses["phone"], folder=tmp_path)
-    assert result.returncode == 1
-    (line,) = result.stderr.splitlines()
-    assert (
-        "a bug in lommel, not in your input: AttributeError: 'int' object\\nhas no attribute; please report it"
-        in line
-    )
-    assert "LOMMEL_TRACEBACK=1" in line
 
 
 @pytest.mark.parametrize("unbuffered", ["", "1"])
@@ -187,20 +117,3 @@ def test_characters_that_a_console_cannot_encode_are_no_error(flags, folder):
     assert (result.returncode, result.stderr) == (0, "")
     name = json.loads(result.stdout)["name"] if flags else result.stdout.splitlines()[0].replace("\\u03bb", "λ")
     assert name == "λ/4"
-
-
-def test_an_error_of_a_file_names_its_keys_and_not_options(call_lommel, folder):
-    error = call_lommel("info", "faulty.toml", folder=folder).stderr
-    assert "lens.focal_lenght (line 4): unknown key; did you mean focal_length?" in error
-    assert "lens (line 3): give exactly one of f_number and aperture_diameter, got none" in error
-
-
-@pytest.mark.parametrize("name", ["phone", "phone.toml", "lenses/phone.toml"])
-def test_the_name_of_an_example_that_is_not_there_is_told_with_the_command_that_copies_it(
-    name, call_lommel, tmp_path
-):
-    result = call_lommel("info", name, folder=tmp_path)
-    assert (result.returncode, result.stdout) == (2, "")
-    said = "`lommel examples phone` copies phone.toml to this folder"
-    assert result.stderr == f"Error: {name}: No such file or directory; {said}\n"
-    assert "examples" not in call_lommel("info", "mine.toml", folder=tmp_path).stderr

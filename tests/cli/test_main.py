@@ -104,15 +104,6 @@ def test_the_json_is_about_the_lens_and_the_psf_that_python_knows(printed, lense
     assert printed["psf"]["error_bound"] == pytest.approx(psf.error_bound)
 
 
-def test_info_says_about_a_lens_what_psf_does(call_lommel, lenses, tmp_path, printed):
-    result = call_lommel("info", lenses["phone"], *OPTIONS[:6], "--json", folder=tmp_path)
-    said = json.loads(result.stdout)
-    assert {key: said[key] for key in printed if key not in ("psf", "files")} == {
-        key: value for key, value in printed.items() if key not in ("psf", "files")
-    }
-    assert not list(tmp_path.iterdir())
-
-
 def test_compare_has_a_row_for_every_method(compared):
     folder, _, data = compared
     rows = {row["method"]: row for row in data["rows"]}
@@ -205,26 +196,15 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
 
 @pytest.mark.quick
 @pytest.mark.usefixtures("described_once")
-@pytest.mark.parametrize(
-    ("aperture", "reason"),
-    [('telescope = "keck"', "MTF50, which takes minutes for 36 segments"), ('mask = { file = "mask.npy" }', None)],
-)
-def test_an_mtf_that_is_not_given_is_said_to_be_missing(call_lommel, tmp_path, aperture, reason):
-    np.save(tmp_path / "mask.npy", np.ones((16, 16)))
+def test_an_mtf_that_takes_minutes_is_said_to_be_missing(call_lommel, tmp_path):
     lens = '[lens]\nfocal_length = "150 m"\naperture_diameter = "11 m"\nwavelength = "2 um"\n'
     (tmp_path / "lens.toml").write_text(
-        f'{lens}[sensor]\npixel = "18 um"\n[aperture]\n{aperture}\n', encoding="utf-8"
+        f'{lens}[sensor]\npixel = "18 um"\n[aperture]\ntelescope = "keck"\n', encoding="utf-8"
     )
     facts = json.loads(call_lommel("info", "lens.toml", "--json", folder=tmp_path).stdout)
-    assert (facts["mtf50"] is None) == (reason is not None)
+    assert facts["mtf50"] is None
     assert facts["mtf_at_nyquist"] is not None
-    shown = " ".join(call_lommel("info", "lens.toml", folder=tmp_path).stdout.split())
-    assert "MTF at nyquist" in shown
-    if reason is None:
-        assert facts["mtf50"] == lm.mtf_frequency(lm.load_instrument(tmp_path / "lens.toml").pupil())
-    else:
-        assert any(told.startswith(reason) for told in facts["refused"])
-        assert f"not computed: {reason}" in shown
+    assert any(told.startswith("MTF50, which takes minutes for 36 segments") for told in facts["refused"])
 
 
 @pytest.mark.usefixtures("described_once")
@@ -265,19 +245,6 @@ def test_compare_judges_vanes_by_the_finest_method_that_takes_them(call_lommel, 
     }  # fmt: skip
     assert 0 < rows["NonuniformFFT"]["peak_error"] < 1e-6 < rows["MatrixFourier"]["peak_error"] < 0.01
     assert "circular and annular apertures only" in rows["Hankel"]["reason"]
-
-
-@pytest.mark.usefixtures("described_once")
-def test_the_strehl_ratio_of_a_comatic_lens_is_that_of_its_image(call_lommel, lenses, tmp_path):
-    lens = lenses["newtonian-off-axis"]
-    own = tmp_path / "own.toml"
-    text = lens.read_text(encoding="utf-8").replace("[sensor]\n", "[sensor]\nintegrate = false\n")
-    own.write_text(text, encoding="utf-8")
-    arguments = (own, "--tol", "1e-9", "--normalize", "strehl")
-    made = json.loads(call_lommel("psf", *arguments, "--shape", 1, "-o", "a.npy", "--json", folder=tmp_path).stdout)
-    facts = json.loads(call_lommel("info", lens, "--json", folder=tmp_path).stdout)
-    # The one pixel of this window is on the axis.
-    assert made["psf"]["peak"] == pytest.approx(facts["strehl"], rel=1e-8)
 
 
 def test_a_command_is_refused_without_what_others_need():

@@ -81,13 +81,9 @@ def test_the_foci_of_an_aberrated_objective_are_its_own(folder, call_lommel):
         least = math.exp(-((2.0 * math.pi) ** 2) * (0.05**2 + 0.03**2))
         assert 0.9 * least < aberrated["peak"] / ideal["peak"] < least
         assert aberrated["lateral_fwhm"] > 1.005 * ideal["lateral_fwhm"]
-    # Large aberrations are refused by depth, as are depths out of range.
-    (folder / "wide.toml").write_text((text + table).replace("5 = 0.05, 11 = -0.03", "5 = 1.5, 11 = 1.5"))
-    refused = json.loads(call_lommel("info", "wide.toml", "--json", folder=folder).stdout)["refused"]
-    assert any(reason.startswith("0 um deep: aberrations of 2.1 waves rms") for reason in refused)
 
 
-def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel):
+def test_the_measured_wavefront_is_told(folder, call_lommel):
     file = ROOT / "examples" / "objectives" / "zeiss-63x-astigmatic.toml"
     out = call_lommel("info", file, folder=folder).stdout
     assert "\nrms waves " in out
@@ -98,10 +94,3 @@ def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel
     plain = call_lommel("info", "objective.toml", folder=folder).stdout
     assert "wavefront error" not in plain
     assert "Zernike" not in plain
-    made = call_lommel("psf", file, "--stack", 3, "--step", "400nm", "--shape", 9, "-o", "a.npz", folder=folder)
-    assert made.returncode == 0, made.stderr
-    near, _, far = lm.PSF.load(folder / "a.npz").values
-    tall, wide = (abs(np.mgrid[-4:5, -4:5]) * near).sum(axis=(1, 2))
-    other_tall, other_wide = (abs(np.mgrid[-4:5, -4:5]) * far).sum(axis=(1, 2))
-    assert (tall > 1.2 * wide) != (other_tall > 1.2 * other_wide)
-    assert (wide > 1.2 * tall) != (other_wide > 1.2 * other_tall)

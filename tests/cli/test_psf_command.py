@@ -41,20 +41,6 @@ def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
     assert data["files"] == []
 
 
-def test_a_lens_file_may_narrow_the_aperture_of_its_field(call_lommel, lenses, tmp_path):
-    text = lenses["camera-field"].read_text(encoding="utf-8").replace("shape = 49", "shape = 9")
-    vanes = '[aperture.spider]\nvanes = 4\nwidth = "2 mm"\n'
-    (tmp_path / "vanes.toml").write_text(
-        text.replace("[lens]", "[lens]\napodization = 0.5") + vanes, encoding="utf-8"
-    )
-    result = call_lommel("psf", "vanes.toml", "--field", "2x3", "-o", "a.tif", folder=tmp_path)
-    assert (result.returncode, result.stderr) == (0, "")
-    loaded = lm.PSFGrid.load(tmp_path / "a.tif")
-    assert loaded.psf.pupil.spider == lm.Spider.equal(4, 2e-3 / (35e-3 / 4))
-    assert loaded.psf.pupil.apodization == 0.5
-    assert call_lommel("info", "vanes.toml", folder=tmp_path).returncode == 0
-
-
 def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, lenses, tmp_path):
     lens = lenses["camera-field"]
     options = ["--at", "15mm", "-10mm", "--jitter", "2", "--shape", "33", "-o", "corner.npz"]
@@ -81,8 +67,6 @@ def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, 
             ["--f-number", "4", "--wavelength", "450nm"],
             "--f-number, --wavelength cannot be combined with the section",
         ),
-        (["--at", "15mm", "-10"], "is a length without a unit"),
-        (["--at", "30mm", "0mm"], "lies outside of the map"),
     ],
 )
 def test_a_place_that_has_no_psf_is_told(call_lommel, lenses, tmp_path, options, message):
@@ -199,14 +183,6 @@ def test_sagittal_and_tangential_mtf_are_those_of_radial_lines_and_of_lines_acro
             expected = pixel * overlap_at(15e-3, share * 125e3 / pupil.cutoff, name == "tangential")
             assert value == pytest.approx(expected, abs=3e-3), name
     assert row["sagittal"][0] > 1.05 * row["tangential"][0]
-
-
-def test_frequencies_above_the_cutoff_are_told(call_lommel, lenses, tmp_path):
-    shown = call_lommel("psf", lenses["camera-field"], "--mtf", "--field", "1x2", folder=tmp_path).stdout
-    assert "0: the lens passes nothing above its cutoff, 909.1 cycles/mm at 550 nm" in shown
-    assert "0.0000" not in shown
-    coloured = call_lommel("psf", lenses["camera-field"], "--mtf", "--colour", folder=tmp_path).stdout
-    assert "909.1 cycles/mm at 550 nm, higher at shorter wavelengths" in " ".join(coloured.split())
 
 
 def test_options_restate_focus_f_number_and_wavelength(call_lommel, lenses, tmp_path):

@@ -12,7 +12,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.base.encoding import from_light
-from lommel.imaging import OnePass, RichardsonLucy, TotalVariation, depth_of_field, restore
+from lommel.imaging import RichardsonLucy, TotalVariation, depth_of_field, restore
 
 LENS = """\
 [lens]
@@ -84,18 +84,6 @@ def test_a_mask_leaves_pixels_out(call_lommel, folder):
     seen, same = (restore(one, DEPTH, OPTICS, 8e-6, **ways) for one in (photo, np.ma.masked_array(photo, hidden)))
     assert facts["discrepancy"] == pytest.approx(same.discrepancy)
     assert same.discrepancy < seen.discrepancy
-    np.save(folder / "all.npy", np.ones(DEPTH.shape))
-    refused = call_lommel(*arguments, "--mask", "all.npy", folder=folder)
-    assert "--mask must be 0 where pixels are to be used" in refused.stderr
-
-
-def test_one_pass_is_that_of_python(call_lommel, folder):
-    arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *GIVEN, "--method", "one-pass")
-    ran(call_lommel(*arguments, "-o", "sharp.tif", folder=folder), code=3)  # misfit: one pass has no occlusion
-    photo, sharp = (tifffile.imread(folder / name) for name in ("photo.tif", "sharp.tif"))
-    same = restore(photo, DEPTH, OPTICS, 8e-6, encoding="linear", noise=NOISE, method=OnePass())
-    np.testing.assert_array_equal(sharp, same.values)
-    assert error(sharp) < error(photo)
 
 
 def test_a_focus_that_is_wrong_is_told(call_lommel, folder):

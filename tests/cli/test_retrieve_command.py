@@ -32,7 +32,6 @@ def folder(tmp_path):
     for k, image in enumerate(images):
         tifffile.imwrite(tmp_path / f"star-{k}.tif", image)
     tifffile.imwrite(tmp_path / "pages.tif", images, photometric="minisblack")
-    np.save(tmp_path / "stack.npy", images)
     return tmp_path
 
 
@@ -57,23 +56,6 @@ def test_terms_come_with_deviations_after_the_verdict(folder, call_lommel):
     assert saved["standard_errors"]["8"] == pytest.approx(float(error) / (2 * np.pi), rel=0.1)
     kept = lm.PSF.load(folder / "psf.npz").pupil.wavefront.to_zernike(order="noll")
     assert float(kept[8]) == pytest.approx(true, abs=0.02)
-
-
-@pytest.mark.parametrize("files", [["pages.tif"], ["stack.npy"], ["star-0.tif", "star-1.tif", "star-2.tif"]])
-def test_the_same_images_have_the_same_answer_whatever_holds_them(files, folder, call_lommel):
-    options = ["lens.toml", "--defocus", -4, 0, 4, *NOISE, "--terms", "noll 4, noll 8", "--json"]
-    found = json.loads(call_lommel("retrieve", *files, *options, folder=folder).stdout)
-    expected = json.loads(call_lommel("retrieve", "star-*.tif", *options, folder=folder).stdout)
-    names = [f"pages.tif [{k}]" for k in range(3)] if files == ["pages.tif"] else files
-    names = [f"stack.npy [{k}]" for k in range(3)] if files == ["stack.npy"] else names
-    assert found.pop("images") == names
-    assert expected.pop("images") == ["star-0.tif", "star-1.tif", "star-2.tif"]
-    assert found == expected
-    assert found["converged"]
-    assert list(found["coefficients"]) == ["noll 4", "noll 8"]
-    assert np.shape(found["covariance"]) == (2, 2)
-    assert len(found["flux"]) == len(found["center"]) == 3
-    assert found["errors"]["row"][0] > 0.0
 
 
 def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
@@ -116,7 +98,6 @@ def test_terms_are_taken_by_the_names_that_are_printed(folder, call_lommel):
             ["star-0.tif", "lens.toml", "--read", "2", "--blur", "--also", "f_number"],
             "fitted with center alone",
         ),
-        (["star-0.tif", "lens.toml"], "--read is missing: the read noise"),
     ],
 )
 def test_what_would_fit_something_else_is_refused(words, said, folder, call_lommel):

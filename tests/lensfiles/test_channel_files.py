@@ -82,21 +82,13 @@ def test_filters_and_light_multiply(tmp_path, sensor):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "is empty"),
         ("wavelength,red\n400,1\n500,1", "line 1: the first column must be the wavelength with its unit"),
         ("wavelength (furlong),red\n400,1\n500,1", "with its unit"),
         ("nm,red,red\n400,1,1\n500,1,1", "line 1: columns must have different names"),
-        ("nm\n400\n500", "columns must have different names"),
-        ("nm,red\n400,1\n500,x", "line 3, red: must be a number, got 'x'"),
-        ("nm,red\n400,1\n500,nan", "line 3, red: a value must be finite, got nan"),
         ("nm,red\n400,1\n500,1,2\n600", "line 3 must have 2 cells, .* got 3; line 4 must have 2 cells, .* got 1"),
-        ("nm,red\n400,1", "must have at least two wavelengths, got 1"),
         ("nm,red\n400,1\n400,2", "wavelength 400 nm occurs twice"),
         ("nm,red\n400,1\n500,-1", "red must be >= 0, got -1"),
-        ("nm,red\n400,0\n500,0", "channels must have light, got none for red"),
-        ("m,red\n400,1\n500,1", "wavelength"),
         ("nm,red\n99,1\n500,1", "wavelengths must be from 100 nm to 20 um, got 99 nm"),
-        ("um,red\n0.4,1\n21,1", "wavelengths must be from 100 nm to 20 um, got 21 um"),
         ("nm,red\n100,1\n20000,1", "tol=0.001 takes more than 256 wavelengths|weights of .* are not found"),
     ],
 )
@@ -107,14 +99,6 @@ def test_damaged_files_are_told_in_one_line(tmp_path, text, message):
         lm.load_channels(path)
     assert "\n" not in str(told.value)
     assert "bad.csv" in str(told.value)
-
-
-def test_a_slip_in_one_line_is_told_with_the_file(tmp_path):
-    waves = [400 + 20 * k for k in range(16)]
-    path = tmp_path / "slip.csv"
-    path.write_text("nm,red\n" + "".join(f"{16384 if k == 4 else wave},1\n" for k, wave in enumerate(waves)))
-    with pytest.raises(ValueError, match=r"slip\.csv: "):
-        lm.load_channels(path)
 
 
 def test_tables_that_do_not_meet_are_told(tmp_path, sensor):
@@ -196,9 +180,6 @@ def test_the_image_of_a_star_through_a_passband_is_within_the_error(tmp_path):
     [
         (b"5000 0.1\n6000 0.2\n", {}, "states no unit of wavelengths"),
         (b"5000 0.1\n6000 0.2 3\n", {"unit": "angstrom"}, "must have 2 cells"),
-        (b"5000 0.1\n6000 0.2\n", {"unit": "parsec"}, "unit must be"),
-        (b"5000 0.1\n6000 0.2\n", {"unit": "nm", "light": "lumen"}, "light must be"),
-        (b"5000 0.1\n6000 0.2\n", {"unit": "nm", "detector": "eye"}, "detector must be"),
         (b"SIMPLE  = nothing", {}, "channels.dat"),
     ],
 )

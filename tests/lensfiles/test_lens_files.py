@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 
 import lommel as lm
 from lommel.lensfiles.lens_files import LensFileError
@@ -82,8 +81,6 @@ def test_a_length_without_a_unit_is_a_fault(load, change, example):
 def test_a_lens_has_a_model(load):
     lens = load('model = "aplanatic"', 'corrected_for = "focus"').lens
     assert (lens.model, lens.corrected_for) == ("aplanatic", "focus")
-    with pytest.raises(LensFileError, match=r"lens.model \(line 9\): .*'paraxial' or 'aplanatic'"):
-        load('model = "thick"')
     with pytest.raises(LensFileError, match="the sine of the angle of the marginal ray would be"):
         load(
             'model = "aplanatic"',
@@ -165,9 +162,6 @@ def fault(load, *changes: str, text: str = PLAIN) -> str:
     [
         ('focal_length = "50 kg"', "lens.focal_length (line 5)", "unknown unit 'kg'; a length is in m, km, cm"),
         ('focal_length = "-50 mm"', "lens.focal_length (line 5)", "must be positive, got -0.05 m"),
-        ('focal_length = "inf"', "lens.focal_length (line 5)", "must be finite"),
-        ('f_number = "2.0"', "lens.f_number (line 6)", "number"),
-        ("f_number = 0", "lens.f_number (line 6)", "greater than 0"),
         ("fnumber = 2.0", "lens.fnumber (line 9)", "unknown key; did you mean f_number?"),
         ('wavelength = "550 m"', "lens.wavelength (line 8)", 'for 550 nm write "550 nm"'),
         ('pixel = "3.45 m"', "sensor.pixel (line 14)", 'for 3.45 um write "3.45 um"'),
@@ -218,35 +212,9 @@ def test_an_angle_in_degrees_without_a_unit_and_a_key_angle_of_a_spider_are_told
     assert spider.angles[0] == pytest.approx(math.pi / 4)
 
 
-def test_every_fault_is_told_at_once(load):
-    changes = ('focal_length = "50 kg"', "wavelength = 550", 'distance = "-1 m"', "pixels = 3")
-    text = PLAIN.replace("pixel =", "pixels =") + '[aberrations]\nW040 = "a"\n'
-    message = fault(load, *changes, text=text)
-    told = [line.strip().split(":")[0] for line in message.strip("\n").split("\n")]
-    assert sorted(told) == [
-        "aberrations.W040 (line 17)",
-        "lens.focal_length (line 5)",
-        "lens.wavelength (line 8)",
-        "object.distance (line 11)",
-        "sensor.pixel",
-        "sensor.pixels (line 14)",
-    ]
-
-
 @pytest.mark.parametrize("text", ["[lens", "a = ", PLAIN + "[lens]\n", PLAIN + "\x00", "a = " + "[" * 5000])
 def test_what_is_no_toml_is_told(load, text):
     assert fault(load, text=text).startswith("not valid TOML: ")
-
-
-@pytest.mark.parametrize("suffix", [".tif", ".png", ".jpg", ".npy"])
-def test_an_image_in_place_of_a_lens_file_is_named_so(tmp_path, suffix):
-    path = tmp_path / f"photo{suffix}"
-    if suffix == ".npy":
-        np.save(path, np.zeros((9, 9)))
-    else:
-        Image.fromarray(np.zeros((600, 900), np.uint8)).save(path)
-    with pytest.raises(LensFileError, match=rf"photo{suffix} is an image, not a lens file"):
-        lm.load_instrument(path)
 
 
 ZERNIKE = """\
@@ -292,7 +260,6 @@ def test_seidel_terms_have_a_field(load):
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ('order = "noll"\n', "", "aberrations.zernike.order (line 16): is missing; it is one of nm, noll"),
         ('unit = "nm"\n', "", "aberrations.zernike.unit (line 16): is missing; it is one of radians, waves"),
         ("11 = -11.0", "07 = 1.0", "aberrations.zernike.terms.07 (line 23): the term 07 was given before"),
         (ZERNIKE, '[aberrations.zernike]\nfile = "a.csv"\nunit = "nm"\n', "aberrations.zernike.file (line 17):"),
@@ -309,7 +276,6 @@ def test_a_fault_among_zernike_terms_is_told_with_its_key_and_line(load, old, ne
     ("table", "told"),
     [
         (None, "No such file or directory"),
-        (TABLE.replace("7,0.05", "7,x"), "a.csv: line 6: the coefficient must be a real number, got 'x'"),
         (TABLE.replace("# wavelength: 1100 nm\n", ""), "a.csv: must state the wavelength, as its unit is waves"),
     ],
 )
@@ -341,20 +307,3 @@ def test_which_keys_exclude_each_other_is_told_together_with_what_is_wrong_in_an
     assert "lens.f_number (line 6)" in message
     assert "lens (line 4): give exactly one of f_number and aperture_diameter, got both" in message
     assert message.count("\n  ") >= 3
-
-
-@pytest.mark.parametrize("read", [lm.load_instrument, lm.load_microscope, lm.load_zernike])
-@pytest.mark.parametrize(
-    ("name", "text", "reader"),
-    [
-        ("a.ZMX", "VERS 240000 3 0\nMODE SEQ\n", "load_zemax_file"),
-        ("a.seq", "LEN NEW\n", "load_codev_file"),
-        ("a.len", "// OSLO\n", "load_oslo_file"),
-        ("a.json", '{"version": 1.0, "aperture": {}, "fields": {}, "wavelengths": {}}', "load_optiland_file"),
-    ],
-)
-def test_a_lens_design_is_named_with_the_way_to_use_it(tmp_path, read, name, text, reader):
-    path = tmp_path / name
-    path.write_text(text)
-    with pytest.raises(ValueError, match=rf"{name} is a lens design: load it with optiland.fileio.{reader}, and "):
-        read(path)

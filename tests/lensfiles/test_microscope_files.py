@@ -170,10 +170,8 @@ def test_a_window_that_is_not_named_holds_the_rays_and_a_margin(load):
 @pytest.mark.parametrize(
     ("old", "new", "where", "what"),
     [
-        ("NA = 1.3", "NA = nan", "objective.NA (line 5)", "must be finite, got nan"),
         ("NA = 1.3", "NA = 1.3\nna = 1.3", "objective.na (line 6)", "unknown key; did you mean NA?"),
         ("immersion = 1.518", "immersion = 0.9", "objective.immersion (line 8)", "a refractive index from 1 to 4"),
-        ("index = 1.5255", "index = 15255", "coverslip.index (line 11)", "a refractive index from 1 to 4, got 15255"),
         ('depth = "2 um"', 'depth = "2 m"', "sample.depth (line 16)", 'for 2 um write "2 um"'),
         ('depth = "2 um"', 'depth = "2"', "sample.depth (line 16)", "write for example '2 um'"),
         ('"520 nm"', '"520 m"', "emission.wavelength (line 19)", 'for 520 nm write "520 nm"'),
@@ -193,8 +191,6 @@ def test_a_bad_entry_is_told_with_its_key_and_line(load, old, new, where, what):
         ("NA = 1.3", "NA = 1.6", "NA must be below the index of immersion, 1.518, got 1.6"),
         ('"0.2 mm"', '"0.2 m"', "working_distance is in metres"),
         ('depth = "2 um"', 'depth = "300 um"', "must be at most 200 um, where the objective touches the cover"),
-        ('"200 nm"', '"200 um"', "must be at most 200 um, where the objective touches the cover"),
-        ('"170 um"', '"170 m"', 'for 170 um write "170 um"'),
         ("[sensor]", '[[films]]\nindex = 1.4\nthickness = "3 um"\n[sensor]', "films[0].thickness"),
         ("[sensor]", '[design.coverslip]\nindex = 1.5\nthickness = "1 um"\n[sensor]', ""),
         ("[sensor]", '[design.coverslip]\nindex = 1.2\nthickness = "1 um"\n[sensor]', "design.coverslip, 1.2"),

@@ -123,32 +123,11 @@ def test_what_narrows_the_aperture_and_its_amplitude_are_those_of_every_position
         )
 
 
-def test_psfs_over_the_field_of_a_narrowed_aperture_are_those_of_its_pupils(load):
-    instrument = load(SEIDEL + APERTURE)
-    grid = instrument.field().grid(2, 2, sensor=instrument.sensor, shape=9, pixel=2e-6)
-    by_hand = dataclasses.replace(
-        instrument.lens.pupil(1.9),
-        wavefront=instrument.pupil().wavefront
-        + lm.Wavefront.from_seidel(W131=2.0, W222=-1.0, field=(9e-3 / 21.633307652784e-3, 6e-3 / 21.633307652784e-3)),
-    )
-    expected = lm.psf(by_hand, 9, 2e-6).values
-    assert np.abs(grid[1, 1].values - expected).max() <= 2e-6 * expected.max()
-
-
-def test_a_lens_without_a_field_says_so(load):
-    instrument = dataclasses.replace(load(SEIDEL), aberrations_of_field=None)
-    with pytest.raises(ValueError, match=r"the lens file of 'camera' must have a section \[field\]"):
-        instrument.field()
-
-
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        (SENSOR, "field (line 19): needs Seidel coefficients (W131, W222, W220, W311), rows, or file: one of"),
         (TABLE + "W131 = 1\n", "one of them, got rows and W131, W222, W220, W311"),
-        (SEIDEL + 'order = "noll"\n', "order has no meaning with W131"),
         (TABLE + 'edge = "1 mm"\n', "edge has no meaning with rows"),
-        (TABLE.replace("0.5, 0.3", '"a", "b"'), "field.rows (line 22): row 2, Z4: must be a number, got 'a'; row 2"),
         (TABLE.replace("0 mm", "1 mm"), "field: height must begin with 0, the axis, got 0.001"),
         (TABLE.replace("0.1, 0]", "0.1, 1]"), "field: the wavefront at height 0 must be radially symmetric"),
     ],
@@ -207,19 +186,11 @@ def test_positions_anywhere_make_a_scattered_map():
         (["y", "x", "Z4"], [[0, 0, 1]], "must be height, or x and y, got y, x"),
         (["height", "Z4", "Z4"], [[0, 1, 1]], "column Z4 occurs twice"),
         (["height", "Z4"], [[0]], "row 1 must have 2 cells, one for each column, got 1"),
-        (["height", "Z4"], [[0, 1], ["5 kg", 2]], "row 2, height: '5 kg' has the unknown unit 'kg'"),
-        (["height", "Z4"], [[0, math.nan]], "row 1, Z4: a value must be finite, got nan"),
     ],
 )
 def test_a_fault_is_told_with_its_row_and_column(columns, rows, what):
     with pytest.raises(ValueError, match=re.escape(what)):
         read_rows(columns, rows, "noll")
-
-
-def test_a_faulty_file_is_told_with_its_name_and_line(tmp_path):
-    (tmp_path / "field.csv").write_text("height,Z4\n0,1\n\n1 mm,x\n")
-    with pytest.raises(ValueError, match=r"field\.csv line 4, Z4: must be a number, got 'x'"):
-        read_csv(tmp_path / "field.csv", "noll")
 
 
 PLAIN_APERTURE_SECTION = """\
@@ -286,21 +257,15 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(
 @pytest.mark.parametrize(
     ("section", "what"),
     [
-        ('[aperture.spider]\nwidth = "2 mm"\n', "aperture.spider (line 9): needs vanes"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nangles = [0.0]\n', "exactly one of the two"),
         ('[aperture.spider]\nwidth = "2 mm"\nfirst = 0.1\nangles = [0.0]\n', "first has no meaning with angles"),
-        ('[aperture.spider]\nwidth = "2 m"\nvanes = 3\n', "aperture.spider.width (line 10): must be below"),
         ("[aperture.cat_eye]\nshift = [0, 0]\n[aperture.ellipse]\na = 1\nb = 1\n", "one of ellipse and cat_eye"),
-        ('[aperture.mask]\nfile = "junk.npy"\n', "'junk.npy' is not an array"),
         ('[aperture.mask]\nfile = "colour.png"\n', "must be a grey picture, got one in colour"),
-        ('[aperture.mask]\nfile = "oblong.npy"\n', "values must be a square array"),
         ('[aperture.mask]\nfile = "nan.npy"\n', "values"),
     ],
 )
 def test_a_fault_is_told_where_it_is(load_of_aperture_section, tmp_path, section, what):
-    (tmp_path / "junk.npy").write_bytes(b"junk")
     Image.new("RGB", (4, 4)).save(tmp_path / "colour.png")
-    np.save(tmp_path / "oblong.npy", np.ones((3, 4)))
     np.save(tmp_path / "nan.npy", np.full((4, 4), np.nan))
     with pytest.raises(LensFileError) as caught:
         load_of_aperture_section(section)
@@ -365,18 +330,11 @@ def test_a_telescope_is_named(load_of_aperture_section, name):
 @pytest.mark.parametrize(
     ("section", "what"),
     [
-        ('[[aperture.blocked]]\ntype = "disc"\n', "aperture.blocked (line 9): a disc needs radius"),
         ('[[aperture.clear]]\ntype = "disc"\nradius = 1\nwidth = 1\n', "width has no meaning for a disc"),
         ('[[aperture.clear]]\ntype = "disc"\nradius = "1"\n', "aperture.clear.radius (line 11): '1' is a length"),
-        (
-            '[[aperture.blocked]]\ntype = "disc"\nradius = 0.1\n[[aperture.blocked]]\ntype = "disc"\nradius = 0\n',
-            "aperture.blocked, entry 2, disc (line 12): radius must be",
-        ),
         ("[aperture.segments]\ngap = 0.1\n", "aperture.segments (line 9): gap has no meaning without rings"),
-        ("[aperture.segments]\npiston = [0.1]\n", "segments needs rings or a telescope with segments"),
         ('[aperture]\ntelescope = "keck"\n[aperture.segments]\nrings = 2\n', "exactly one of them"),
         ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
-        ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston (line 11): must have one"),
     ],
 )  # fmt: skip
 def test_a_fault_of_a_shape_names_its_entry(load_of_aperture_section, section, what):
@@ -481,14 +439,6 @@ def test_pixels_may_have_two_sides_and_an_active_part(tmp_path, lenses):
     assert found.sensor_options == {"integrate": None, "fill": (0.9, 0.5)}
     with pytest.raises(ValueError, match="pixels must be square"):
         _ = found.side
-    for wrong, message in (
-        ('pixel = ["4 um", "6"]', "sensor.pixel"),
-        ('pixel = "4 m"', "must be at most 0.1"),
-        ('pixel = "4 um"\nfill = 1.2', "fill must be at most 1"),
-    ):
-        (tmp_path / "wrong.toml").write_text(re.sub(r"(?m)^pixel = .*$", wrong, text), encoding="utf-8")
-        with pytest.raises(ValueError, match=message):
-            lm.load_instrument(tmp_path / "wrong.toml")
 
 
 VIGNETTING = """
@@ -520,7 +470,6 @@ def test_places_of_a_lens_file_see_what_its_field_says(tmp_path, lenses):
 @pytest.mark.parametrize(
     ("section", "message"),
     [
-        (VIGNETTING.replace("0.2", "4.0"), "field.vignetting"),
         (VIGNETTING.replace('"0 mm", ', ""), "height must begin with 0, the axis"),
         (TABLE_SHADING_SECTIONS + 'distance = "5 mm"\n', "one of the two"),
         (TABLE_SHADING_SECTIONS.replace("1.0", "0.9"), "the first 1"),

@@ -179,7 +179,6 @@ INT = "title\nZFR 4 WFR WVL 0.6328 SSZ 1000\n1 2 3 4\n"
         (".txt", listing("Fringe", FRINGE).replace("Listing of Zernike Fringe", "Listing of Zernike Standard"),
          "must be Standard, Fringe or Annular, got fringe and standard"),
         (".txt", listing("Fringe", FRINGE).replace(" waves", ""), "the unit is not stated"),
-        (".txt", listing("Fringe", FRINGE).replace("µm", "furlong"), "the wavelength has the unknown unit 'furlong'"),
         (".txt", listing("Standard", FRINGE), "6p^4 - 6p^2 + 1 is the term 11 of Zernike Standard, which"),
         (".txt", listing("Fringe", STANDARD), "is the term 9 of Zernike Fringe, which the heading states, got"),
         (".txt", listing("Annular", STANDARD), "the obscuration of the annulus is not stated"),
@@ -191,9 +190,7 @@ INT = "title\nZFR 4 WFR WVL 0.6328 SSZ 1000\n1 2 3 4\n"
         (".int", INT.replace("WVL 0.6328 ", ""), "it lacks a positive WVL"),
         (".int", INT.replace("SSZ 1000", ""), "it lacks a positive SSZ"),
         (".int", INT.replace("WFR", "SUR"), "must hold a wavefront (WFR), got the shape of a surface"),
-        (".int", INT.replace("WFR", "WFR XYZ 5"), "its second line holds 'XYZ', which is unknown"),
         (".int", INT.replace("3 4", "3 4 5"), "it states 4 values, got 5"),
-        (".int", INT.replace("3 4", "nan 4"), "a value must be a finite number, got 'nan'"),
         (".int", INT.replace("1000", "1000 NDA 3"), "the term 3 has no value"),
     ],
 )  # fmt: skip

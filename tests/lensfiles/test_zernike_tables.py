@@ -43,12 +43,8 @@ def test_a_phase_needs_to_know_its_wavelength():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"order": "zemax"}, "order must be one of"),
-        ({"unit": "kg"}, "unit must be one of"),
-        ({"normalization": None}, "normalization must be one of"),
         ({"wavelength": 550}, "for 550 nm give 550e-9"),
         ({"terms": {4: math.nan}}, "the Zernike coefficient 4 must be finite, got nan"),
-        ({"terms": {4: [1.0]}}, "the Zernike coefficient 4 must be a real number"),
         ({"terms": {0: 1.0}}, "must be from 1 to 1891, got 0"),
     ],
 )
@@ -60,7 +56,5 @@ def test_a_bad_table_is_refused(change, message):
 def test_a_table_is_of_a_single_wavefront():
     with pytest.raises(ValueError, match=r"single one, got a stack of shape \(2,\)"):
         ZernikeTable.from_wavefront(lm.Wavefront([1.0, 2.0]))
-    with pytest.raises(TypeError, match="must be a Wavefront"):
-        ZernikeTable.from_wavefront({4: 1.0})
     with pytest.raises(ValueError, match="needs the wavelength"):
         ZernikeTable.from_wavefront(lm.Wavefront(1.0), unit="nm")

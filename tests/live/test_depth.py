@@ -97,11 +97,6 @@ def test_depth_is_that_of_python_by_the_same_tables(engine: Any, tmp_path: Path)
     np.testing.assert_allclose(sharp, live.sharp(), atol=1e-4 * sharp.mean())
 
 
-def test_tables_are_refused_in_a_sentence_and_the_engine_lives_on(engine: Any) -> None:
-    text = "() => { try { depths.camera(new Uint8Array(100)); } catch (error) { return error.message; } }"
-    assert engine.evaluate(text) == "these are no tables of live depth"
-
-
 def test_packed_tables_find_the_depth_of_those_of_python(engine: Any, web: ModuleType) -> None:
     engine.evaluate("([bytes, stop]) => depths.open(Uint8Array.from(bytes), stop)", [list(web.packed(8.0)), 8.0])
     for light in (300, 3000):

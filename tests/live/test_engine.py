@@ -20,7 +20,7 @@ from scipy.stats import kstest, poisson
 
 import lommel as lm
 from lommel.measures.energy import encircled
-from lommel.page.state import FIELDS, colour_weights, psf_of
+from lommel.page.state import colour_weights, psf_of
 from lommel.page.state import pupil_of as stated_pupil
 from lommel.show.plot import ray_positions
 from web import build as web_build
@@ -405,46 +405,16 @@ REFUSED = [
 ]
 
 
-def followed(state, advice):
-    """Return a state after a change in words."""
-    directed, defocus = ["spherical", "coma", "astigmatism", "trefoil"], ["defocus"]
-    reduced = {"the defocus": defocus, "the aberrations": directed, "defocus and aberrations": defocus + directed}
-    reduced["the pixel"] = ["pixel"]
-    state = dict(state)
-    for part in re.split(r" and (?=stop|reduce|remove|choose)", advice.lower()):
-        if part == "choose one wavelength":
-            state["light"] = "mono"
-        elif part == "remove the vanes":
-            state["vanes"] = 0
-        elif part == "choose “finely sampled”":
-            state["view"] = "fine"
-        elif part == "remove the further zernike terms":
-            state["zernike"] = ""
-        elif part == "set the object distance to the focus distance":
-            state["object_distance"] = state.get("focus_distance", FIELDS["focus_distance"].initial)
-        elif found := re.fullmatch(r"stop down to f/([\d.]+)", part):
-            state["f_number"] = float(found[1])
-        else:
-            what, share = re.fullmatch(r"reduce (.*) to (\d+) %", part).groups()
-            state |= {key: state[key] * int(share) / 100 for key in reduced[what] if key in state}
-    return state
-
-
 @pytest.mark.parametrize("state", REFUSED, ids=range(len(REFUSED)))
-def test_a_refusal_is_quick_and_what_it_advises_computes(engine, state):
-    def ask(method, given):
-        return engine.page.evaluate(
+def test_what_would_take_long_is_refused_at_once(engine, state):
+    for method in ("psf", "measures"):
+        said, took = engine.page.evaluate(
             "([method, given]) => { const begin = performance.now(); const { error } = ask(method, given);"
             " return [error ?? '', performance.now() - begin] }",
-            [method, given],
+            [method, state],
         )
-
-    for method in ("psf", "measures"):
-        said, took = ask(method, state)
         assert took < 1000
-        found = re.fullmatch(r"it would take too long\. (.*)\.", said)
-        for advice in found[1].split(", or "):
-            assert ask(method, followed(state, advice))[0] == "", advice
+        assert said.startswith("it would take too long. ")
 
 
 @pytest.mark.parametrize("pixel", [2.0, 9.0])

@@ -17,14 +17,6 @@ import lommel as lm
 from live_page import ALL_SHOWN, PIXELS, REALS, SLIDERS, box, default_state, rest, slider, state
 
 
-def test_a_script_in_a_page_is_enough(visit: Callable[..., Any]) -> None:
-    page = visit("/")
-    assert page.locator("canvas").count() >= 5
-    assert "Strehl" in page.locator(".now canvas").get_attribute("aria-label")
-    strehl = page.locator('dd[data-number="strehl"]').inner_text()
-    assert 0 < float(strehl) < 1
-
-
 def test_dragging_any_slider_moves_its_value_its_box_and_the_picture(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=128&coma=0.3&astigmatism=0.3&trefoil=0.3")
     defaults = default_state(page)

@@ -88,12 +88,6 @@ def test_what_an_address_says_out_of_range_is_told(visit: Callable[..., Any]) ->
     page.evaluate("location.hash = '#side=64&coma=-0.5'")
     rest(page)
     assert notice.inner_text() == "Not as in the address: coma is 0 to 10 waves, so 0 is shown instead of -0.5."
-    page.evaluate("location.hash = '#side=64&comma=1&name=A'")
-    rest(page)
-    assert notice.inner_text() == "Not as in the address: comma is unknown."
-    page.evaluate("location.hash = '#wavelenght=600'")
-    rest(page)
-    assert notice.inner_text() == "Not as in the address: wavelenght is unknown."
     page = visit("/mounted?lesson=airi#side=64&comma=1")
     assert page.locator(".notice").inner_text() == "Not as in the address: lesson=airi is unknown; comma is unknown."
 

@@ -84,16 +84,6 @@ def test_windows_hold_the_light_that_was_asked_for_and_spread_what_they_do_not(b
     assert windows.window(defocus).sum() == pytest.approx(1.0, abs=1e-12)
 
 
-def test_the_range_lies_inside_the_bank_with_a_window_beyond_either_end(bank):
-    _, windows = bank
-    low, high = windows.positions([-9.0, 14.0])
-    assert low >= 0.0
-    assert high <= windows.count - 1
-    assert windows.windows.shape[0] == windows.count + 1
-    assert windows.cuts.shape == (windows.count,)
-    assert windows.error <= 1e-4
-
-
 def test_energies_are_the_sums_of_windows_which_end_at_their_half_widths(bank):
     _, windows = bank
     for index, half in enumerate(windows.halves):
@@ -248,18 +238,6 @@ def test_windows_are_exact_anywhere_beside_their_own_peaks(name, low, high):
     assert error <= 1e-7
     assert (np.abs(made - true).max(axis=1) / true.max(axis=1)).max() <= error + 1e-8
     assert asked == [pytest.approx(high - low + 30.0, abs=25.0)]
-
-
-def test_as_many_nodes_as_the_error_takes():
-    """Of a cosine that grows as fast as a window may: fewer would not do."""
-    nodes = DefocusNodes.of(
-        lambda c: np.cos(2.0 * c)[:, None] + 2.0, 0.0, 60.0, Parabola(0.0, 0.0, 1.0), rate=lambda _: 2.0, bound=3.0
-    )
-    defocus = np.linspace(0.0, 60.0, 777)
-    made, error = nodes(defocus)
-    assert np.abs(made[:, 0] - np.cos(2.0 * defocus) - 2.0).max() <= error * made.max()
-    assert np.abs(nodes.coefficients[60:]).max() > 1e-2
-    assert 1e-13 < np.abs(nodes.coefficients[-1]).max() < 1e-8
 
 
 @pytest.mark.parametrize("vergence", [0.02, 3.0, 15.0])

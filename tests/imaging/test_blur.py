@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import DepthBlur, depth_of_field
+from lommel.imaging import DepthBlur
 from point_sums import sum_over_points
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
@@ -58,16 +58,3 @@ def test_threads_do_not_change_a_bit(threads):
     first = blur.forward(image.astype(np.float32))
     blur.threads = threads
     assert blur.forward(image.astype(np.float32)).tobytes() == first.tobytes()
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"depth": np.full((5, 6), np.nan)}, "depth is NaN at 30 of 30 points"),
-        ({"image": np.zeros((5, 6, 4), np.uint8)}, "drop the alpha channel"),
-    ],
-)
-def test_what_makes_no_photograph_is_refused_by_name(change, message):
-    given = {"image": np.zeros((5, 6)), "depth": np.full((5, 6), 2.0), "encoding": "linear"} | change
-    with pytest.raises(ValueError, match=message):
-        depth_of_field(given.pop("image"), given.pop("depth"), LENS, PIXEL, **given)

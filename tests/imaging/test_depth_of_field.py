@@ -190,16 +190,6 @@ def test_depth_beyond_the_hyperfocal_distance_is_told(way):
         DOORS[way](np.linspace(1900.0, 2200.0, FLAT.size).reshape(FLAT.shape))
 
 
-def test_depth_within_the_focal_length_is_told_before_its_blur_is_refused():
-    with (
-        pytest.warns(
-            UserWarning, match=r"all of the depth, 2 mm, is within the focal length, 50 mm: is it in metres\?"
-        ),
-        pytest.raises(ValueError, match="windows of more than"),
-    ):
-        imaging.DepthBlur(np.full(FLAT.shape, 0.002), FAST, WIDE)
-
-
 @pytest.mark.parametrize("tile", [None, 16])
 def test_light_far_beyond_white_is_told(tile):
     depth = np.full(FLAT.shape, 2.0)

@@ -139,20 +139,6 @@ print(json.dumps(tracemalloc.get_traced_memory()[1] / 2**20))
     assert json.loads(result.stdout) < 40.0
 
 
-@pytest.mark.parametrize(
-    ("change", "error", "message"),
-    [
-        ({"out": np.zeros((70, 90, 3))}, TypeError, "out must have the type of the image, float32, got float64"),
-        ({"depth": np.full((70, 90), np.nan)}, ValueError, "depth is NaN"),
-    ],
-)
-def test_what_cannot_be_tiled_is_refused_by_name(change, error, message):
-    image, depth = scene()
-    given = {"image": image, "depth": depth, "lens": LENS, "pixel": PIXEL, "encoding": "linear", "tile": 16} | change
-    with pytest.raises(error, match=message):
-        depth_of_field(**given)
-
-
 def test_the_result_must_not_go_where_the_image_is():
     image, depth = scene()
     with pytest.raises(ValueError, match="must not share memory"):

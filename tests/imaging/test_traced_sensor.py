@@ -32,16 +32,6 @@ def test_the_gradient_of_noise_is_that_of_a_draw():
     assert np.isfinite(np.asarray(dark)).all()
 
 
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: traced_noise(np.ones(3), lm.Noise(read=1.0), np.ones(4)), "shape of the image"),
-        (
-            lambda: traced_noise(np.ones((2, 2)), lm.Noise(read=np.ones((2, 2))), np.ones((2, 2))),
-            "a single white, read and offset",
-        ),
-    ],
-)
-def test_bad_input_is_refused(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+def test_maps_of_noise_are_refused():
+    with pytest.raises(ValueError, match="a single white, read and offset"):
+        traced_noise(np.ones((2, 2)), lm.Noise(read=np.ones((2, 2))), np.ones((2, 2)))

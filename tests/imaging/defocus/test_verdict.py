@@ -89,35 +89,6 @@ def test_a_size_of_blur_that_frames_do_not_tell_is_named_with_what_it_costs(pair
     assert "0.01 dioptre of all foci by 20 mm" in told.text
 
 
-@pytest.mark.parametrize(
-    ("scales", "code", "severity"),
-    [
-        ((1.02,), "untested", "note"),
-        ((1.04,), "lens_scale", "doubt"),
-        ((1.2,), "lens_scale", "error"),
-        ((0.77, 1.01), "untested", "note"),  # the stated lens fits, and so does another
-        ((1.01, 0.77), "untested", "note"),
-        ((0.8, 1.2), "lens_scale", "error"),  # neither is that of the lens
-    ],
-)
-def test_scales_that_fit_are_held_against_that_of_the_lens(scales, code, severity):
-    found = lm.imaging.DefocusVerdict.of(1.0, scales[0], 0.022, scales[1:])
-    assert found.findings.get(code).severity == severity
-    open_ = code == "untested" and len(scales) > 1
-    assert found.others == (scales if open_ else scales[1:])
-    assert found.agrees == (severity == "note")
-    assert math.isnan(found.scale) == open_
-    assert ("the size of blur (" in found.message) == open_
-    again = lm.imaging.DefocusVerdict.of(1.0, found.scale, found.scale_error, found.others)
-    assert again.findings.text == found.findings.text
-
-
-def test_errors_that_are_stated_of_lenses_allow_other_scales():
-    found = [lm.imaging.DefocusVerdict.of(1.0, 1.2, 0.022, stated=each) for each in (0.05, 0.1, 0.15)]
-    severities = [each.findings.get("lens_scale") and each.findings.get("lens_scale").severity for each in found]
-    assert severities == ["error", "doubt", None]
-
-
 def test_edges_of_depth_are_left_out_of_the_misfit():
     made = [ThinLens(35e-3, 2.8, focus, 540e-9, PIXEL) for focus in FOCI]
     mask = np.zeros((160 * POINTS, 160 * POINTS))
@@ -134,15 +105,6 @@ def test_edges_of_depth_are_left_out_of_the_misfit():
     assert verdict.misfit == pytest.approx(1.0, abs=0.15)
     assert 0.3 < verdict.judged < 0.9
     assert f"at the {100.0 * verdict.judged:.0f} % of pixels away from edges and slopes of depth" in verdict.message
-
-
-@pytest.mark.quick
-def test_images_with_edges_almost_everywhere_are_not_judged():
-    for misfit in (0.5, 1.0, 5.0):
-        found = lm.imaging.DefocusVerdict.of(misfit, judged=0.1)
-        assert found.status == "doubtful"
-        assert "cannot be judged: 90 % of the pixels are near edges or slopes of depth" in found.message
-    assert lm.imaging.DefocusVerdict.of(5.0, judged=0.2).status == "misfit"
 
 
 def test_denoised_frames_frames_of_something_else_and_flat_ones_do_not_agree(pair):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import DepthBlur, FieldBlur, field_blur
+from lommel.imaging import DepthBlur, FieldBlur
 from point_sums import sum_over_points
 
 SCALE = {"wavelength": 550e-9, "f_number": 4.0}
@@ -66,15 +66,6 @@ def test_windows_of_random_sources_err_by_less_than_is_said(tol):
     # And against all light, also what is beyond the larger windows.
     apart = np.abs(np.pad(made, ((0, 0), (60, 60), (60, 60))) - whole).sum(axis=(1, 2)) + 1.0 - whole.sum(axis=(1, 2))
     assert apart.max() <= blur.error + 2.0 * blur.lost
-
-
-def test_nodes_that_lines_did_not_show_to_be_too_few_become_more(monkeypatch):
-    monkeypatch.setattr(field_blur, "_SPLINE_SHARES", (100.0, 100.0, 100.0))
-    blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, largest=30)
-    windows = exact(STEEP, blur, np.array([5, 20]), np.array([3, 33]), blur.banks[0].half)
-    made = np.stack([blur.window(5, 3), blur.window(20, 33)])
-    off = np.abs(made - windows / windows.sum(axis=(1, 2), keepdims=True)).sum(axis=(1, 2)).max()
-    assert off <= blur.error <= 1e-3
 
 
 def test_a_sensor_of_twenty_millimetres_takes_few_nodes():

@@ -7,7 +7,7 @@ import pytest
 
 from lommel import Lens, Noise
 from lommel.deconvolve.likelihood import PhotographLikelihood
-from lommel.imaging import DepthBlur, LinearBlur, Occlusion, OnePass, restore
+from lommel.imaging import DepthBlur, Occlusion, OnePass, restore
 from scenes import ThinLens, averaged, before, lommel_lens, plane, texture
 
 SIDE, LIGHT, READ = 128, 5000.0, 3.0
@@ -23,17 +23,6 @@ def photograph(distance: float, kind: str = "leaves", light: float = LIGHT, seed
     seen = plane(scene, [LENS], distance, light)[0]
     counts = draw.poisson(seen) + draw.normal(0.0, READ, seen.shape)
     return counts / (3.0 * light), averaged(scene) / 3.0
-
-
-class Identity(LinearBlur):
-    """Leaves images as they are."""
-
-    shape, channels, dtype = (64, 64), 1, np.dtype(np.float64)
-
-    def forward(self, image: np.ndarray) -> np.ndarray:
-        return image.copy()
-
-    adjoint = forward
 
 
 def decibels(light: np.ndarray, truth: np.ndarray) -> float:
@@ -104,12 +93,3 @@ def test_blur_that_filters_do_not_reach_is_refused(monkeypatch):
     with pytest.raises(ValueError, match=r"method=OnePass\(\) loses .* dB at 1.4 m, because the blur is too wide"):
         restore(photo, None, DepthBlur(np.full((SIDE, SIDE), 1.4), wide, 4e-6, largest=513), encoding="linear",
                 noise=Noise(white=1e5, read=3.0), method=OnePass())  # fmt: skip
-
-
-def test_other_operators_are_refused_by_name():
-    with pytest.raises(ValueError, match=r"got the blur Identity; use RichardsonLucy\(\)"):
-        restore(np.ones((64, 64)), None, Identity(), encoding="linear", noise=NOISE, method=OnePass())
-    depth = np.full((64, 64), 1.5)
-    blur = DepthBlur(depth, lommel_lens(LENS), LENS.pixel)
-    found = restore(np.ones((64, 64)), None, blur, encoding="linear", noise=NOISE, method=OnePass())
-    assert found.light == pytest.approx(1.0, rel=1e-5)

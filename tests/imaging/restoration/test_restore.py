@@ -178,21 +178,6 @@ def test_light_is_known_below_white():
         np.testing.assert_array_equal(recorded(floats, "linear", limit), floats)
 
 
-@pytest.mark.parametrize(
-    ("changes", "kind", "said"),
-    [
-        ({"photo": np.full((48, 64), np.nan)}, ValueError, "photo must have pixels"),
-        ({"photo": np.full((48, 64), 3.0)}, ValueError, "none below 1; .* saturation="),
-        ({"depth": np.where(DEPTH < 2.2, np.nan, DEPTH)}, ValueError, 'missing="nearest"'),
-    ],
-)
-def test_bad_arguments_are_refused_by_name(changes, kind, said):
-    given = {"photo": np.full((48, 64), 0.5), "depth": DEPTH, "lens": LENS, "encoding": "linear", "noise": NOISE}
-    given |= changes
-    with pytest.raises(kind, match=said):
-        restore(given.pop("photo"), given.pop("depth"), given.pop("lens"), PIXEL, **given)
-
-
 class TestOverTheField:
     """Photographs by a lens whose PSF varies over its field, all at one distance."""
 

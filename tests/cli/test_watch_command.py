@@ -139,15 +139,6 @@ def test_dropped_frames_of_alternating_video_are_counted_and_move_no_pair(folder
     assert [row["dropped"] for row in table] == [0, 0, 1, 2]
 
 
-def test_a_frame_that_was_lost_unseen_is_told_by_the_depth_that_jumps(folder, call_lommel):
-    shown = recorded(1.35) * 4
-    del shown[3]
-    write_video(folder / "both.mkv", shown, 0.02 * np.arange(7), rate=50)
-    result = call_lommel("watch", *SCENE, *DEEP, "--source", "both.mkv", "--alternating", folder=folder)
-    assert "Depth jumps at 0.04 s, from 1.35" in result.stdout
-    assert result.stderr.count("Depth jumps") == 1
-
-
 @pytest.mark.parametrize("codec", ["ffv1", "libx264"])
 def test_the_noise_of_8_bit_srgb_is_said_to_be_a_guess_and_what_is_stated_is_used(codec, folder, call_lommel):
     lossless = codec == "ffv1"

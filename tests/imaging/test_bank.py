@@ -84,16 +84,6 @@ def test_windows_hold_the_light_that_was_asked_for_and_spread_what_they_do_not(b
     assert windows.window(defocus).sum() == pytest.approx(1.0, abs=1e-12)
 
 
-def test_energies_are_the_sums_of_windows_which_end_at_their_half_widths(bank):
-    _, windows = bank
-    for index, half in enumerate(windows.halves):
-        # Windows are stored from the middle row down and the middle column on.
-        quarter = windows.windows[index, : half + 1, : half + 1]
-        total = 4.0 * quarter.sum() - 2.0 * (quarter[0].sum() + quarter[:, 0].sum()) + quarter[0, 0]
-        assert windows.energies[index] == pytest.approx(total, rel=1e-12)
-        assert np.count_nonzero(windows.windows[index]) == (half + 1) ** 2
-
-
 def test_a_bank_of_other_psfs_spreads_these_cut_alike(bank):
     _, windows = bank
     rows, columns = np.abs(np.indices((2 * windows.half + 1,) * 2) - windows.half)

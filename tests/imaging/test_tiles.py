@@ -83,28 +83,6 @@ def test_tiles_hide_what_the_whole_hides_wherever_edges_are_as_near(seed):
     assert np.abs(tiled.values - whole.values).max() <= 4e-6
 
 
-def test_files_go_in_and_out_and_progress_is_told(tmp_path):
-    image, depth = scene(dtype=np.uint8)
-    np.save(tmp_path / "image.npy", image)
-    np.save(tmp_path / "depth.npy", depth)
-    out = np.lib.format.open_memmap(tmp_path / "out.npy", mode="w+", dtype=np.uint8, shape=image.shape)
-    told: list[tuple[int, int]] = []
-    made = depth_of_field(
-        np.load(tmp_path / "image.npy", mmap_mode="r"),
-        np.load(tmp_path / "depth.npy", mmap_mode="r"),
-        LENS,
-        PIXEL,
-        encoding="srgb",
-        tile=40,
-        out=out,
-        progress=lambda done, tiles: told.append((done, tiles)),
-    )
-    assert made.values is out
-    assert told == [(k, 6) for k in range(1, 7)]
-    whole = depth_of_field(image, depth, LENS, PIXEL, encoding="srgb").values
-    assert np.abs(out.astype(int) - whole).max() <= 1
-
-
 @pytest.mark.parametrize("which", ["image", "depth", "out"])
 def test_memory_maps_are_done_by_tiles_of_a_side_that_is_chosen(tmp_path, monkeypatch, which):
     monkeypatch.setattr("lommel.imaging.photograph.TILE", 40)

@@ -22,9 +22,6 @@ def phone(lenses):
 
 def test_numbers_are_those_of_the_library_in_both_directions(phone):
     quality, pupil = image_quality(phone), phone.pupil()
-    assert quality["strehl"] == float(lm.strehl(pupil))
-    assert quality["rms_waves"] == float(lm.rms(pupil, unit="waves"))
-    assert quality["wavelength"] == phone.lens.wavelength
     assert quality["mtf50_y"] == pytest.approx(float(lm.mtf_frequency(pupil, angle=0.5 * math.pi)))
     assert quality["mtf_at_nyquist_with_pixel"] == float(lm.mtf(pupil, quality["nyquist"], pixel=(2e-6, 3e-6)))
     in_y = float(lm.mtf(pupil, 0.0, quality["nyquist_y"], pixel=(2e-6, 3e-6)))
@@ -110,14 +107,6 @@ def test_what_differs_from_the_design_is_told():
     assert found["coverslip"] == {"index": 1.52, "thickness": 180e-6}
     assert found["design"] == {"immersion": 1.515, "coverslip": {"index": 1.515, "thickness": 170e-6}}
     assert microscope_quality(microscope())["design"] is None
-
-
-def test_what_cannot_be_computed_does_not_raise(lenses):
-    instrument = lm.load_instrument(lenses["nifty-fifty"])
-    near = dataclasses.replace(instrument, object_distance=-1.0)
-    page = near._repr_html_()
-    assert "object_distance must be" in page
-    assert "<img" not in page
 
 
 def test_a_blurred_image_has_no_focus_tolerance_and_the_reason_names_its_mtf(lenses):

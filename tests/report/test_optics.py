@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import re
 from types import SimpleNamespace
 
 import numpy as np
@@ -15,8 +14,6 @@ from lommel.report import Report, image_quality
 from lommel.report.image_quality import IN_FOCUS
 from lommel.report.optics import describe_lens, how_made, summarize_lens
 from lommel.report.table import tables
-
-LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 
 
 @pytest.fixture(scope="module")
@@ -147,38 +144,3 @@ def test_a_ring_is_brighter_than_the_axis():
     profile = lm.psf(lens.pupil(near), 121, 0.5e-6, integrate=False)
     assert facts["strehl"] < 1e-4
     assert facts["strehl_at_peak"] == pytest.approx(profile.peak_strehl, rel=1e-2)
-
-
-ASTIGMATIC = """
-[lens]
-focal_length = "50 mm"
-f_number = 2.8
-focus_distance = "2 m"
-wavelength = "550 nm"
-[aberrations]
-W222 = 0.8
-W040 = 0.4
-[object]
-distance = "1.99 m"
-[sensor]
-pixel = "3.45 um"
-"""
-
-
-@pytest.fixture(scope="module")
-def astigmatic(tmp_path_factory):
-    path = tmp_path_factory.mktemp("lens") / "astigmatic.toml"
-    path.write_text(ASTIGMATIC)
-    return path
-
-
-def test_directions_are_told_apart_where_their_mtf_differs(call_lommel, astigmatic):
-    text = call_lommel("info", astigmatic, folder=astigmatic.parent).stdout
-    rows, pupil = dict(LINE.findall(text)), lm.load_instrument(astigmatic).pupil()
-    nyquist = 0.5 / 3.45e-6
-    for axis, at, angle in (("x", (nyquist, 0.0), 0.0), ("y", (0.0, nyquist), np.pi / 2)):
-        end = {"x": "", "y": " y"}[axis]
-        assert rows[f"MTF at nyquist with pixel{end}"] == f"{lm.mtf(pupil, *at, pixel=3.45e-6):.4g}"
-        assert rows[f"MTF at nyquist{end}"] == f"{lm.mtf(pupil, *at):.4g}"
-        assert rows[f"MTF50{end}"] == f"{lm.mtf_frequency(pupil, angle=angle) / 1e3:.4g} cycles/mm"
-    assert rows["MTF at nyquist"] != rows["MTF at nyquist y"]

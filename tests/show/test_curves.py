@@ -178,17 +178,6 @@ def test_rays_are_drawn_over_the_psf_where_they_meet_the_sensor(psf):
     assert axes.get_xlim() == pytest.approx((-10.25, 10.25))
 
 
-def test_rays_are_those_of_one_lens():
-    with pytest.raises(ValueError, match="psf must be a single one for a spot diagram"):
-        lm.psf(lm.Pupil(lm.Wavefront([0.0, 1.0])), 9, 0.5).plot_spots()
-    objective = lm.Objective(
-        NA=0.8, magnification=40, immersion=1.0, working_distance=1e-3, coverslip=lm.Layer(1.52, 170e-6), sample=1.33
-    )
-    pupil = objective.pupil(depth=0.0, wavelength=520e-9, z=0.0)
-    with pytest.raises(ValueError, match="psf must be the PSF of a lens"):
-        lm.psf(pupil, 9, 6e-6).plot_spots()
-
-
 # The light about the focus.
 
 
@@ -247,8 +236,10 @@ def test_of_coma_both_directions_are_drawn_and_of_a_mask_the_strehl_ratio_alone(
 
 
 def draw(psf: lm.PSF) -> dict[str, object]:
-    pupil = psf.pupil
+    pupil, field = psf.pupil, lm.FieldMap.from_seidel(20e-3, W131=1.0, **CAMERA)
     return {
+        "plot": psf.plot,
+        "grid": field.grid(1, 2, sensor=(20e-3, 30e-3), shape=5, pixel=1e-6).plot,
         "difference": lambda ax: lm.show.difference(psf, psf, ax),
         "mtf": lambda ax: lm.show.mtf(psf, ax),
         "encircled_energy": psf.plot_encircled_energy,
@@ -259,7 +250,9 @@ def draw(psf: lm.PSF) -> dict[str, object]:
 
 
 @pytest.mark.usefixtures("few")
-@pytest.mark.parametrize("name", ["difference", "mtf", "encircled_energy", "spots", "through_focus", "focus_curves"])
+@pytest.mark.parametrize(
+    "name", ["plot", "grid", "difference", "mtf", "encircled_energy", "spots", "through_focus", "focus_curves"]
+)
 def test_each_draws_on_axes_of_ones_own_and_leaves_their_figure_as_it_is(name, psf):
     figure, own = plt.subplots()
     assert draw(psf)[name](own) is own

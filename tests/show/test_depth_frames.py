@@ -30,11 +30,3 @@ def test_an_image_stands_beside_and_is_forgotten_where_there_is_none():
     depth = np.full((4, 4), 1.0, np.float32)
     assert np.array_equal(draw(depth, image)[:16, 16:], np.repeat(image[..., None], 3, axis=2))
     assert (draw(depth)[:16, 16:] == 128).all()
-
-
-@pytest.mark.parametrize("width", [64, 640])
-def test_the_bar_has_its_gradient_and_words_where_there_is_room(width):
-    bar = DepthColours((1.2, 2.0), (64, width), 4, beside=False)(np.full((16, width // 4), np.nan, np.float32))[64:]
-    coloured = (np.ptp(bar.astype(int), axis=2) > 30).any(axis=0)
-    assert bool(coloured.sum() > 0.4 * width) is (width == 640)
-    assert bar.max() > 200  # letters

@@ -43,17 +43,6 @@ def test_numbers_of_standard_errors_have_no_powers_of_ten_and_nothing_known_none
     assert bar.get_ylabel() == "standard error of depth (mm)\n(colours: logarithm)"
 
 
-@pytest.mark.parametrize("shape", [(144, 256), (100, 100), (200, 100)], ids=str)
-def test_depth_maps_fill_their_figure_and_their_labels_are_apart(shape):
-    depth = np.linspace(1.0, 2.0, math.prod(shape)).reshape(shape)
-    figure = estimates.maps(depth, 1e-3 * depth, depth)
-    figure.canvas.draw()
-    boxes = [axes.get_tightbbox() for axes in figure.axes]
-    assert not any(a.overlaps(b) for k, a in enumerate(boxes) for b in boxes[k + 1 :])
-    area = sum(box.width * box.height for box in boxes)
-    assert area > 0.6 * figure.bbox.width * figure.bbox.height
-
-
 def test_error_bars_are_as_long_as_the_errors_and_stand_beside_as_numbers():
     terms = ["a", "b", "c"], [1.0, -2.0, 3.0], [0.25, math.inf, 0.04], "um"
     figure = estimates.fit(IMAGE[None], IMAGE[None], 0.0 * IMAGE[None], terms, "fit", ["star"])

@@ -17,13 +17,6 @@ def image() -> lm.PSF:
     return lm.psf(lm.Pupil(lm.Wavefront(defocus=4.0), **METRIC), (6, 9), 2e-6)
 
 
-def test_it_draws_on_the_axes_it_is_given_and_returns_them(image):
-    _, (left, right) = plt.subplots(1, 2)
-    assert image.plot(right) is right
-    assert len(right.get_images()) == 1
-    assert not left.get_images()
-
-
 def test_the_picture_shows_the_values_with_row_zero_at_the_top(image):
     axes = image.plot()
     picture = axes.get_images()[0]
@@ -114,14 +107,6 @@ def test_each_psf_of_a_grid_is_scaled_to_its_own_peak(over_the_field, stretch):
         assert picture.norm(0.01 * float(values.max())) == pytest.approx(
             {"sqrt": 0.1, "linear": 0.01, "log": 0.6}[stretch]
         )
-
-
-def test_a_grid_is_drawn_on_the_axes_it_is_given(over_the_field):
-    _, (left, right) = plt.subplots(1, 2)
-    assert over_the_field.plot(right) is right
-    assert not left.get_images()
-    with pytest.raises(ValueError, match="stretch must be one of"):
-        over_the_field.plot(stretch="cubic")
 
 
 def test_a_comparison_shows_each_image_and_the_errors_over_the_peak_along_a_line_too():

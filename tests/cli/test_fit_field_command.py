@@ -100,9 +100,6 @@ def test_pixels_that_are_masked_or_nan_are_left_out_and_counted(night, call_lomm
     text = call_lommel(*call, folder=night).stdout
     assert "13 spots found; refused: 3 masked; 7635 pixels left out (masked or NaN)" in text
     assert re.search(r"^ *29 +29 +masked$", text, re.MULTILINE)
-    np.save(night / "wrong.npy", np.zeros((10, 10), np.uint8))
-    told = call_lommel("fit-field", "stars.npy", "lens.toml", *FOCI, "--mask", "wrong.npy", folder=night)
-    assert "--mask must have the shape of the images, 220 x 220, one or 2" in told.stderr
 
 
 def test_stars_that_are_rejected_are_listed_the_worst_first(night, call_lommel):

@@ -114,9 +114,6 @@ def test_a_mask_and_a_stated_background(folder, call_lommel):
     )
     assert (facts["written"], facts["left_out"]) == (int(found.kept.sum()), found.left_out)
     assert found.left_out > 0
-    tifffile.imwrite(folder / "mask.tif", out[1:])
-    result = call_lommel("localize", *arguments, folder=folder)
-    assert "--mask must have the shape of the images, 72 x 72" in result.stderr
 
 
 def test_a_movie_without_spots_is_told(folder, call_lommel):

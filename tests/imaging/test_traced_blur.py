@@ -5,7 +5,6 @@ from __future__ import annotations
 import pickle
 from contextlib import nullcontext
 from dataclasses import replace
-from importlib import import_module
 
 import numpy as np
 import pytest
@@ -39,16 +38,6 @@ def test_a_blur_is_the_sum_of_what_its_points_spread(framework):
     exact = spread(IMAGE, DEPTH, blur.half)
     assert np.abs(found - exact).max() < 1e-4 * exact.max()
     assert blur.error <= 1e-4
-
-
-def test_edges_are_those_of_photographs(monkeypatch):
-    monkeypatch.setattr(import_module("lommel.imaging.traced_blur"), "_ENERGY", 0.99)
-    blur = lm.imaging.traced_blur(LENS, [1.5, 4.0], PIXEL)
-    found = blur(IMAGE, DEPTH)
-    exact = spread(IMAGE, DEPTH, blur.half)
-    assert np.abs(found - exact).max() < 1e-4 * exact.max()
-    photograph = lm.imaging.DepthBlur(DEPTH, LENS, PIXEL, energy=0.99, largest=40).forward(IMAGE)
-    assert np.abs(found - photograph).max() < 0.01 * photograph.max()
 
 
 def test_windows_of_several_layers_are_exact_at_any_depth():

@@ -219,21 +219,10 @@ def test_columns_may_be_called_what_people_call_them(text, tmp_path):
     assert found == expected
 
 
-@pytest.mark.parametrize(
-    ("text", "told"),
-    [
-        (
-            "# normalization: edge\n# order: noll\n# unit: nm\nj,coeff (waves)\n4,1\n",
-            ["state the unit waves, line 3 states nm"],
-        ),
-        ("# order: noll\n# normalization: edge\nj,coeff (furlong)\n1,2\n", ["the columns must be index,value"]),
-    ],
-)
-def test_what_columns_do_not_state_is_refused(text, told, tmp_path):
-    (tmp_path / "a.csv").write_text(text)
-    with pytest.raises(ZernikeFileError) as caught:
+def test_columns_that_contradict_the_stated_unit_are_refused(tmp_path):
+    (tmp_path / "a.csv").write_text("# normalization: edge\n# order: noll\n# unit: nm\nj,coeff (waves)\n4,1\n")
+    with pytest.raises(ZernikeFileError, match="state the unit waves, line 3 states nm"):
         lm.load_zernike(tmp_path / "a.csv")
-    assert all(each in str(caught.value) for each in told), str(caught.value)
 
 
 def test_a_wavefront_saves_itself(tmp_path):

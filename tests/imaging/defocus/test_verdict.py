@@ -118,19 +118,3 @@ def test_denoised_frames_frames_of_something_else_and_flat_ones_do_not_agree(pai
     assert math.isnan(nothing.scale)
     assert nothing.status == "no_depth"
     assert nothing.findings.get("untested").numbers["what"][0] == "the size of blur"
-
-
-def test_vignetting_masks_and_photographs_give_the_same(pair):
-    plain = live(pair, lenses()).verdict()
-    known = np.ones(pair[0].shape, dtype=bool)
-    known[4:8, 4:8] = False
-    made = live(pair, lenses(), exposures="smooth")
-    made(*pair, known=known)
-    masked = made.verdict()
-    assert masked.scale == pytest.approx(plain.scale, abs=0.03)
-    found = lm.imaging.depth_from_defocus(
-        [one.astype(np.float64) for one in pair], lenses(), PIXEL, encoding="linear",
-        noise=lm.Noise(white=1.0, read=3.0, offset=100.0), between=(1.2, 2.0),
-    )  # fmt: skip
-    assert found.verdict.scale == pytest.approx(plain.scale, abs=0.03)
-    assert found.verdict.agrees

@@ -123,9 +123,6 @@ def test_the_range_of_depth_is_told_and_what_is_unknown(call_lommel, folder):
     assert told["depth_unknown"] == pytest.approx((DEPTH < 2.0).mean())
     filled = expected(depth=fill_missing(np.where(DEPTH < 2.0, np.nan, DEPTH), "nearest"))
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "b.png")), filled)
-    told = call_lommel("blur", "photo.png", "marked.npy", *GIVEN, "-o", "c.png", folder=folder)
-    assert told.returncode == 2
-    assert "if the value -1 means unknown, state it as --unknown" in " ".join(told.stderr.split())
 
 
 def test_inverse_depth_disparity_and_other_sizes_are_as_in_python(call_lommel, folder):

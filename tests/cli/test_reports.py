@@ -62,9 +62,7 @@ def test_a_window_that_is_wide_enough_holds_about_98_per_cent(wavefront, obscura
 
 
 def test_info_tells_what_changes_over_the_field(call_lommel, lenses, tmp_path):
-    shown = call_lommel("info", lenses["camera-field"], folder=tmp_path).stdout
     facts = json.loads(call_lommel("info", lenses["camera-field"], "--json", folder=tmp_path).stdout)["field"]
-    assert "reach 21.633 mm, seidel W131 2, W222 1.6, W220 -0.9\n" in shown
     assert facts["seidel"] == {"W131": 2.0, "W222": 1.6, "W220": -0.9}
     assert [place["part"] for place in facts["places"]] == [0.0, 0.5, 0.7, 1.0]
     instrument = lm.load_instrument(lenses["camera-field"])
@@ -74,7 +72,6 @@ def test_info_tells_what_changes_over_the_field(call_lommel, lenses, tmp_path):
         fine = lm.psf(pupil, 161, 0.25 * pupil.scale, integrate=False)
         assert place["strehl_at_peak"] == pytest.approx(fine.peak_strehl, rel=0.05)
         assert place["strehl_at_peak"] >= fine.peak_strehl - 1e-6
-        assert f"{place['strehl_at_peak']:.4g}" in shown
     assert json.loads(call_lommel("info", lenses["phone"], "--json", folder=tmp_path).stdout)["field"] is None
 
 

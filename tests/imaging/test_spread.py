@@ -7,8 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from lommel import _core
 from lommel.imaging.bank import Bank
@@ -102,15 +100,6 @@ def test_collecting_is_the_transpose_of_spreading(level, height, width, half, th
     size = np.linalg.norm(forth) * np.linalg.norm(c) + 1e-300
     assert abs(np.vdot(forth, c) - np.vdot(a, back)) <= 1e-10 * size
     assert np.all(back[positions < 0.0] == 0.0)
-
-
-@given(st.integers(1, 12), st.integers(1, 12), st.integers(0, 6), st.integers(4, 9), st.integers(0, 2**32 - 1))
-def test_collecting_is_the_transpose_of_spreading_for_any_bank(height, width, half, count, seed):
-    rng = np.random.default_rng(seed)
-    b, positions = bank(rng, half, count), some_positions(rng, height, width)
-    a, c = rng.standard_normal((height, width)), rng.standard_normal((height + 2 * half, width + 2 * half))
-    forth, back = spread(b, positions, a), collect(b, positions, c)
-    assert abs(np.vdot(forth, c) - np.vdot(a, back)) <= 1e-10 * (np.linalg.norm(forth) * np.linalg.norm(c) + 1e-300)
 
 
 def test_threads_add_up_in_the_same_sequence_however_wide_the_windows():

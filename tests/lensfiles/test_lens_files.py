@@ -175,13 +175,6 @@ def test_a_bad_entry_is_told_with_its_key_and_line(load, change, where, what):
     assert "\n" not in message
 
 
-@pytest.mark.parametrize(
-    ("line", "integrate"), [("", None), ("integrate = true", True), ("integrate = false", False)]
-)
-def test_a_file_may_say_whether_its_pixels_average(load, line, integrate):
-    assert load(text=PLAIN.replace("shape = 33", f"shape = 33\n{line}")).integrate is integrate
-
-
 @pytest.mark.parametrize("distance", ["1.5 m", "1.9 m", "2 m"])
 def test_a_file_without_a_shape_has_a_window_for_about_98_per_cent_of_the_light(load, distance):
     found = load(text=PLAIN.replace("shape = 33", "").replace("1.5 m", distance))

@@ -141,11 +141,6 @@ PUPIL = lm.Pupil(wavelength=550e-9, f_number=2.0, obscuration=0.1)
 PLAIN = {"unit": "waves", "normalization": "rms", "direction": "x"}
 
 
-def test_a_table_has_heights_as_lengths_and_coefficients_by_index():
-    table = read_rows(["height", "Z4", "Z8"], [["0 mm", 0.5, 0], ["5 mm", 0.25, 1], ["1 cm", -1, "0.3"]], "noll")
-    assert table == FieldTable({"height": (0.0, 0.005, 0.01)}, {4: (0.5, 0.25, -1.0), 8: (0.0, 1.0, 0.3)}, "noll")
-
-
 def test_a_csv_file_says_the_same(tmp_path):
     file = tmp_path / "field.csv"
     file.write_text(

@@ -139,17 +139,6 @@ def test_a_number_out_of_range_stays_with_its_range_below(
     assert float(box(page, key).input_value()) == pytest.approx(state(page)[key], rel=1e-3)
 
 
-def test_a_decimal_comma_is_a_point(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64")
-    for key, text, seen in (("f_number", "8,5", "8.5"), ("defocus", "-0,25", "-0.25")):
-        box(page, key).select_text()
-        page.keyboard.type(text)
-        page.keyboard.press("Enter")
-        rest(page)
-        assert box(page, key).input_value() == seen
-        assert state(page)[key] == float(seen)
-
-
 @pytest.mark.parametrize("typed", ["inf", "Infinity", "∞", "1e12"])
 def test_distances_can_be_infinite(visit: Callable[..., Any], typed: str) -> None:
     page = visit("/mounted#side=64&focus=distances&object_distance=120")
@@ -206,21 +195,18 @@ def test_stop_leaves_dashes_and_any_change_computes_again(visit: Callable[..., A
     assert 0 < float(text(page, "strehl")) < 1
 
 
-def test_the_source_of_a_preset_goes_with_its_setting_and_nothing_moves(visit: Callable[..., Any]) -> None:
+def test_the_source_of_a_preset_goes_with_its_setting(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64")
-    top = page.locator(".now canvas").bounding_box()
     assert page.locator("h2.name").inner_text() == "Point spread function, live"
     page.locator('select[data-key="preset"]').select_option(label=HUBBLE)
     rest(page)
     assert page.locator("h2.name").inner_text() == HUBBLE
     assert "Burrows" in page.locator(".source").inner_text()
-    assert page.locator(".now canvas").bounding_box() == top
     page.evaluate("live.set({ defocus: 1 })")
     rest(page)
     assert page.locator("h2.name").inner_text() == f"Changed from: {HUBBLE}"
     assert page.locator(".source").is_hidden()
     assert page.locator('select[data-key="preset"]').input_value() == ""
-    assert page.locator(".now canvas").bounding_box() == top
     page.keyboard.press("Control+z")
     rest(page)
     assert page.locator(".source").is_visible()

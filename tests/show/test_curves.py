@@ -80,9 +80,6 @@ def test_the_mtf_of_a_psf_has_its_pixels_and_both_directions(psf):
     np.testing.assert_allclose(found["pixel alone"][1], np.abs(np.sinc(f * 0.5e-6)))
     exact = lm.mtf(lm.Pupil(**CAMERA), f, pixel=0.5e-6)
     np.testing.assert_allclose(found["without aberration"][1], exact, atol=2e-6)
-    assert "Nyquist of pixels" not in found  # it is beyond the cutoff
-    assert "Nyquist of pixels" in lines(lm.psf(psf.pupil, 9, 3.45e-6).plot_mtf())
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("spatial frequency (cycles/mm)", "MTF")
     assert axes.get_title() == "modulation transfer function with pixels of 0.5 µm"
 
 

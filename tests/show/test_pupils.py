@@ -119,14 +119,6 @@ def test_the_measured_wavefront_of_an_objective_is_added():
     np.testing.assert_allclose(added[clear], truth - truth.mean(), atol=1e-9)
 
 
-def test_rays_of_defocus_meet_the_sensor_as_far_out_as_they_leave_the_aperture():
-    # v = dPhi / drho = 4 C_d rho, and r = v / pi in units of lambda*N.
-    at = plot.ray_positions(lm.Pupil(lm.Wavefront(3.0)), 4)
-    assert at.shape == (1 + 6 * (1 + 2 + 3 + 4), 2)
-    found = np.unique(np.round(np.hypot(*at.T), 9))
-    np.testing.assert_allclose(found, 12.0 / math.pi * np.arange(5) / 4, atol=1e-7)
-
-
 def test_marginal_rays_and_those_of_the_edge_of_an_obscuration_are_among_them():
     pupil = lm.Pupil(lm.Wavefront.from_seidel(W020=-1.0, W040=2.0), obscuration=0.35)
     radius = np.hypot(*plot.ray_positions(pupil, 7).T)

@@ -202,14 +202,6 @@ def test_the_answer_does_not_depend_on_threads_offsets_or_calls(mild, monkeypatc
     assert np.nanmedian(np.abs(off.depth - kept[0]) / kept[1]) < 0.1
 
 
-def test_exposures_are_measured(mild):
-    pair = plane(texture("leaves", SIDE, seed=7), MILD, 1.5, LIGHT)
-    brighter = record([pair[0], 1.3 * pair[1]], seed=3)
-    found = mild(*brighter)
-    assert found.exposures[1] == pytest.approx(1.3, rel=0.01)
-    assert abs(np.median(errors(found, 1.5))) < 0.6
-
-
 def test_breathing_of_a_thin_lens_is_undone():
     lenses = [ThinLens(25e-3, 4.0, focus, 540e-9, 4e-6) for focus in (0.8, 1.15)]
     scene = texture("leaves", SIDE, seed=7)

@@ -59,15 +59,6 @@ def test_a_wrong_f_number_is_told_with_its_size(pair, f_number, scale):
     assert found.findings.get("lens_scale").numbers == {"scale": found.scale, "error": found.scale_error}
 
 
-def test_exchanged_foci_agree_and_are_named_as_not_tested(pair):
-    found = live(pair, lenses(foci=FOCI[::-1])).verdict()
-    assert found.converged
-    assert found.findings.get("lens_scale") is None
-    assert (
-        "which image is focused nearer (without spherical aberration exchanged" in found.findings.get("untested").text
-    )
-
-
 def test_lenses_whose_spherical_aberration_is_stated_tell_exchanged_foci():
     images = taken(spherical=0.5)
     found = live(images, lenses(spherical=0.5)).verdict()

@@ -102,31 +102,14 @@ def test_pixels_that_are_masked_or_nan_are_left_out_and_counted(night, call_lomm
     assert re.search(r"^ *29 +29 +masked$", text, re.MULTILINE)
 
 
-def test_stars_that_are_rejected_are_listed_the_worst_first(night, call_lommel):
-    stars = np.load(night / "stars.npy")
-    for row, column, light in ((30, 83, 600.0), (136, 136, 2500.0), (189, 30, 1200.0)):  # a ghost beside each
-        stars[:, row - 9 : row - 4, column + 3 : column + 8] += light
-    np.save(night / "ghosts.npy", stars)
-    result = call_lommel("fit-field", "ghosts.npy", "lens.toml", *FOCI, "--json", "-o", "ghosts.csv", folder=night)
-    rejected = json.loads(result.stdout)["rejected_stars"]
-    chi2 = [float(star["reason"].rpartition(" ")[2]) for star in rejected]
-    assert chi2 == sorted(chi2, reverse=True)
-    places = np.array(sorted((star["row"], star["column"]) for star in rejected))
-    assert np.abs(places - [(30, 83), (136, 136), (189, 30)]).max() <= 6
-
-
-def test_coma_and_focus_in_the_middle_come_first(night, call_lommel):
+def test_coma_and_focus_in_the_middle_are_within_their_errors(night, call_lommel):
     options = ("--defocus", -2, "--read", 2, "--window", 25, "--degree", 2, "--terms", 5, "--known-blur", 0)
-    call = ("fit-field", "outside.npy", "lens.toml", *options)
-    found = json.loads(call_lommel(*call, "--json", folder=night).stdout)
+    call = ("fit-field", "outside.npy", "lens.toml", *options, "--json")
+    found = json.loads(call_lommel(*call, folder=night).stdout)
     focus, coma = found["focus"], found["coma"]
     shift = -2.5 * 8.0 * 550e-9 * 8.0**2 / np.pi
     assert abs(focus["shift"] - shift) < 4.0 * focus["error"] < 0.05 * abs(shift)
     assert coma["waves"] < 5.0 * coma["error"]
-    lines = call_lommel(*call, folder=night).stdout.splitlines()
-    at = next(k for k, line in enumerate(lines) if line.startswith("waves rms, middle"))
-    assert any(re.match(r"coma in the middle +waves 0\.0", line) for line in lines[:at])
-    assert any(re.match(r"focus in the middle +shift -22\d.* um, error", line) for line in lines[:at])
 
 
 @pytest.fixture(scope="module")

@@ -326,8 +326,10 @@ def test_a_telescope_is_named(load_of_aperture_section, name):
         ('[[aperture.clear]]\ntype = "disc"\nradius = 1\nwidth = 1\n', "width has no meaning for a disc"),
         ('[[aperture.clear]]\ntype = "disc"\nradius = "1"\n', "aperture.clear.radius (line 11): '1' is a length"),
         ("[aperture.segments]\ngap = 0.1\n", "aperture.segments (line 9): gap has no meaning without rings"),
+        ("[aperture.segments]\npiston = [0.1]\n", "segments needs rings or a telescope with segments"),
         ('[aperture]\ntelescope = "keck"\n[aperture.segments]\nrings = 2\n', "exactly one of them"),
         ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
+        ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston (line 11): must have one"),
     ],
 )  # fmt: skip
 def test_a_fault_of_a_shape_names_its_entry(load_of_aperture_section, section, what):

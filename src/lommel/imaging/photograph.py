@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import copy
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
+from itertools import chain
 from typing import Annotated, Any, Self
 
 import numpy as np
 import scipy
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import clipped_fraction, from_light, scene_light, to_light
 from lommel.base.options import HIDDEN, In, listed
-from lommel.deconvolve.linear import tiles_of
+from lommel.deconvolve.linear import folded, tiles_of
 from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.blur import DepthBlur, require_lens, require_metres
 from lommel.imaging.field_blur import FieldBlur, FieldPhotographOptions, PointLight
@@ -25,6 +28,7 @@ from lommel.imaging.settings import FILL, Spectrum, TableOptions, channel_spectr
 from lommel.io.photos import Photograph
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
 
 Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
 
@@ -426,7 +430,8 @@ def field_photograph(
     `image` is the image of an ideal lens. The wavefront tilts of the map displace light
     (:meth:`lommel.FieldMap.displacement`): each channel is resampled accordingly by quintic splines, blurred by
     :class:`lommel.imaging.FieldBlur` with the PSFs of the map without tilts, and multiplied by the shading of the
-    map. These steps are equivalent to the blur by the PSFs of the map with tilts, for displacements of any size.
+    map. Points of light are not resampled: their PSFs are drawn where the light arrives, between pixels. These steps
+    are equivalent to the blur by the PSFs of the map with tilts, for displacements of any size.
 
     Parameters
     ----------
@@ -462,8 +467,12 @@ def field_photograph(
     :class:`lommel.imaging.FieldBlur` with the tilts in the windows conserves the total light of each point.
 
     Positions are accurate to 0.001 pixel. Resampling by splines changes a Gaussian by 0.3 % of its peak for a
-    standard deviation of 1 pixel, by 0.04 % for 1.5 pixels, and by 0.005 % for 2 pixels. At sharp edges splines
-    overshoot; negative light is clipped.
+    standard deviation of 1 pixel, by 0.04 % for 1.5 pixels, and by 0.005 % for 2 pixels. Points of light are isolated
+    bright pixels, at most three among 5 x 5, at least 4 times as far above the others as these differ. They stand out
+    from the others by at least 3 % and 0.003 of white (of the brightest pixel if it is below white), and are the
+    brightest of a channel if their PSFs have more than 2^23 values. Light that arrives outside the image is lost.
+    At other sharp edges splines overshoot; where the blur leaves negative light, it is taken from the positive light
+    of the 25 pixels around, so that the sum is conserved.
 
     Examples
     --------
@@ -491,10 +500,22 @@ def field_photograph(
     shape = (scene.shape[0], scene.shape[1])
     blur = UntiltedBlur(field_map, shape, pixel, sensor=sensor, channels=spectra, energy=o.energy, tol=o.tol)
     planes = light.reshape(*shape, -1)
-    distorted = np.empty_like(planes)
-    for k, spectrum in enumerate(blur.spectra):
-        distorted[..., k] = distort(planes[..., k], blur, spectrum)
+    distorted, drawn = np.empty_like(planes), {}
+    for k, bank in enumerate(blur.banks):
+        plane, sources = planes[..., k], blur.sources(k)
+        # Without distortion the image is not resampled.
+        if np.abs(sources - np.indices(shape)).max() > POSITION_TOL:
+            points = points_of_light(plane, _MAX_DRAWN // (2 * (bank.half + _MARGIN) + 1) ** 2)
+            if points.any() and min(shape) > 1:
+                plane, drawn[k] = plane - points, blur.draw(points, k)
+            plane = scipy.ndimage.map_coordinates(plane, sources, order=5, mode="reflect", output=plane.dtype)
+        distorted[..., k] = plane
     blurred = blur.forward(distorted.reshape(light.shape))
+    for k, image_of_points in drawn.items():
+        blurred.reshape(planes.shape)[..., k] += image_of_points
+    # Splines overshoot at edges, where the blur is narrow; light is not negative.
+    if blurred.min() < 0.0 <= light.min():
+        blurred = positive(blurred)
     if field_map.shading is not None:
         shading = np.asarray(field_map.illumination(blur.x, blur.y[:, None]), dtype=blurred.dtype)
         # Shading multiplies the blurred light, at its position on the sensor.
@@ -504,11 +525,16 @@ def field_photograph(
 
 
 class UntiltedLight(PointLight):
-    """PSF of the light that arrives at a sensor position, centred on this position."""
+    """PSF of the light that arrives at a sensor position, centred on this position or shifted from it."""
 
-    def pupil(self, y: Array, x: Array, defocus: Array) -> Pupil:
-        """Return the pupils without tilts of the light that arrives at the sensor positions (y, x)."""
-        return self.field_map.untilted(x, y, self.spectrum)
+    def pupil(self, y: Array, x: Array, *shift: Array) -> Pupil:
+        """Return the pupils of the light that arrives at (y, x), with the tilts of a `shift` along y and x alone.
+
+        The light of a blur has neither defocus nor shift: its third coordinate is 0.
+        """
+        pupil = self.field_map.untilted(x, y, self.spectrum)
+        tilts = {(1, m): math.pi / pupil.scale * part for m, part in zip((-1, 1), shift, strict=False)}
+        return pupil.carrying(pupil.wavefront + Wavefront.from_edge(tilts), None)
 
 
 class UntiltedBlur(FieldBlur):
@@ -523,18 +549,92 @@ class UntiltedBlur(FieldBlur):
         for spectrum in self.spectra:
             self.field_map.undistorted(x, y, spectrum)
 
+    @property
+    def _lattice(self) -> Array:
+        """Return y and x in the field of the first pixel, and the distances of rows and columns: (2, 2, 1)."""
+        steps = [axis[1] - axis[0] if len(axis) > 1 else self.pixel for axis in (self.y, self.x)]
+        return np.array([[[self.y[0]], [self.x[0]]], np.array(steps)[:, None]])
 
-def distort(plane: Values, blur: UntiltedBlur, spectrum: Spectrum | None) -> Values:
-    """Return a plane of light with the distortion of the field map, resampled by quintic splines."""
-    pitch = [float(axis[1] - axis[0]) if len(axis) > 1 else blur.pixel for axis in (blur.y, blur.x)]
-    y, x = undistorted_positions(blur.field_map, blur.y, blur.x, spectrum, POSITION_TOL * min(pitch))
-    source = np.stack([(y - blur.y[0]) / pitch[0], (x - blur.x[0]) / pitch[1]])  # row and column, pixels
-    # Without distortion the image is not resampled.
-    if np.abs(source - np.indices(plane.shape)).max() <= POSITION_TOL:
-        return plane
-    distorted: Values = scipy.ndimage.map_coordinates(plane, source, order=5, mode="reflect", output=plane.dtype)
-    # Splines overshoot at edges; light is not negative.
-    return np.maximum(distorted, 0.0) if plane.min() >= 0.0 else distorted
+    def sources(self, channel: int) -> Array:
+        """Return the undistorted row and column, in pixels, of the light at each pixel, shape (2, height, width)."""
+        start, pitch = self._lattice[..., None]
+        tol, spectrum = POSITION_TOL * float(pitch.min()), self.spectra[channel]
+        positions = undistorted_positions(self.field_map, self.y, self.x, spectrum, tol)
+        return np.asarray((np.stack(positions) - start) / pitch)
+
+    def draw(self, points: Values, channel: int) -> Values:
+        """Return the image of points, each with the PSF of the map at the exact position where its light arrives."""
+        spectrum, half, (start, pitch) = self.spectra[channel], self.banks[channel].half + _MARGIN, self._lattice
+        drawn = np.zeros([count + 2 * half for count in points.shape], dtype=points.dtype)
+        origin, last = np.argwhere(points).T.astype(np.float64), np.array(points.shape)[:, None] - 1.0
+
+        def source(place: Array) -> Array:
+            """Return the undistorted row and column of the light at places (row, column) between pixels."""
+            y, x = start + pitch * place
+            return np.asarray((np.stack(self.field_map.undistorted(x, y, spectrum)[::-1]) - start) / pitch)
+
+        landing = origin
+        for _ in range(_LANDING_STEPS):
+            place = np.clip(landing, 0.0, last)
+            landing = place + origin - source(place)
+        pixel = np.clip(np.rint(landing), 0.0, last)
+        (y, x), shift = start + pitch * place, self.pixel * (landing - pixel)
+        psfs = UntiltedLight(self.field_map, None, spectrum, self.pixel, 1e-6)
+        windows = psfs.windows(np.stack([y, x, *shift], axis=1), half)
+        # Brightness is that of surfaces: the light of a point grows with the area onto which its pixel is stretched.
+        ends = [np.clip([place + step, place - step], 0.0, last) for step in 0.5 * np.eye(2)[..., None]]
+        (a, b), (c, d) = ((source(high) - source(low)) / (high - low).sum(axis=0) for high, low in ends)
+        windows *= (points[points != 0.0] / (a * d - b * c) / windows.sum(axis=(1, 2)))[:, None, None]
+        arrives = (np.abs(landing - 0.5 * last) <= 0.5 * last + 0.5).all(axis=0)
+        for row, column, window in zip(*pixel[:, arrives].astype(int), windows[arrives], strict=True):
+            drawn[row : row + 2 * half + 1, column : column + 2 * half + 1] += window
+        return folded(drawn, (half, half), points.shape)
+
+
+_MARGIN = 3  # pixels by which windows of points, at any shift, are wider on each side than those of the blur
+_LANDING_STEPS = 6  # steps of a fixed-point iteration; each reduces the error by the strain of the distortion
+_QUIET = 4.0  # least contrast of a point / range of light of the darkest 22 of the 25 pixels around it
+_FAINT = (0.003, 0.03)  # least contrast of a point: of white or the brightest pixel, and of its surroundings
+_MAX_DRAWN = 2**23  # largest number of values of the PSFs that are drawn in a channel
+
+
+def points_of_light(plane: Values, most: int) -> Values:
+    """Return the light by which isolated pixels, up to three in 5 x 5, exceed those around them; 0 elsewhere.
+
+    If there are more than `most` points, they are the brightest.
+    """
+    floor, points = _FAINT[0] * min(1.0, float(plane.max())), np.zeros_like(plane)
+    around = sliding_window_view(np.pad(plane, 2, mode="reflect"), (5, 5))
+    for first in range(0, len(plane), 32):  # few rows at a time: their light stays in the cache
+        strip = around[first : first + 32]
+        pairs = [(strip[..., 2 + i, 2 + j], strip[..., 2 - i, 2 - j]) for i, j in ((0, 1), (1, 0), (1, 1), (1, -1))]
+        # A quick test: two other points are on at most two of the four pairs of opposite neighbours.
+        a, b, c, d = (np.maximum(*pair) for pair in pairs)
+        second = np.maximum(np.minimum(a, b), np.minimum(c, d))
+        second = np.minimum(second, np.minimum(np.maximum(a, b), np.maximum(c, d)))
+        darkest = reduce(np.minimum, chain(*pairs))
+        places = np.nonzero(strip[..., 2, 2] - second > _QUIET * (second - darkest))
+        ordered = np.sort(strip[places].reshape(-1, 25), axis=1)
+        light, quiet = strip[..., 2, 2][places] - ordered[:, -4], ordered[:, -4]
+        bright = (light > _QUIET * (quiet - ordered[:, 0])) & (light > floor + _FAINT[1] * np.abs(quiet))
+        points[first : first + 32][places] = np.where(bright, light, 0.0)
+    if np.count_nonzero(points) > most:
+        points[points <= np.partition(points, -most - 1, axis=None)[-most - 1]] = 0.0
+    return points
+
+
+def positive(light: Values) -> Values:
+    """Return light without negative values; the light of the 5 x 5 pixels around each of them is less by as much."""
+    padded, negative = np.pad(np.maximum(light, 0.0), [(2, 2), (2, 2), (0, 0)][: light.ndim]), np.nonzero(light < 0.0)
+    steps = np.ravel_multi_index(list(np.indices((5, 5, 1)).reshape(3, -1)[: light.ndim]), padded.shape)
+    around = np.ravel_multi_index(negative, padded.shape) + steps[:, None]
+    values, kept = padded.reshape(-1), np.ones_like(padded).reshape(-1)
+    sums = values[around].sum(axis=0)
+    share = light[negative] / np.where(sums > 0.0, sums, np.inf)
+    for places in around:
+        kept[places] += share
+    values *= np.maximum(kept, 0.0)
+    return padded[2:-2, 2:-2]
 
 
 def undistorted_positions(

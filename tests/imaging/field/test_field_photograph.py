@@ -8,7 +8,7 @@ import pytest
 import lommel as lm
 from lommel.field.maps import Foreshortening, Shading, Vignetting
 from lommel.imaging import field_photograph
-from lommel.imaging.photograph import undistorted_positions
+from lommel.imaging.photograph import points_of_light, positive, undistorted_positions
 
 N, PIXEL, HEIGHT, WIDTH = 4.0, 1e-6, 60, 90  # pixels that resolve the PSF, so that sums over them are integrals
 EDGE = 0.5 * PIXEL * np.hypot(HEIGHT, WIDTH) * 1.4
@@ -128,6 +128,101 @@ def test_edges_leave_no_negative_light():
     made = field_photograph(image, BENT, PIXEL, encoding="linear", energy=0.9)
     assert made.values.min() >= -1e-6
     assert made.values[32, :30].max() < 0.05
+
+
+def drawn(image: np.ndarray, field: lm.FieldMap, pixel: float, sensor: tuple[float, float]) -> tuple[np.ndarray, ...]:
+    """Return the sum of the PSFs of all points, moved by the tilts of the map, and the place of each of them.
+
+    Tilts are left in the wavefront; the axis of each window is moved the other way, so that the window is small. The
+    light is that of the area onto which the map stretches a pixel.
+    """
+    half, shape = 12, image.shape
+    pitch = np.array(sensor) / shape
+    places = np.argwhere(image)
+    y, x = (pitch * (places - 0.5 * (np.array(shape) - 1))).T
+
+    def moved(rows: float = 0.0, columns: float = 0.0) -> np.ndarray:
+        dx, dy = field.displacement(x + columns * pitch[1], y + rows * pitch[0])
+        return places + np.stack([dy / pitch[0] + rows, dx / pitch[1] + columns], axis=1)
+
+    down, across = (moved(*step) - moved(*(-step)) for step in 0.01 * np.eye(2))
+    area = (down[:, 0] * across[:, 1] - down[:, 1] * across[:, 0]) / 0.02**2
+    to, tilt = moved(), np.stack(field.displacement(x, y)[::-1], axis=1) / pixel
+    corner = np.rint(to).astype(int)
+    centre = half + to - corner - tilt
+    windows = lm.psf(
+        field.pupil(x, y), 2 * half + 1, pixel, center=tuple(centre.T), tol=1e-7, dtype=np.float64
+    ).values
+    total = np.zeros([side + 2 * half for side in shape])
+    for (row, column), weight, window in zip(corner, area * image[tuple(places.T)], windows, strict=True):
+        total[row : row + 2 * half + 1, column : column + 2 * half + 1] += weight * window
+    return total[half:-half, half:-half], corner, area
+
+
+NARROW = lm.FieldMap.from_seidel(24e-3, W311=-300.0, W131=1.0, W222=0.6, wavelength=540e-9, f_number=2.8)
+COMATIC = lm.FieldMap.from_seidel(2e-3, W131=6.0, W222=4.0, wavelength=540e-9, f_number=2.8)
+FIELDS = pytest.mark.parametrize(("field", "sensor"), [(NARROW, (24e-3, 36e-3)), (COMATIC, (2e-3, 3e-3))])
+
+
+@FIELDS
+@pytest.mark.parametrize("background", [0.0, 0.3])
+def test_single_pixels_keep_their_light_and_their_spots_wherever_the_map_moves_them(field, sensor, background):
+    image = np.zeros((80, 120))
+    image[::15, ::15] = 1.0
+    image[30, 46], image[46, 62] = 0.5, 0.2  # neighbours of other points
+    sky = np.full_like(image, background)
+    made = field_photograph(image + sky, field, 6e-6, encoding="linear", sensor=sensor, energy=0.97)
+    values = np.asarray(made.values, np.float64)
+    if background:
+        values -= field_photograph(sky, field, 6e-6, encoding="linear", sensor=sensor, energy=0.97).values
+    true, places, _ = drawn(image, field, 6e-6, sensor)
+    for row, column in places:
+        if 6 <= row < 74 and 6 <= column < 114:
+            near = slice(row - 6, row + 7), slice(column - 6, column + 7)
+            assert values[near].sum() == pytest.approx(true[near].sum(), rel=0.008)
+            assert np.abs(values[near] - true[near]).max() < 0.012 * true[near].max()
+
+
+@pytest.mark.parametrize("group", [np.ones((2, 2)), np.ones((1, 7)), np.eye(6), np.indices((8, 8)).sum(axis=0) % 2])
+def test_light_of_sharp_groups_of_pixels_is_kept_and_nowhere_negative(group):
+    image, (height, width) = np.zeros((80, 120)), group.shape
+    for row, column in np.ndindex(3, 5):
+        image[15 + 20 * row :, 15 + 20 * column :][:height, :width] = group
+    made = field_photograph(image, NARROW, 6e-6, encoding="linear", sensor=(24e-3, 36e-3), energy=0.9)
+    assert made.values.min() >= 0.0
+    assert made.values.sum() == pytest.approx(drawn(image, NARROW, 6e-6, (24e-3, 36e-3))[2].sum(), rel=2e-3)
+
+
+@pytest.mark.parametrize("shape", [(9, 11), (30, 40, 3)])
+def test_negative_light_is_taken_from_around_it(shape):
+    light = np.random.default_rng(0).uniform(-0.2, 1.0, shape)
+    made = positive(light)
+    assert made.min() >= 0.0
+    np.testing.assert_allclose(made.sum(axis=(0, 1)), light.sum(axis=(0, 1)), rtol=1e-12)
+    far = np.zeros((20, 20))
+    far[4, 4], far[4, 5], far[15, 15] = 1.0, -0.25, 2.0
+    np.testing.assert_allclose(positive(far)[[4, 4, 15], [4, 5, 15]], [0.75, 0.0, 2.0])
+
+
+def test_points_are_isolated_bright_pixels_and_nothing_smooth():
+    draw = np.random.default_rng(0)
+    image = np.full((60, 60), 0.2) + draw.normal(0.0, 0.002, (60, 60))
+    places = [(0, 0), (59, 30), (20, 20), (40, 20), (40, 21), (20, 41), (22, 40), (21, 42)]
+    image[tuple(np.transpose(places))] += 0.5
+    found = points_of_light(image, 100)
+    assert sorted(map(tuple, np.argwhere(found))) == sorted(places)
+    assert np.abs(found[found > 0] - 0.5).max() < 0.012
+    image[20, 20] += 0.1
+    assert list(map(tuple, np.argwhere(points_of_light(image, 1)))) == [(20, 20)]
+    rows, columns = np.indices((60, 60))
+    for smooth in (
+        np.exp(-0.5 * ((rows - 30.3) ** 2 + (columns - 29.6) ** 2)),
+        (rows > 20) * (columns > 20) * 1.0,
+        (rows == 20) * (columns > 2) * (columns < 57) + 0.1 * (rows == 20),
+        draw.random((60, 60)),
+        1e-3 * draw.random((60, 60)) + 1.0 * (rows > columns),
+    ):
+        assert np.count_nonzero(points_of_light(np.asarray(smooth), 100)) <= 2
 
 
 def test_places_between_nodes_are_those_of_the_map():

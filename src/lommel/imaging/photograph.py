@@ -592,7 +592,7 @@ class UntiltedBlur(FieldBlur):
 
 
 _MARGIN = 3  # pixels by which windows of points, at any shift, are wider on each side than those of the blur
-_LANDING_STEPS = 6  # steps of a fixed-point iteration; each reduces the error by the strain of the distortion
+_LANDING_STEPS = 12  # steps of a fixed-point iteration; each reduces the error by the strain of the distortion
 _QUIET = 4.0  # least contrast of a point / range of light of the darkest 22 of the 25 pixels around it
 _FAINT = (0.003, 0.03)  # least contrast of a point: of white or the brightest pixel, and of its surroundings
 _MAX_DRAWN = 2**23  # largest number of values of the PSFs that are drawn in a channel

@@ -159,7 +159,7 @@ def drawn(image: np.ndarray, field: lm.FieldMap, pixel: float, sensor: tuple[flo
     return total[half:-half, half:-half], corner, area
 
 
-NARROW = lm.FieldMap.from_seidel(24e-3, W311=-300.0, W131=1.0, W222=0.6, wavelength=540e-9, f_number=2.8)
+NARROW = lm.FieldMap.from_seidel(32e-3, W311=-1500.0, W131=1.5, W222=1.0, wavelength=540e-9, f_number=2.8)
 COMATIC = lm.FieldMap.from_seidel(2e-3, W131=6.0, W222=4.0, wavelength=540e-9, f_number=2.8)
 FIELDS = pytest.mark.parametrize(("field", "sensor"), [(NARROW, (24e-3, 36e-3)), (COMATIC, (2e-3, 3e-3))])
 
@@ -191,6 +191,16 @@ def test_light_of_sharp_groups_of_pixels_is_kept_and_nowhere_negative(group):
     made = field_photograph(image, NARROW, 6e-6, encoding="linear", sensor=(24e-3, 36e-3), energy=0.9)
     assert made.values.min() >= 0.0
     assert made.values.sum() == pytest.approx(drawn(image, NARROW, 6e-6, (24e-3, 36e-3))[2].sum(), rel=2e-3)
+
+
+@pytest.mark.parametrize("distortion", [-900.0, 900.0])
+def test_points_at_the_edge_are_not_mirrored_and_light_that_arrives_outside_is_lost(distortion):
+    field = lm.FieldMap.from_seidel(30e-3, W311=distortion, wavelength=540e-9, f_number=2.8)
+    image = np.zeros((80, 120))
+    image[0, 30], image[-1, -1] = 1.0, 0.5
+    made = field_photograph(image, field, 6e-6, encoding="linear", sensor=(24e-3, 36e-3), energy=0.9)
+    light = drawn(image, field, 6e-6, (24e-3, 36e-3))[2] @ [1.0, 0.5] if distortion < 0.0 else 0.0
+    assert made.values.sum() == pytest.approx(light, rel=2e-3)
 
 
 @pytest.mark.parametrize("shape", [(9, 11), (30, 40, 3)])

@@ -267,6 +267,7 @@ class FieldBlur(LinearBlur):
         pitch = [self.pixel] * 2
         if sensor is not None:
             pitch = [length / side for length, side in zip(sides(sensor, unit), self.shape, strict=True)]
+        self._pitch = pitch
         y, x = (
             np.asarray(step * (np.arange(n) - centre), dtype=np.float64)
             for step, n, centre in zip(pitch, self.shape, axis, strict=True)

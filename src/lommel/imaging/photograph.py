@@ -549,22 +549,16 @@ class UntiltedBlur(FieldBlur):
         for spectrum in self.spectra:
             self.field_map.undistorted(x, y, spectrum)
 
-    @property
-    def _lattice(self) -> Array:
-        """Return y and x in the field of the first pixel, and the distances of rows and columns: (2, 2, 1)."""
-        steps = [axis[1] - axis[0] if len(axis) > 1 else self.pixel for axis in (self.y, self.x)]
-        return np.array([[[self.y[0]], [self.x[0]]], np.array(steps)[:, None]])
-
     def sources(self, channel: int) -> Array:
         """Return the undistorted row and column, in pixels, of the light at each pixel, shape (2, height, width)."""
-        start, pitch = self._lattice[..., None]
-        tol, spectrum = POSITION_TOL * float(pitch.min()), self.spectra[channel]
-        positions = undistorted_positions(self.field_map, self.y, self.x, spectrum, tol)
-        return np.asarray((np.stack(positions) - start) / pitch)
+        spectrum, tol = self.spectra[channel], POSITION_TOL * min(self._pitch)
+        y, x = undistorted_positions(self.field_map, self.y, self.x, spectrum, tol)
+        return np.stack([(y - self.y[0]) / self._pitch[0], (x - self.x[0]) / self._pitch[1]])
 
     def draw(self, points: Values, channel: int) -> Values:
         """Return the image of points, each with the PSF of the map at the exact position where its light arrives."""
-        spectrum, half, (start, pitch) = self.spectra[channel], self.banks[channel].half + _MARGIN, self._lattice
+        spectrum, half = self.spectra[channel], self.banks[channel].half + _MARGIN
+        start, pitch = np.array([[self.y[0]], [self.x[0]]]), np.array(self._pitch)[:, None]
         drawn = np.zeros([count + 2 * half for count in points.shape], dtype=points.dtype)
         origin, last = np.argwhere(points).T.astype(np.float64), np.array(points.shape)[:, None] - 1.0
 

@@ -470,9 +470,9 @@ def field_photograph(
     standard deviation of 1 pixel, by 0.04 % for 1.5 pixels, and by 0.005 % for 2 pixels. Points of light are isolated
     bright pixels, at most three among 5 x 5, at least 4 times as far above the others as these differ. They stand out
     from the others by at least 3 % and 0.003 of white (of the brightest pixel if it is below white), and are the
-    brightest of a channel if their PSFs have more than 2^23 values. Light that arrives outside the image is lost.
-    At other sharp edges splines overshoot; where the blur leaves negative light, it is taken from the positive light
-    of the 25 pixels around, so that the sum is conserved.
+    brightest of a channel if their PSFs have more than 2^23 values (2^18 if the aperture is neither circular nor
+    annular). Light that arrives outside the image is lost. At other sharp edges splines overshoot; where the blur
+    leaves negative light, it is taken from the positive light of the 25 pixels around, so that the sum is conserved.
 
     Examples
     --------
@@ -500,12 +500,12 @@ def field_photograph(
     shape = (scene.shape[0], scene.shape[1])
     blur = UntiltedBlur(field_map, shape, pixel, sensor=sensor, channels=spectra, energy=o.energy, tol=o.tol)
     planes = light.reshape(*shape, -1)
-    distorted, drawn = np.empty_like(planes), {}
+    distorted, drawn, drawable = np.empty_like(planes), {}, _MAX_DRAWN[field_map.pupil_without_wavefront.circular]
     for k, bank in enumerate(blur.banks):
         plane, sources = planes[..., k], blur.sources(k)
         # Without distortion the image is not resampled.
         if np.abs(sources - np.indices(shape)).max() > POSITION_TOL:
-            points = points_of_light(plane, _MAX_DRAWN // (2 * (bank.half + _MARGIN) + 1) ** 2)
+            points = points_of_light(plane, drawable // (2 * (bank.half + _MARGIN) + 1) ** 2)
             if points.any() and min(shape) > 1:
                 plane, drawn[k] = plane - points, blur.draw(points, k)
             plane = scipy.ndimage.map_coordinates(plane, sources, order=5, mode="reflect", output=plane.dtype)
@@ -589,7 +589,9 @@ _MARGIN = 3  # pixels by which windows of points, at any shift, are wider on eac
 _LANDING_STEPS = 12  # steps of a fixed-point iteration; each reduces the error by the strain of the distortion
 _QUIET = 4.0  # least contrast of a point / range of light of the darkest 22 of the 25 pixels around it
 _FAINT = (0.003, 0.03)  # least contrast of a point: of white or the brightest pixel, and of its surroundings
-_MAX_DRAWN = 2**23  # largest number of values of the PSFs that are drawn in a channel
+# Largest number of values of the PSFs that are drawn in a channel; they take 30 to 200 times as long if the aperture is
+# neither circular nor annular.
+_MAX_DRAWN = {True: 2**23, False: 2**18}
 
 
 def points_of_light(plane: Values, most: int) -> Values:

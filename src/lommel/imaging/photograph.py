@@ -589,8 +589,8 @@ _MARGIN = 3  # pixels by which windows of points, at any shift, are wider on eac
 _LANDING_STEPS = 12  # steps of a fixed-point iteration; each reduces the error by the strain of the distortion
 _QUIET = 4.0  # least contrast of a point / range of light of the darkest 22 of the 25 pixels around it
 _FAINT = (0.003, 0.03)  # least contrast of a point: of white or the brightest pixel, and of its surroundings
-# Largest number of values of the PSFs that are drawn in a channel; they take 30 to 200 times as long if the aperture is
-# neither circular nor annular.
+# Largest number of values of the PSFs that are drawn in a channel; PSFs of apertures that are neither circular nor
+# annular (False) take 30 to 200 times as long.
 _MAX_DRAWN = {True: 2**23, False: 2**18}
 
 

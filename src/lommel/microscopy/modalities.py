@@ -14,6 +14,7 @@ from lommel.core.answers import ToleranceError
 from lommel.methods.layers.scanning import Bead, Confocal, Sted, TwoPhoton, crest
 from lommel.methods.method import Method, storing
 from lommel.methods.question import output_type
+from lommel.optics.layers.objective import best_foci
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF, psf
 
@@ -186,8 +187,8 @@ def light_sheet(
         As in :func:`lommel.psf`; pixel-integrated.
     offset : array_like, optional
         Distance of the emitter from the centre of the sheet in each plane, metres in the sample; broadcasts with the
-        stack. By default `z` of the pupil, for a sheet that stays in the focal plane, and a sample with the index of
-        the immersion.
+        stack. By default the stage position relative to the brightest focus, whatever the `origin` of the pupil: for
+        a sheet that stays in the focal plane, and a sample with the index of the immersion.
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane.
 
@@ -205,13 +206,15 @@ def light_sheet(
     """
     pupil = validation.instance("emission", emission, ObjectivePupil)
     width = validation.real("thickness", thickness, above=0.0, unit="metres")
-    distance = pupil.z if offset is None else validation.real_array("offset", offset, unit="metres")
+    distance = pupil.focus - best_foci(pupil.layers, pupil.depth) if offset is None else offset
+    distance = validation.real_array("offset", distance, unit="metres")
     distance = validation.broadcast("offset and the stack", distance, pupil.z)[0]
     if distance.shape != pupil.shape:
         raise ValueError(f"offset must broadcast to the stack of shape {pupil.shape}, got shape {distance.shape}")
     if (farthest := float(np.abs(distance).max(initial=0.0))) > _MAX_DISTANCE * width:
+        name = "offset" if offset is not None else "offset, by default the stage position relative to the best focus,"
         raise ValueError(
-            f"offset must be within {_MAX_DISTANCE:g} times the thickness (dark beyond it), got {farthest:g}"
+            f"{name} must be within {_MAX_DISTANCE:g} times the thickness (dark beyond it), got {farthest:g}"
         )
     # A Gaussian of full width `width` at half maximum: exp(-4 ln 2 x^2).
     sheet = np.exp(-4.0 * math.log(2.0) * (distance / width) ** 2)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 import scipy
@@ -17,6 +17,8 @@ from lommel.base.threads import product, side_by_side
 from lommel.core import engine
 from lommel.deconvolve.linear import UNSEEN, LinearBlur, PartConsumer, Plane, PlaneOperator, Result, overlap
 from lommel.measures.spot import stage
+from lommel.optics.layers.objective import best_foci
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF
 
 
@@ -26,9 +28,10 @@ class StackBlur(LinearBlur):
     Parameters
     ----------
     psf : PSF
-        Stack over z in equal steps, with one plane at z = 0, and with the step and pixels of the recording. The same
-        PSF is used at all depths. Values are divided by their sum, so that light is conserved, except for light that
-        leaves the recording. Outside the recording the specimen is assumed to be dark.
+        Stack over z in equal steps, with one plane at the brightest focus of the point, and with the step and pixels
+        of the recording. The same PSF is used at all depths. Values are divided by their sum, so that light is
+        conserved, except for light that leaves the recording. Outside the recording the specimen is assumed to be
+        dark.
     shape : (int, int, int)
         Number of planes, height and width of the recording.
     dtype : float32 or float64, default float32
@@ -73,14 +76,18 @@ Kernel = tuple[Array, tuple[int, int, int]]
 def kernel_of(psf: PSF) -> Kernel:
     """Return the fraction of the light of a point in each voxel, of sum 1, and the index of the point's voxel."""
     validation.instance("psf", psf, PSF)
-    z = stage(psf)
+    z, pupil = stage(psf), cast(ObjectivePupil, psf.pupil)
     steps = np.diff(z)
     if z.ndim != 1 or np.ptp(steps) > 1e-6 * np.abs(steps).max():
         raise ValueError(f"psf must be one stack over even steps of z, got steps {np.unique(steps)[:3]} metres")
-    # The plane of the point: z = 0.
-    origin = int(np.abs(z).argmin())
-    if abs(z[origin]) > 1e-6 * abs(steps[0]):
-        raise ValueError(f"psf must have a plane at z = 0, the nearest is at {z[origin]:g} metres")
+    # The plane of the point: its brightest focus, z = 0 of that origin only.
+    distances = pupil.focus - best_foci(pupil.layers, pupil.depth)
+    origin = int(np.abs(distances).argmin())
+    if abs(distances[origin]) > 1e-6 * abs(steps[0]):
+        raise ValueError(
+            'psf must have a plane at the brightest focus, z = 0 of origin="brightest"; '
+            f"the nearest is {distances[origin]:g} metres from it"
+        )
     if not psf.grid.centered:
         raise ValueError(f"psf must have its axis in the middle pixel, got center={psf.grid.center}")
     values = psf.values / psf.values.sum(dtype=np.float64)

@@ -343,10 +343,7 @@ class Objective:
         if validation.choice("origin", origin, _ORIGINS) == "paraxial":
             start = self._paraxial(d)
         elif origin == "brightest":
-            distinct, index = np.unique(d, return_inverse=True)
-            # One search for each distinct depth; brightest() caches the results.
-            foci = np.array([brightest(layers, float(value)).brightest for value in distinct])
-            start = foci[index].reshape(d.shape)
+            start = best_foci(layers, d)
         focus = start + offset
         self._planes(d, focus)
         return ObjectivePupil(layers, self.magnification, d, focus, offset, source, wavefront)
@@ -549,6 +546,14 @@ def brightest(layers: Layers, depth: float) -> _Axial:
         for k in (before[-1], after[0])
     )
     return _Axial(position, peak, float(high) - float(low))
+
+
+def best_foci(layers: Layers, depth: Array) -> Array:
+    """Return the stage position of the brightest focus at each depth: z = 0 of the origin "brightest"."""
+    distinct, index = np.unique(depth, return_inverse=True)
+    # One search for each distinct depth; brightest() caches the results.
+    foci = np.array([brightest(layers, float(value)).brightest for value in distinct])
+    return np.asarray(foci[index].reshape(depth.shape))
 
 
 def _maximum(axis: _Axis, start: float, step: float) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -46,6 +47,40 @@ def test_the_mean_on_a_curve_is_below_its_bound_and_not_far_below(name, b):
             exact = true_mean(name, c, b, chords, window)
             assert exact <= found + 1e-9
             assert found <= 1.2 * exact + 0.5
+
+
+@pytest.mark.parametrize("error", [1.4e-4, 1e-4, 1e-5])
+def test_the_chords_and_nodes_suffice_for_all_signs_of_the_members_and_not_by_far(error):
+    terms, c = ((2, 0), (3, 1), (3, 3), (4, 4)), np.array([[2.2, 2.6, 2.2, 1.2], [-1.2, 0.1, -2.3, 1.1]])
+    window = (V[12:21], V[10:21])
+    disks = [(1.0, np.zeros((2, len(certificate.CURVES)))), (0.7, np.zeros((2, len(certificate.CURVES))))]
+    chords, nodes, mean, tables = certificate.fewest((terms, 1.0, window), c, disks, error, 2.0**-53)
+    assert chords % 2 == nodes % 2 == 0
+    signs = np.array(list(itertools.product([1.0, -1.0], repeat=4)))
+    smaller = np.random.default_rng(0).uniform(-1.0, 1.0, (200, 4))
+    rows = np.concatenate([factors * member for member in c for factors in (signs, smaller)])
+    numpy = Namespace.of(None)
+    errors = sum(np.exp(mean.logarithm(numpy, tables, name, rows)) for name in ("chords", "nodes"))
+    assert 0.05 * error < errors.max() <= error
+
+
+@pytest.mark.parametrize(
+    ("members", "obscuration", "window", "tol"),
+    [
+        ({(2, 0): 2.17, (4, 0): 0.609, (5, -1): 4.17, (7, -5): 1.24, (7, -3): 1.79}, 0.73, (10, 0.58), 1e-3),
+        ({(2, 0): 1.2, (2, 2): 1.9, (3, -3): 0.8, (4, 4): 1.5, (6, -2): 1.1, (6, 6): 0.4}, 0.0, (17, 0.5), 1e-3),
+        ({(2, 2): 1.5, (3, 1): 1.9, (3, -1): 1.0, (4, 2): 0.6, (5, 5): 1.9}, 0.3, (9, 0.7), 1e-7),
+        ({(2, 0): 1.0, (13, 1): 0.5, (13, -5): 0.5}, 0.0, (9, 0.5), 1e-5),
+    ],
+)
+def test_a_traced_plan_answers_all_signs_of_a_member(members, obscuration, window, tol):
+    pupil = lm.Pupil(lm.Wavefront.zernike(members, normalization="edge"), obscuration=obscuration)
+    f = lm.Plan(*window, tol=tol, integrate=False, normalize="strehl").traced(pupil, np)
+    signs = np.array(list(itertools.product([1.0, -1.0], repeat=len(members))))
+    edge = pupil.wavefront.edge.reshape(-1)
+    full = np.zeros((len(signs), len(edge)))
+    full[:, edge != 0.0] = signs
+    assert np.all(f.error(full * edge) <= tol)
 
 
 def test_the_terms_of_complex_points_are_those_of_real_ones():

@@ -132,13 +132,14 @@ def fewest(
     error: float,
     unit: float,
 ) -> tuple[int, int, Mean, Tables] | None:
-    """Return the smallest numbers of chords and of nodes with errors of at most `error`, the bound and its tables.
+    """Return the smallest numbers of chords and of nodes with an error of at most `error`, the bound and its tables.
 
-    The bound holds for all wavefronts with coefficients `c` (members, terms). Return None if no curve has a usable
-    bound. `geometry` is (terms, stretch, window), see :func:`mean_on_curve`. `disks` are pairs of a radius and an
-    array (2, curves), which is added to the logarithms of the bounds for chords (row 0) and nodes (row 1).
+    The error is that of all wavefronts whose coefficients, of any sign, are at most as large as those of a member,
+    `c` (members, terms). Return None if no curve has a usable bound. `geometry` is (terms, stretch, window), see
+    :func:`mean_on_curve`. `disks` are pairs of a radius and an array (2, curves), which is added to the logarithms of
+    the bounds for chords (row 0) and nodes (row 1).
     """
-    counts, best_tables = [0], Tables()
+    counts, best_tables, allowed = [0], Tables(), 0.5 * error
     for kind, name in enumerate(("chords", "nodes")):
         best = None
         for j, b in enumerate(CURVES.tolist()):
@@ -152,18 +153,21 @@ def fewest(
                 disk_tables[constant] = disk_tables[constant] + (float(constants[kind, j]) + _LOG_ROUNDING)
                 tables |= disk_tables
             mean = mean._replace(disks=len(disks), unit=unit)
+            # The bound increases with mu, sigma and H: absolute tables and coefficients bound it for all signs.
+            largest = {key: table if "constant" in key else np.abs(table) for key, table in tables.items()}
             with np.errstate(over="ignore", invalid="ignore"):
-                log_error = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, tables, name, c))))
+                log_error = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, largest, name, np.abs(c)))))
             # The error is proportional to exp(-2 count b), where count is the number of chords or nodes.
-            count = even((log_error - math.log(error)) / (2.0 * b)) if log_error < _MAX_LOG_MEAN else 0
-            if count and (best is None or count < best[0]):
+            count = even((log_error - math.log(allowed)) / (2.0 * b)) if log_error < _MAX_LOG_MEAN else 0
+            if count and (best is None or (count, log_error - 2.0 * count * b) < best[:2]):
+                best = count, log_error - 2.0 * count * b, tables
                 for k in range(len(disks)):
                     tables[f"{name} {k} constant"] = tables[f"{name} {k} constant"] - 2.0 * count * b
-                best = count, tables
         if best is None:
             return None
         counts.append(best[0])
-        best_tables |= best[1]
+        best_tables |= best[2]
+        allowed = error - math.exp(best[1])  # for the nodes: more than half, because the number of chords is even
     return counts[1], counts[2], mean, best_tables  # all curves, chords and nodes have the same `mean`
 
 
@@ -219,11 +223,12 @@ def mean_on_curve(
         total = float(weight.sum())
         mean = h @ (weight / total)
         deviation = h - mean[:, None]
-        # The covariance matrix is factorized as forms^T forms: a variance is then the sum of squares of forms @ c.
+        # A variance is the sum of squares of forms @ c. Forms are the symmetric root of the covariance matrix, whose
+        # elements off the diagonal are small: absolute values bound the variance closely for all signs of c.
         eigenvalues, vectors = np.linalg.eigh((deviation * (weight / total)) @ deviation.T)
         constants.append(math.log(total))
         means.append(mean)
-        forms.append(np.sqrt(np.maximum(eigenvalues, 0.0))[:, None] * vectors.T)
+        forms.append((vectors * np.sqrt(np.maximum(eigenvalues, 0.0))) @ vectors.T)
     disk_tables: Tables = {
         "samples": np.ascontiguousarray(samples.T),
         "forms": np.concatenate([np.stack(means), *forms]),

@@ -615,8 +615,7 @@ def make_chordal(
         members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MAX_MEMBERS]]
         # The weight of the inner disk is (area of the disk) / (area of the aperture), r^2.
         log_factors = [(r, np.stack(_constants(amplitude, CURVES)) + 2.0 * math.log(r)) for r, amplitude in disks]
-        # Half of `error` is allowed for the sum over chords, half for the sum over nodes.
-        by_means = fewest((terms, stretch, window), members, log_factors, 0.5 * error, UNIT[precision])
+        by_means = fewest((terms, stretch, window), members, log_factors, error, UNIT[precision])
     chords, nodes, mean, bounds = by_means or counts_by_largest(terms, c, stretch, disks, v_max, error)
     if max(chords, nodes) > _MAX_COUNT:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, above {_MAX_COUNT}")

@@ -26,10 +26,11 @@ from lommel.traced.chordal import UNIT, Chordal, Radial
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _NUMPY_TYPES = (np.ndarray, np.generic)
-_ERROR_REDUCTION = 0.1  # factor from the allowed quadrature error of a trial to that of the next trial
+_ERROR_REDUCTION = 0.1  # smallest factor from the allowed quadrature error of a trial to that of the next trial
 _MIN_ERROR = 2.0**-52  # smallest allowed quadrature error of a trial; rounding errors are larger
 # Trials choose the numbers of nodes. They test only some pupils, because each evaluation checks its own error bound.
-_TESTED_MEMBERS, _TESTED_BETWEEN = 128, 48  # numbers of tested pupils: members of the stack, and pupils between them
+# Numbers of tested pupils: members of the stack, pupils between them, and members with random signs of the terms.
+_TESTED_MEMBERS, _TESTED_BETWEEN, _TESTED_SIGNS = 128, 48, 128
 _BLOCK_VALUES = 2**21  # largest number of values in memory during trials
 _RULE_ERROR = 1e-11  # assumed error of PixelRule / largest intensity: ten times the largest measured error
 _MAX_SAMPLES = 24  # largest number of samples along a side of a pixel
@@ -418,16 +419,18 @@ def traced(
     }.get(normalize)
     # The peak of a defocused radial pupil is about proportional to 1 / phase: its allowed error is smaller.
     largest_phase = float(np.abs(c).sum(axis=1).max())
-    error = tol * pupil.amplitude * (0.04 / (2.0 * largest_phase + 1.0) if pupil.radial else 0.15)
+    error = tol * pupil.amplitude * (0.04 / (2.0 * largest_phase + 1.0) if pupil.radial else 0.35)
     distances = _defocus_by_distance(pupil)
     while True:
         parts, image, tables = _fields(pupil, grid, components, error, precision)
         static = Static(ns, terms, columns, ranges, parts, image, scale, tol, precision, dtype, distances)
-        # Add nodes until all bounds, for members of the stack and for pupils between them, are at most 0.6 tol.
+        # Add nodes until all bounds, for members of the stack and other pupils of the valid range, are below `tol`.
         member_bound, largest_bound = _largest_bounds(static, tables, c)
-        if largest_bound <= 0.6 * tol or error <= _MIN_ERROR:
+        goal = (0.6 if pupil.radial else 0.8) * tol
+        if largest_bound <= goal or error <= _MIN_ERROR:
             break
-        error = max(_MIN_ERROR, _ERROR_REDUCTION * error)
+        reduction = _ERROR_REDUCTION if pupil.radial else max(_ERROR_REDUCTION, 0.9 * goal / largest_bound)
+        error = max(_MIN_ERROR, reduction * error)
     if not member_bound <= tol:
         raise ToleranceError(
             f"tol={tol:g} cannot be proven in {precision} for the stack that the plan was traced with: the bound is "
@@ -503,7 +506,7 @@ def _fields(
 
 
 def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float, float]:
-    """Return the largest bound for tested members of the stack, and for these members and pupils between them."""
+    """Return the largest bound for tested members of the stack, and for these and others of the valid range."""
     numpy = Namespace.of(None)
     plan = TracedPSF(static._replace(namespace=numpy), tables)
     boxed = isinstance(static.lights[0][1], Radial)
@@ -522,13 +525,19 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
 
 
 def _pupils_between(c: Array, *, boxed: bool) -> Array:
-    """Return random coefficients between pairs of members of a stack or, if `boxed`, between their extremes."""
+    """Return random coefficients of the valid range: between members, also of other signs, or between extremes.
+
+    If `boxed`, each coefficient is between its extremes in the stack. Otherwise signs of members change, and with
+    them the largest value of an image.
+    """
     # The seed is fixed, such that plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
         first, second = c[draw.integers(len(c), size=(2, _TESTED_BETWEEN // 2))]
         weight = draw.random((len(first), 1))
-        return np.asarray(weight * first + (1.0 - weight) * second)
+        members = c[draw.integers(len(c), size=_TESTED_SIGNS)]
+        signed = draw.choice([-1.0, 1.0], members.shape) * members
+        return np.concatenate([weight * first + (1.0 - weight) * second, signed])
     low, high = c.min(axis=0), c.max(axis=0)
     fractions = draw.random((_TESTED_BETWEEN, c.shape[1]))
     # Half of the pupils are at corners of the box, where bounds are largest.

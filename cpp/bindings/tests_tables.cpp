@@ -10,6 +10,7 @@
 #include "lommel/pixels/shift.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/radial/average_values.hpp"
+#include "lommel/radial/coarse_averages.hpp"
 
 #include "tests.hpp"
 
@@ -110,6 +111,15 @@ void bindings::define_table_tests(nb::module_& m) {
           "That change, down and across, from I at the radii of anywhere_bounds(); returns further roundings.");
     m.def("interpolation_error", &lommel::interpolation_error, "half"_a, "points"_a,
           "Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.");
+    m.def(
+        "energy_error",
+        [](std::size_t points, double swing) {
+            const lommel::EnergyWithin::Between panel(points, swing);
+            return std::make_tuple(panel.part, panel.whole, lommel::EnergyWithin::slope(points, swing));
+        },
+        "points"_a, "swing"_a,
+        "Bounds on the energy from an intensity interpolated on a panel, over its end: of a part and of all of it; and on the "
+        "derivative of this order over 2^order.");
     m.def("harmonics_error", &lommel::harmonics_error, "side"_a, "angles"_a,
           "Bound on interpolating the average over a square at so many angles, over half the range.");
 }

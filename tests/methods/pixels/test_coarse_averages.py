@@ -242,3 +242,37 @@ def test_few_pupils_whose_weights_would_be_many_are_within_their_bound(pixel, si
     places = [(half, half - 1), (half + 2, half - 3), (half + 7, half + 9), (3, half), (side - 1, 0)]
     check(found, pupil, np.pi * pixel, places)
     assert found.error_bound <= tol
+
+
+@pytest.mark.parametrize("order", [4, 9, 16, 40, 63])
+def test_derivatives_of_the_intensity_are_at_most_what_the_places_in_the_pupil_allow(order):
+    # The mean of abs(x)^j over the unit disk, and the sum of their products by Leibniz's rule.
+    means = [mp.beta((j + 1) / mp.mpf(2), mp.mpf(3) / 2) * 2 / mp.pi for j in range(order + 1)]
+    exact = sum(mp.binomial(order, j) * means[j] * means[order - j] for j in range(order + 1)) / 2**order
+    bound = _core_tests.energy_error(order, 1e9)[2]
+    assert exact <= bound <= 2.0 * exact
+    assert _core_tests.energy_error(order, 1e-9)[2] == 1e-9  # by Bernstein's inequality
+
+
+@pytest.mark.parametrize("points", [4, 5, 7, 10, 11])
+@pytest.mark.parametrize("middle", [1.0, 3.0, 21.0])
+def test_the_energy_of_an_interpolated_intensity_is_off_by_less_than_its_bound(points, middle):
+    part, whole, _ = _core_tests.energy_error(points, 0.5)
+    nodes, closest = np.polynomial.chebyshev.chebpts1(points), 0.0
+    fine = np.polynomial.chebyshev.chebpts1(60)
+    radii, weights = np.polynomial.legendre.leggauss(40)
+    rho, w = 0.5 * (radii + 1), 0.5 * weights
+    for phase in (0.0, 3.0, 8.0):
+        light = 2.0 * rho * w * np.exp(1j * phase * rho**2)
+        values = [np.abs(light @ j0(np.outer(rho, middle + x))) ** 2 for x in (nodes, fine)]
+        short, long = (
+            np.polynomial.Chebyshev(np.linalg.solve(np.polynomial.chebyshev.chebvander(x, len(x) - 1), v))
+            for x, v in zip((nodes, fine), values, strict=True)
+        )
+        off = ((long - short) * np.polynomial.Chebyshev([middle, 1.0])).integ(lbnd=-1.0)
+        largest, last = np.abs(off(np.linspace(-1.0, 1.0, 301))).max(), abs(off(1.0))
+        assert largest <= part * (middle + 1.0) + 1e-15
+        assert last <= whole * (middle + 1.0) + 1e-15
+        closest = max(closest, largest / part)
+    assert whole < part
+    assert middle > 1.0 or closest > 0.01

@@ -111,7 +111,8 @@ class PixelRenderer {
         // Later attempts. each: share for the table, and again for U; both are halved if values are divided by their maximum.
         static constexpr double each = 0.2;
         // Averages from the flux through pixel edges. rings: error due to omitted interference rings; sums: error of quadratures.
-        static constexpr double rings = 0.6, sums = 0.05;
+        // less: share of the error of U in the first attempt for other pixels, as sums leave little.
+        static constexpr double rings = 0.6, sums = 0.4, less = 0.1;
         static_assert(table + 2.0 * field + cubics + places <= 1.0 && 2.0 * each <= 1.0);
     };
 
@@ -304,7 +305,8 @@ class PixelRenderer {
 
     CoarseAverages::Attempt coarse_attempt(const Phase& phase, double value) const {
         const double room = allowed_ * value;
-        return {Budget::rings * room, std::max(RadialBudget::least, first_attempt(phase).error), Budget::sums * room};
+        return {Budget::rings * room, std::max(RadialBudget::least, Budget::less * first_attempt(phase).error),
+                Budget::sums * room};
     }
 
     // Lower bound on the largest pixel average over the plane, as in peak_at_least(), from the flux through pixel edges.
@@ -324,7 +326,7 @@ class PixelRenderer {
         const auto window = CoarseWindow::get(windows_[pupil]);
         double elsewhere = 0.0;
         bool looked = false;
-        CoarseAverages::Attempt request = coarse_attempt(phase, likely_value(phase));
+        CoarseAverages::Attempt request = coarse_attempt(phase, (normalize ? 0.5 : 1.0) * likely_value(phase));
         const auto attempt = [&] {
             found.make(*window, phase, stack_.obscuration, aperture_.light, aperture_.area, request, threads);
             const double bound = relative(found.top, found.off(), elsewhere, normalize);

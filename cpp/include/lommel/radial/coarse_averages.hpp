@@ -111,6 +111,41 @@ class EnergyWithin {
     static constexpr double width = 2.0;  // width of a panel in optical units
     double rounding = 0.0;                // bound on the rounding error of computed encircled energies
 
+    // Bound on |n-th derivative of the intensity| / 2^n, n >= 1, along any line: by Bernstein's inequality half of the largest
+    // possible intensity, `swing`, or from the pupil, whose points far from the line's axis are few (docs/certificate.md, section 9).
+    static double slope(std::size_t n, double swing) {
+        const double order = static_cast<double>(n);
+        return std::min(swing, 20.371832715762604 / ((order + 2.0) * (order + 2.0) * (order + 1.25)));
+    }
+    // Error of the encircled energy / (2 pi), due to interpolation of the intensity at `points` >= 4 Chebyshev points of a panel,
+    // divided by half the panel's width and by the distance of its end from the axis: over a part of the panel, and over all of it.
+    struct Between {
+        double part = 0.0, whole = 0.0;
+
+        Between(std::size_t points, double swing) {
+            double power = 1.0;
+            const auto add = [&](std::size_t k, double size) {
+                const double order = static_cast<double>(k);
+                part += size * (k < 3 ? 2.0 : 1.0 / (order - 2.0));
+                whole += size * (k < 3 ? 2.0 : 2.0 / (order * (order - 2.0)));
+            };
+            for (std::size_t k = 1; k <= 3 * points; ++k) {
+                power *= 0.5 * width / static_cast<double>(k);
+                const double size = 2.0 * slope(k, swing) * power;  // bound on the Chebyshev coefficient of order k
+                if (k == 3 * points) {
+                    part += 5.0 * size;  // all further orders
+                    whole += 5.0 * size;
+                } else if (k >= points) {
+                    add(k, size);
+                    if (k > points) {
+                        add(k > 2 * points ? k - 2 * points : 2 * points - k,
+                            size);  // the order with the same values at the points
+                    }
+                }
+            }
+        }
+    };
+
     // Compute the encircled energy up to the distance `reach`, from the intensity at `points` Chebyshev points per panel.
     // request: requested error of the field U; swing: half of the largest possible intensity.
     void make(Field& field, const Phase& phase, double obscuration, double reach, double request, std::size_t points,
@@ -152,6 +187,8 @@ class EnergyWithin {
         energies_.assign(panels_ * count_, 0.0);
         offs_.assign(2 * panels_ + 2, 0.0);
         rounding = 0.0;
+        const Between missed(points, swing);
+        part_ = 0.5 * width * missed.part;
         double inside = 0.0;
         mean_.resize(points);
         moment_.resize(points + 3);
@@ -184,8 +221,9 @@ class EnergyWithin {
             rounding = std::max(rounding, unit_roundoff * evaluating);
             const double given = spread * intensity_error(std::sqrt(top), bound),
                          area = 0.5 * (end * end - (end - width) * (end - width));
-            offs_[2 * s + 1] = given + between + unit_roundoff * 2.0 * n * (n + 8.0) * top;
-            offs_[2 * s + 2] = offs_[2 * s] + offs_[2 * s + 1] * area + unit_roundoff * (n + 8.0) * (before + inside);
+            offs_[2 * s + 1] = given + unit_roundoff * 2.0 * n * (n + 8.0) * top;
+            offs_[2 * s + 2] = offs_[2 * s] + offs_[2 * s + 1] * area + 0.5 * width * end * missed.whole +
+                               unit_roundoff * (n + 8.0) * (before + inside);
         }
     }
 
@@ -228,11 +266,14 @@ class EnergyWithin {
             }
         });
         const double end = start + 1.0, y = std::max(start * start, end * end);
-        sum.off = std::abs(sum.turn) * off(step * std::sqrt(x * x + y));
+        const double r = step * std::sqrt(x * x + y);
+        sum.off = std::abs(sum.turn) * (off(r) + part(r));
         return sum;
     }
 
-    // Bound on the error of E(r), the encircled energy / (2 pi).
+    // The error of E(r), the encircled energy / (2 pi), is at most off(r) + part(r); between two radii r <= R it changes by at most
+    // off(R) - off(r) + 2 part(R).
+    double part(double r) const { return part_ * (r + width); }
     double off(double r) const {
         const std::size_t s = panel(r);
         const double inside = width * static_cast<double>(s);
@@ -255,6 +296,7 @@ class EnergyWithin {
     std::size_t panel(double r) const { return std::min(panels_ - 1, static_cast<std::size_t>(r / width)); }
 
     std::size_t panels_ = 1, count_ = 1;
+    double part_ = 0.0;
     Doubles radii_, values_;
     std::vector<Doubles> transforms_;  // [points]: matrix [point][coefficient] from values to Chebyshev coefficients
     std::vector<double> places_, mean_, moment_, series_, monomials_, sizes_;  // buffers of make()
@@ -311,7 +353,10 @@ class CoarseAverages {
               const Attempt& request, int threads) {
         const double step = coarse.window.step, swing = 0.5 * area * area, square = step * step;
         const EnergyTail tail(phase, obscuration);
-        const double high = without_rings(tail, step, request.rings), limit = high / step;
+        // If the error is larger even at the corner of the window, no pixel does without rings.
+        const double corner = 1.5 * step * coarse.edges.back();
+        const double high = left_out(tail, step, corner) > request.rings ? corner : without_rings(tail, step, request.rings);
+        const double limit = high / step;
         const double factor = tail.mean() / (square * step), whole = 12.566370614359172 * light / square;
         const std::size_t count = coarse.groups.v.size();
         values.resize(count + widest_step);
@@ -337,21 +382,27 @@ class CoarseAverages {
         error = 0.0;
         if (!near_.empty()) {
             reach = step * std::sqrt(reach);
-            const double room = request.sums * square;  // allowed error of an integral over a pixel
-            const auto quadrature = [&](std::size_t q) { return swing * reach * step * gauss_error(step, q); };
-            const std::size_t q = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; });
-            const std::size_t points = fewest(
-                4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= request.sums; });
-            energy_.make(field_, phase, obscuration, reach, request.field, points, swing, threads);
+            const double room = 0.25 * request.sums * square;  // allowed error of an integral along an edge of a pixel
+            // E / r^2 is the integral over s, from 0 to 1, of s times the intensity at s r. gauss_error() is that of both directions.
+            const auto quadrature = [&](std::size_t q) {
+                const double order = static_cast<double>(q);
+                return reach * step * gauss_error(step, q) * EnergyWithin::slope(2 * q, swing) / (4.0 * (order + 1.0));
+            };
             constexpr std::size_t together = EnergyWithin::together;
-            nodes_.assign(q + together, 0.0);  // the added nodes have weight 0
-            weights_.assign(q + together, 0.0);
+            const std::size_t least = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; }),
+                              q = (least + together - 1) / together * together;
+            const std::size_t points = fewest(4, [&](std::size_t n) {
+                const EnergyWithin::Between panel(n, swing);
+                return 1.1 * panel.whole + 3.0 / step * panel.part <= request.sums;
+            });
+            energy_.make(field_, phase, obscuration, reach, request.field, points, swing, threads);
+            nodes_.assign(q, 0.0);
+            weights_.assign(q, 0.0);
             gauss_legendre<double, double>(q, nodes_.data(), weights_.data());
             for (std::size_t j = 0; j < q; ++j) {
                 nodes_[j] = 0.5 * (1.0 + nodes_[j]);
                 weights_[j] *= 0.5;
             }
-            nodes_.resize((q + together - 1) / together * together);
             const std::size_t sides = static_cast<std::size_t>(
                 std::lower_bound(coarse.edges.begin(), coarse.edges.end(), reach / step * (1.0 + 1e-12)) -
                 coarse.edges.begin());
@@ -381,9 +432,10 @@ class CoarseAverages {
                 values[pixel.group] = sum / square;
                 // A constant error of the encircled energy is multiplied by the sum of the edges' signed angles, `turn`: nearly 0, or
                 // 2 pi if the axis is in the pixel.
-                const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
-                             last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
-                const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));
+                const double end = step * std::sqrt(coarse.farthest(pixel.column, pixel.row)),
+                             first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
+                             last = energy_.off(end), change = 0.5 * (last - first) + energy_.part(end);
+                const double given = std::min(off, change * turns + 0.5 * (last + first) * std::abs(turn));
                 error = std::max(error, (given + (energy_.rounding + relative) * turns + 4.0 * quadrature(q)) / square);
             }
         }

@@ -91,7 +91,7 @@ def psf(
         units of lambda*N. `Geometric` has no point values and always integrates. See `PSF.sampling`.
     fill : float or (float, float), default 1
         Fill factor: the active fraction of the area of a pixel, or of its height and width. Values are always
-        pixel-integrated if it is below 1.
+        pixel-integrated if it is below 1, which is not supported with derivatives.
     blur : Blur or sequence of Blur, default ()
         Additional blur of images by lenses, such as :class:`lommel.Seeing` or :class:`lommel.Jitter`; see
         :doc:`/sensor`. Not supported with derivatives.

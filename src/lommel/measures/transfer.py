@@ -72,9 +72,10 @@ def otf(
     spectrum : Polychromatic, optional
         Spectrum over which the OTF is summed, with equal optical path differences at all wavelengths.
     tol : float, default 1e-10
-        Absolute tolerance, 1e-13 to 0.1. For circular and annular apertures quadrature nodes are added until two
-        successive results agree within `tol`. For other apertures the error is proven to be at most `tol` plus
-        rounding, and each frequency takes a few milliseconds. Ignored for apertures with a mask.
+        Absolute tolerance, at least 1e-13 and below 0.1. For circular and annular apertures quadrature nodes are
+        added until two successive results agree within `tol`, which is no proof. For other apertures the error is
+        proven to be at most `tol` plus rounding, and each frequency takes a few milliseconds. Ignored for apertures
+        with a mask.
 
     Returns
     -------
@@ -103,12 +104,12 @@ def otf(
     >>> round(float(abs(lm.otf(lm.Pupil(), 0.5))), 6)
     0.391002
     """
+    tolerance = validation.real("tol", tol, least=1e-13, below=0.1)
     if isinstance(pupil, Measurable):
         _require_default(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
         return pupil.measured(lambda psf: image_otf(psf, fx, fy, tol=tol))
     checked(pupil)
     x_f, y_f = frequencies(fx, fy, pupil.unit)
-    tolerance = validation.real("tol", tol, least=1e-13, most=0.1)
     pixel_transfer, blurs_used = _pixel_transfer(pupil, x_f, y_f, pixel, fill), blurs(blur)
     require_unit(blurs_used, pupil)
     total = np.zeros((math.prod(pupil.shape), x_f.size), dtype=np.complex128)

@@ -214,7 +214,7 @@ def test_the_frequency_of_a_contrast_has_that_contrast_and_is_the_first(level, a
 
 def test_what_is_impossible_is_refused_by_name():
     for measure in (lm.otf, lm.psf):  # tolerances end where those of images do
-        with pytest.raises(ValueError, match="tol must be .* < 0.1, got 0.1"):
+        with pytest.raises(ValueError, match=r"tol must be .* < 0.1, got 0.1"):
             measure(lm.Pupil(), 3, 0.5, tol=0.1)
     with pytest.raises(ValueError, match="tol must be"):
         lm.otf(lm.psf(lm.Pupil(), 9, 0.5), 0.3, tol=0.1)

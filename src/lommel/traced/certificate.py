@@ -154,7 +154,7 @@ def fewest(
                 tables |= disk_tables
             mean = mean._replace(disks=len(disks), unit=unit)
             # The bound increases with mu, sigma and H: absolute tables and coefficients bound it for all signs.
-            largest = {key: table if "constant" in key else np.abs(table) for key, table in tables.items()}
+            largest = {key: t if "constant" in key else np.abs(_NUMPY.to_numpy(t)) for key, t in tables.items()}
             with np.errstate(over="ignore", invalid="ignore"):
                 log_error = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, largest, name, np.abs(c)))))
             # The error is proportional to exp(-2 count b), where count is the number of chords or nodes.

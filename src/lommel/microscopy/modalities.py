@@ -212,9 +212,9 @@ def light_sheet(
     if distance.shape != pupil.shape:
         raise ValueError(f"offset must broadcast to the stack of shape {pupil.shape}, got shape {distance.shape}")
     if (farthest := float(np.abs(distance).max(initial=0.0))) > _MAX_DISTANCE * width:
-        name = "offset" if offset is not None else "offset, by default the stage position relative to the best focus,"
         raise ValueError(
-            f"{name} must be within {_MAX_DISTANCE:g} times the thickness (dark beyond it), got {farthest:g}"
+            "offset, by default the stage position relative to the brightest focus, must be within "
+            f"{_MAX_DISTANCE:g} times the thickness (dark beyond it), got {farthest:g} m"
         )
     # A Gaussian of full width `width` at half maximum: exp(-4 ln 2 x^2).
     sheet = np.exp(-4.0 * math.log(2.0) * (distance / width) ** 2)

@@ -84,10 +84,7 @@ def kernel_of(psf: PSF) -> Kernel:
     distances = pupil.focus - best_foci(pupil.layers, pupil.depth)
     origin = int(np.abs(distances).argmin())
     if abs(distances[origin]) > 1e-6 * abs(steps[0]):
-        raise ValueError(
-            'psf must have a plane at the brightest focus, z = 0 of origin="brightest"; '
-            f"the nearest is {distances[origin]:g} metres from it"
-        )
+        raise ValueError(f"psf must have a plane at the brightest focus, the nearest is {distances[origin]:g} m off")
     if not psf.grid.centered:
         raise ValueError(f"psf must have its axis in the middle pixel, got center={psf.grid.center}")
     values = psf.values / psf.values.sum(dtype=np.float64)

@@ -385,8 +385,7 @@ class CoarseAverages {
             const double room = 0.25 * request.sums * square;  // allowed error of an integral along an edge of a pixel
             // E / r^2 is the integral over s, from 0 to 1, of s times the intensity at s r. gauss_error() is that of both directions.
             const auto quadrature = [&](std::size_t q) {
-                const double order = static_cast<double>(q);
-                return reach * step * gauss_error(step, q) * EnergyWithin::slope(2 * q, swing) / (4.0 * (order + 1.0));
+                return reach * step * gauss_error(step, q) * EnergyWithin::slope(2 * q, swing) / static_cast<double>(4 * q + 4);
             };
             constexpr std::size_t together = EnergyWithin::together;
             const std::size_t least = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; }),

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from lommel import imaging
 from lommel.base.arrays import Values, plain
-from lommel.base.encoding import to_light
+from lommel.base.encoding import Encoding, named, parsed, to_light
 from lommel.base.options import In, Shown, filled
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import (
@@ -46,11 +46,12 @@ if TYPE_CHECKING:
     from lommel.imaging.photograph import Pixels
 
 _TOLERANCE = 0.02  # largest relative difference from the EXIF, which has rounded nominal values
-Encoding = Literal["srgb", "linear"]
 _READ = 3.0  # default read noise, rms electrons, without a camera
 _ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
 
 
+ENCODING = Shown(metavar="srgb|linear|GAMMA", parse=parsed)
+"""Form of an encoding."""
 BETWEEN = Shown(length="m", metavar="NEAR FAR")
 """Form of the nearest and the farthest distance."""
 
@@ -100,7 +101,7 @@ def blur(
     /,
     *,
     output: Annotated[Path, OUTPUT],
-    encoding: Encoding | None = None,
+    encoding: Annotated[Encoding | None, ENCODING] = None,
     over_field: bool = False,
     batch: bool = False,
     camera_options: PhotoCamera = PhotoCamera(),
@@ -125,7 +126,8 @@ def blur(
     output
         Blurred photo: {photo}. With --batch: a folder.
     encoding
-        Encoding of the photo's values; by default integers are sRGB and floats are linear.
+        Encoding of the photo's values: srgb, linear, or a number, as 1.8 for light = value ** 1.8; by default as the
+        photo states (ICC profile), else integers are sRGB; floats are linear.
     over_field
         Render PHOTO, as an ideal lens would record it, through the lens file given in place of DEPTH, which needs a
         section [field]: blur over the field, distortion, lateral colour and shading. The axis is in the middle of the
@@ -283,7 +285,7 @@ def _through_field(
     facts = _errors(rendered, clipped) | {
         "shape": list(light.shape),
         "encoding": {"photo": photograph.encoding, "output": stored_as},
-        "read": _read_as(photograph, encoding),
+        "read": _read_as(photograph),
         "pixel": pitch,
         "moved": shift,
         "seconds": seconds,
@@ -308,7 +310,7 @@ def restore(
     /,
     *,
     output: Annotated[Path, OUTPUT],
-    encoding: Encoding | None = None,
+    encoding: Annotated[Encoding | None, ENCODING] = None,
     algorithm: Annotated[Literal["richardson-lucy", "total-variation", "one-pass"], METHOD] = "richardson-lucy",
     restoring: imaging.RestoreOptions = imaging.RestoreOptions(),
     noise_options: MaskedPhotoNoise = MaskedPhotoNoise(),
@@ -397,7 +399,7 @@ class Job:
         depth_map: imaging.DepthMapOptions,
     ) -> None:
         self._photo, depth, lens = files
-        self._output, self._encoding = output, encoding
+        self._output = output
         self.photograph = imaging.read_photo(self._photo, encoding)
         shape = self.photograph.values.shape
         self._depth = imaging.read_depth(depth, shape=shape, options=replace(depth_map, missing=None))
@@ -448,7 +450,7 @@ class Job:
         common = {
             "shape": [height // points, width // points, *channels],
             "encoding": {"photo": photograph.encoding, "output": self._stored_as},
-            "read": _read_as(photograph, self._encoding),
+            "read": _read_as(photograph),
             "bits": "float" if self._dtype.kind == "f" else str(8 * self._dtype.itemsize),
             "focal_length": lens.focal_length,
             "f_number": lens.f_number,
@@ -458,22 +460,21 @@ class Job:
         return told(common | depth_facts(self._depth) | facts) + written([self._output])
 
 
-def read_as(dtype: np.dtype[np.generic], bits: int, encoding: str, stated: bool) -> str:
+def read_as(dtype: np.dtype[np.generic], bits: int, encoding: Encoding, stated: bool) -> str:
     """Return a description of the encoding of values, as stated or assumed."""
-    names = {"srgb": "sRGB", "linear": "linear"}
     text = f"{'float' if dtype.kind == 'f' else f'{bits}-bit'} values, "
     if stated:
-        return text + names[encoding]
+        return text + named(encoding)
     other = "linear" if encoding == "srgb" else "srgb"
-    return f"{text}assumed {names[encoding]}; if they are {names[other]}, give --encoding {other}"
+    return f"{text}assumed {named(encoding)}; if they are {named(other)}, give --encoding {other}"
 
 
-def _read_as(photograph: imaging.Photograph, encoding: str | None) -> str:
+def _read_as(photograph: imaging.Photograph) -> str:
     dtype = photograph.values.dtype
-    return read_as(dtype, 8 * dtype.itemsize, photograph.encoding, encoding is not None)
+    return read_as(dtype, 8 * dtype.itemsize, photograph.encoding, photograph.stated)
 
 
-def output_type(photograph: imaging.Photograph, output: Path) -> tuple[np.dtype[np.generic], str]:
+def output_type(photograph: imaging.Photograph, output: Path) -> tuple[np.dtype[np.generic], Encoding]:
     """Return the type and the encoding of the output, as in the photo if the format can store them."""
     kind, suffix = photograph.values.dtype, output.suffix.lower()
     dtype: np.dtype[np.generic] = kind
@@ -547,7 +548,7 @@ def depth(
     outputs: Annotated[tuple[Path, ...], OUTPUT] = (),
     sharp: Annotated[Path | None, Shown(metavar="FILE", writes=True)] = None,
     figure: Annotated[Path | None, PLOT] = None,
-    encoding: Literal["srgb", "linear"] | None = None,
+    encoding: Annotated[Encoding | None, ENCODING] = None,
     cameras: PairCamera = PairCamera(),
     options: imaging.DefocusOptions = imaging.DefocusOptions(),
     photo_noise: MaskedPhotoNoise = MaskedPhotoNoise(),
@@ -569,7 +570,8 @@ def depth(
     figure
         Figure of depth map, standard error and all-in-focus image: .png, .pdf or .svg.
     encoding
-        Encoding of the photos' values; by default integers are sRGB and floats are linear.
+        Encoding of the photos' values: srgb, linear, or a number, as 1.8 for light = value ** 1.8; by default as the
+        photos state (ICC profile), else integers are sRGB; floats are linear.
     mask
         Image that is not 0 at pixels to ignore; one for all photos, or one for each.
 
@@ -614,7 +616,7 @@ def depth(
             imaging.write_photo(sharp, image, encoding=stored_as, dtype=dtype)
         save_figure(estimate.plot, figure)
     facts = estimate.to_dict() | lens_facts(lenses) | {"seconds": seconds, "pixel": instrument.side}
-    facts["read"] = _read_as(pictures[0], encoding)
+    facts["read"] = _read_as(pictures[0])
     none = "no depth found: the photos have no texture, or all of it is out of range"
     text = [none] if facts["depth"] is None else []
     return told(facts) + Report({}, text) + verdict_report(estimate.verdict) + written([*outputs, sharp, figure])

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from lommel import imaging
 from lommel.base import atomic, optional, validation
 from lommel.base.arrays import Array, Values, plain
-from lommel.base.encoding import from_light, to_light, warn_if_bright
+from lommel.base.encoding import Encoding, from_light, to_light, warn_if_bright
 from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import percent
 from lommel.cli.command import OUTPUT, command
@@ -32,7 +32,7 @@ from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_file, require_folder, written
 from lommel.cli.photo_commands import (
     BETWEEN,
-    Encoding,
+    ENCODING,
     PairCamera,
     depth_facts,
     each_lens,
@@ -138,7 +138,7 @@ def watch(
     sources: Annotated[tuple[str, ...], Shown(("--source",), metavar="SOURCE")],
     between: Annotated[tuple[float, float], BETWEEN],
     alternating: bool = False,
-    encoding: Encoding | None = None,
+    encoding: Annotated[Encoding | None, ENCODING] = None,
     misfit: Annotated[float, In(least=1.0, infinite=True)] = 2.0,
     files: Files = Files(),
     cameras: PairCamera = PairCamera(),
@@ -407,7 +407,7 @@ class Outputs:
         self._colours = DepthColours(between, (height, width), BLOCK, files.sharp) if coloured else None
         self._curve = from_light(np.linspace(0.0, 1.0, _CURVE_LEVELS, dtype=np.float32), "srgb", np.uint8)
         # Linear video may be far darker than its white: `_grey` then sets the white from the first image.
-        self._white = coding.white if coding.encoding == "srgb" else math.nan
+        self._white = math.nan if coding.encoding == "linear" else coding.white
 
         def open_writer(path: Path, title: str) -> videos.VideoWriter:
             writer: videos.VideoWriter = stack.enter_context(videos.find(path).write(path, pairs.interval, title))
@@ -527,7 +527,7 @@ def sharpen(
     output: Annotated[Path, OUTPUT],
     at: Annotated[float | None, Shown(length="m")] = None,
     map_: Annotated[Path | None, Shown(("--depth",), metavar="FILE")] = None,
-    encoding: Encoding | None = None,
+    encoding: Annotated[Encoding | None, ENCODING] = None,
     clip_camera: PhotoCamera = PhotoCamera(),
     video_noise: FrameNoise = FrameNoise(),
     depth_map: imaging.DepthMapOptions = imaging.DepthMapOptions(missing="nearest"),
@@ -645,7 +645,7 @@ def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, 
 
 
 def _clip(
-    clip: Path, output: Path, coder: Callable[..., Coding], encoding: str | None, status: Steps, stack: ExitStack
+    clip: Path, output: Path, coder: Callable[..., Coding], encoding: Encoding | None, status: Steps, stack: ExitStack
 ) -> Clip:
     """Open a photo or a video, and its output."""
     if (
@@ -682,7 +682,7 @@ def _clip(
 class Coding(NamedTuple):
     """Encoding and noise of stored values."""
 
-    encoding: str  # "srgb" or "linear"
+    encoding: Encoding
     levels: int  # number of integer levels, 0 for floats
     white: float  # electrons at white, in the noise model that includes rounding
     noise: Noise  # noise of the values that the method `light` returns
@@ -691,8 +691,8 @@ class Coding(NamedTuple):
     facts: Facts
 
     def light(self, values: Values) -> Values:
-        """Return values for the live filters: sRGB is decoded, linear values stay unchanged."""
-        return to_light("the video", values, "srgb", np.float32) if self.encoding == "srgb" else values
+        """Return values for the live filters: linear values stay unchanged, others are decoded."""
+        return values if self.encoding == "linear" else to_light("the video", values, self.encoding, np.float32)
 
     def noise_bits(self, electrons: float) -> float:
         """Return the entropy of a stored pixel's noise, bits, at a number of electrons, for normal noise."""
@@ -741,17 +741,17 @@ def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]
 def coding_of(
     levels: int,
     dtype: np.dtype[np.generic],
-    default_encoding: str,
+    default_encoding: Encoding,
     video_noise: FrameNoise,
     camera: Camera | None,
-    encoding: str | None,
+    encoding: Encoding | None,
 ) -> Coding:
     """Return the coding of stored values from the options --white, --read, --offset, --saturation and --encoding.
 
     The noise of 8-bit sRGB values is always reported as a guess; without option and camera it has default values.
     """
     encoding_used = encoding or default_encoding
-    is_guess = encoding_used == "srgb" and levels == 256
+    is_guess = encoding_used != "linear" and levels == 256
     options, assumed = vars(video_noise).copy(), []
     for name, value in (("white", _DEFAULT_WHITE), ("read", _DEFAULT_READ)) if is_guess else ():
         of_camera = camera and (camera.full_well if name == "white" else camera.read)
@@ -760,7 +760,7 @@ def coding_of(
             assumed.append(f"--{name}")
     sensor = noise_of(options, camera, photographs=True)
     white, read, offset = np.array([sensor.white, sensor.read, sensor.offset], np.float64).tolist()
-    value_of_white = 1.0 if encoding_used == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
+    value_of_white = 1.0 if encoding_used != "linear" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
     stored_white, stored_read = stored_noise(white, read, levels, encoding_used)
     text = read_as(dtype, levels.bit_length() - 1, encoding_used, encoding is not None)
     guess = ""
@@ -778,7 +778,7 @@ def coding_of(
     return Coding(encoding_used, levels, stored_white, noise, saturation, guess, facts)
 
 
-def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple[float, float]:
+def stored_noise(white: float, read: float, levels: int, encoding: Encoding) -> tuple[float, float]:
     """Return (1) electrons at white and (2) read noise, electrons, both with rounding to `levels` (0: no rounding).
 
     Rounding adds a twelfth of the squared step to the variance. The squared step of sRGB grows with the light, so
@@ -788,7 +788,7 @@ def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple
         return white, read
     if encoding == "linear":
         return white, math.hypot(read, white / (levels - 1) / math.sqrt(12.0))
-    light = to_light("levels", np.linspace(0.0, 1.0, levels), "srgb", np.float64)
+    light = to_light("levels", np.linspace(0.0, 1.0, levels), encoding, np.float64)
     variance = light / white + (read / white) ** 2 + np.gradient(light) ** 2 / 12.0
     fitted = light > _FIT_ABOVE
     terms = np.stack([light, np.ones_like(light)], axis=1)[fitted] / variance[fitted, None]

@@ -522,7 +522,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "depth_unknown": unknown_fraction,
         "wavelength": lens.wavelength,
         "channels": [[list(line) for line in channel] for channel in spectra("channels", channels)],
-        "encoding": picture.encoding,
+        "encoding": picture.encoding if isinstance(picture.encoding, str | float) else "icc",
         "noise": None if noise is None else noise.to_dict(),
         "window": 2 * max(bank.half for bank in blur.banks) + 1,
         "lost": float(f"{blur.lost:.4g}"),
@@ -530,7 +530,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "psfs_error": float(f"{_nearest_psf_error(psfs):.2g}"),
     }
     files = {
-        "image.png": _png(image, picture.encoding),
+        "image.png": _png(image, picture),
         "sharp.png": _png_of_photo(picture, light),
         "depth.npy": atomic.contents(np.save, metres.astype(np.float32)),
         "index.png": png_of_16_bits(index, None, 1),
@@ -568,11 +568,18 @@ def _png_of_photo(picture: Photograph, light: Values) -> bytes:
     """Return the unblurred photo as a 16-bit PNG."""
     stored = picture.values
     if stored.dtype.kind != "u":
-        return _png(light, picture.encoding)
+        return _png(light, picture)
     # 8-bit values times 257: white, 255, becomes 65535.
-    return png_of_16_bits(stored.astype(np.uint16) * np.uint16(257 if stored.itemsize == 1 else 1), None, 1)
+    return png_of_16_bits(
+        stored.astype(np.uint16) * np.uint16(257 if stored.itemsize == 1 else 1), _profile(picture), 1
+    )
 
 
-def _png(light: Values, encoding: str) -> bytes:
+def _png(light: Values, picture: Photograph) -> bytes:
     """Return linear light as a 16-bit PNG. Compression level 1: a higher level takes longer than the blur."""
-    return png_of_16_bits(from_light(light, encoding, np.uint16), None, 1)
+    return png_of_16_bits(from_light(light, picture.encoding, np.uint16), _profile(picture), 1)
+
+
+def _profile(picture: Photograph) -> bytes | None:
+    """Return the ICC profile of a photo that readers would not take for what it is."""
+    return None if picture.encoding == "srgb" or picture.values.dtype.kind == "f" else picture.profile

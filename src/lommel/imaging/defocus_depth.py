@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values, plain
 from lommel.base.cached import cached_property
-from lommel.base.encoding import from_light, to_light
+from lommel.base.encoding import Encoding, from_light, to_light
 from lommel.base.options import In, listed
 from lommel.core.engine import FocalStream
 from lommel.estimation.depth_precision import WINDOW
@@ -70,7 +70,7 @@ class DefocusDepth:
         Candidate distances, metres.
     exposures : tuple of float
         Exposure of each photograph relative to the first, as measured.
-    encoding : {"srgb", "linear"}
+    encoding : {"srgb", "linear"}, float or ToneCurves
         Encoding of the photographs and of `sharp`.
     """
 
@@ -79,7 +79,7 @@ class DefocusDepth:
     misfit: Array
     candidates: Array
     exposures: tuple[float, ...]
-    encoding: str
+    encoding: Encoding
     _sharpen: Callable[[Array], Values]
     _judge: Callable[[], DefocusVerdict]
 
@@ -167,7 +167,7 @@ def depth_from_defocus(
     lenses: Sequence[Lens],
     pixel: float,
     *,
-    encoding: str,
+    encoding: Encoding,
     noise: Noise,
     between: tuple[float, float],
     transfer: Transfer = transfer_curve,
@@ -189,8 +189,8 @@ def depth_from_defocus(
         aberrations only.
     pixel : float
         Pixel pitch, metres.
-    encoding : {"srgb", "linear"}
-        Encoding of the photographs.
+    encoding : {"srgb", "linear"} or float
+        Encoding of the photographs; a number states ``light = value ** number``.
     noise : Noise
         Noise of the linear photographs, where white is 1: ``noise.white`` is the number of electrons at white.
     between : (float, float)
@@ -311,7 +311,7 @@ def depth_from_defocus(
         light = np.broadcast_to(light, (*valid.shape, *scene.shape[2:])) if scene.ndim == 3 else light[..., 0]
         if scene.dtype.kind != "f":
             light = np.clip(light, 0.0, 1.0)
-        elif encoding == "srgb":
+        elif encoding != "linear":
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, scene.dtype)
 
@@ -468,7 +468,7 @@ def _is_grey(values: Values) -> bool:
     return values.ndim == 3 and values.shape[2] == 3 and bool((values == values[..., :1]).all())
 
 
-def _electrons(name: str, counts: Counts, encoding: str, noise: Noise) -> tuple[Array, NDArray[np.bool_]]:
+def _electrons(name: str, counts: Counts, encoding: Encoding, noise: Noise) -> tuple[Array, NDArray[np.bool_]]:
     """Return the electrons of one photograph, (channels, height, width), and the map of its known pixels."""
     values = counts.values
     pixels: NDArray[np.bool_] = np.asarray(counts.known.reshape(*values.shape[:2], -1).all(axis=2))

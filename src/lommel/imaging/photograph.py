@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.encoding import clipped_fraction, from_light, scene_light, to_light
+from lommel.base.encoding import Encoding, ToneCurves, clipped_fraction, from_light, scene_light, to_light
 from lommel.base.options import HIDDEN, In, listed
 from lommel.deconvolve.linear import folded, tiles_of
 from lommel.field.maps import FieldMap, require_one_aperture
@@ -73,16 +73,16 @@ class Rendered:
         return np.array(self.values, dtype=dtype, copy=copy)
 
     @classmethod
-    def by(cls, blur: DepthBlur | FieldBlur, values: Pixels, encoding: str, clipped: float) -> Self:
+    def by(cls, blur: DepthBlur | FieldBlur, values: Pixels, encoding: Encoding, clipped: float) -> Self:
         """Return a photograph from stored values, the blur that made them, and the fraction clipped."""
         side = 2 * max(bank.half for bank in blur.banks) + 1
         return cls(Photograph(values, encoding), blur.lost, blur.error, side, clipped)
 
 
-def encode_light(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Pixels, float]:
+def encode_light(light: Values, encoding: Encoding, dtype: DTypeLike) -> tuple[Pixels, float]:
     """Return finite light (1 is white) as stored values, and the fraction of values clipped to an integer range."""
     clipped = clipped_fraction(light, dtype)
-    if light.dtype != np.float32 or dtype != np.uint8:
+    if light.dtype != np.float32 or dtype != np.uint8 or isinstance(encoding, ToneCurves):
         return from_light(light, encoding, dtype), clipped
     # Comparison with the thresholds between levels is faster than encoding each value; the results are equal.
     thresholds, levels = _thresholds(encoding)
@@ -93,7 +93,7 @@ def encode_light(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Pixels
 
 
 @lru_cache
-def _thresholds(encoding: str) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
+def _thresholds(encoding: str | float) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
     """Return the values of light at which the rounded 8-bit value increases by one, and infinity; and levels.
 
     These are those of floats from 0 to 1 whose last `_INTERVAL_BITS` bits are 0. At most one threshold is between two
@@ -155,7 +155,7 @@ class Scene:
     """A sharp image with its depth map, whose photographs are computed through any lens."""
 
     def __init__(
-        self, image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, encoding: str, o: BlurOptions
+        self, image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, encoding: Encoding, o: BlurOptions
     ) -> None:
         require_lens(lens, "image, depth, lens, pixel")
         scene = validation.array("image", image, "counts")
@@ -231,7 +231,7 @@ class FocusPlan:
         lens: Lens,
         pixel: float,
         *,
-        encoding: str,
+        encoding: Encoding,
         occlusion: bool = True,
     ) -> None:
         self._occlusion, self.lens = validation.truth("occlusion", occlusion), lens
@@ -277,7 +277,7 @@ def depth_of_field(
     lens: Lens,
     pixel: float,
     *,
-    encoding: str,
+    encoding: Encoding,
     out: Pixels | None = None,
     progress: Callable[[int, int], object] | None = None,
     options: BlurOptions | None = None,
@@ -303,8 +303,8 @@ def depth_of_field(
         Lens with radially symmetric aberrations.
     pixel : float
         Pixel pitch of the result, metres.
-    encoding : {"srgb", "linear"}
-        Encoding of `image` and of the result.
+    encoding : {"srgb", "linear"} or float
+        Encoding of `image` and of the result; a number states ``light = value ** number``.
     out : ndarray, optional
         Array or memory map that receives the values, with the shape and type of the result.
     progress : callable, optional
@@ -362,7 +362,7 @@ def _render_tiles(
     distances: Pixels,
     lens: Lens,
     pixel: float,
-    encoding: str,
+    encoding: Encoding,
     side: int,
     o: BlurOptions,
     out: Pixels | None,
@@ -420,7 +420,7 @@ def field_photograph(
     field_map: FieldMap,
     pixel: float,
     *,
-    encoding: str,
+    encoding: Encoding,
     sensor: tuple[float, float] | None = None,
     options: FieldPhotographOptions | None = None,
     **given: Any,
@@ -441,8 +441,8 @@ def field_photograph(
         Map over undistorted field positions; the lens of its aperture determines lateral and axial colour.
     pixel : float
         Pixel pitch, in the unit of the map (metres if it has a wavelength).
-    encoding : {"srgb", "linear"}
-        Encoding of `image` and of the result.
+    encoding : {"srgb", "linear"} or float
+        Encoding of `image` and of the result; a number states ``light = value ** number``.
     sensor : (float, float), optional
         See :class:`lommel.imaging.FieldBlur`. A `sensor` larger than the image enlarges the PSFs, not the distortion.
     options : FieldPhotographOptions, optional

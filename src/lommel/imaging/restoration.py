@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.encoding import to_light, warn_if_bright
+from lommel.base.encoding import Encoding, to_light, warn_if_bright
 from lommel.base.options import HIDDEN, In, listed
 from lommel.deconvolve.algorithms import (
     MISFIT,
@@ -163,7 +163,7 @@ def restore(
     lens: Lens | LinearBlur,
     pixel: float | None = None,
     *,
-    encoding: str,
+    encoding: Encoding,
     noise: Noise,
     progress: Callable[..., object] | None = None,
     options: RestoreOptions | None = None,
@@ -186,8 +186,8 @@ def restore(
         subclass of your own, whose matrix must not have negative elements.
     pixel : float, optional
         Pixel pitch, metres. Not for a blur operator.
-    encoding : {"srgb", "linear"}
-        Encoding of `photo` and of the result.
+    encoding : {"srgb", "linear"} or float
+        Encoding of `photo` and of the result; a number states ``light = value ** number``.
     noise : Noise
         Noise of linear values with white at 1, for any type of `photo`: ``white=`` is in electrons at white.
     progress : callable, optional
@@ -257,7 +257,7 @@ def restore(
     )  # fmt: skip
 
 
-def recorded(photo: Pixels, encoding: str, limit: float, mask: NDArray[np.bool_] | None = None) -> Array:
+def recorded(photo: Pixels, encoding: Encoding, limit: float, mask: NDArray[np.bool_] | None = None) -> Array:
     """Return the light of a photograph, NaN at unknown pixels; ValueError if all pixels are unknown or saturated."""
     require_image("photo", photo.shape)
     unknown = np.isnan(photo) if photo.dtype.kind == "f" else np.zeros(photo.shape, dtype=bool)
@@ -275,7 +275,7 @@ def recorded(photo: Pixels, encoding: str, limit: float, mask: NDArray[np.bool_]
     return light
 
 
-def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
+def full_light(photo: Pixels, encoding: Encoding, saturation: float | None) -> float:
     """Return the light at and above which pixels of a photograph are saturated."""
     if saturation is not None:
         # The stated value may be rounded down in the type of the photograph.
@@ -285,7 +285,7 @@ def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
     if photo.dtype.kind != "u":
         return 1.0
     full, _ = full_value([photo], None)
-    return float(to_light("photo", np.array([full], dtype=photo.dtype), encoding, np.float64)[0])
+    return float(to_light("photo", np.full((1, 3), full, dtype=photo.dtype), encoding, np.float64).min())
 
 
 def _findings(stopped: str, discrepancy: float) -> Findings:

@@ -8,7 +8,7 @@ import re
 import struct
 import warnings
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -21,9 +21,9 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Values
-from lommel.base.encoding import ENCODINGS, from_light, scene_light
+from lommel.base.encoding import Encoding, ToneCurves, agree, checked, from_light, named, scene_light
 from lommel.base.optional import library, version
-from lommel.io import registry
+from lommel.io import icc, registry
 from lommel.io.registry import Format
 
 if TYPE_CHECKING:
@@ -41,6 +41,7 @@ _TYPE_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 
 _WORD_TYPES = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}
 _MAX_ENTRY_BYTES, _MAX_ENTRIES, _MAX_EXIF_BYTES = 2**12, 256, 2**16 - 256  # limits of EXIF
 _EXPOSURE_TAG, _GPS_TAG = 0x8769, 0x8825  # tags of the subdirectories with exposure and GPS data
+_GAMMA_TAG, _COLOUR_SPACE_TAG, _INTEROPERABILITY_TAG = 0xA500, 0xA001, 0xA005
 _COPIED_TAGS = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
 # Tags that are not copied: maker's notes contain offsets into the old file, the other tags describe the old pixels.
 _OMITTED_TAGS = {_EXPOSURE_TAG: (0x927C, 0xA001, 0xA002, 0xA003, 0xA005), _GPS_TAG: ()}
@@ -268,16 +269,21 @@ class Photograph:
     ----------
     values : ndarray, shape (height, width) or (height, width, 3)
         Unsigned integers or floats.
-    encoding : {"srgb", "linear"}
+    encoding : {"srgb", "linear"}, float or ToneCurves
+        Encoding of `values`, for any argument `encoding`. A number states ``light = value ** number``; a ToneCurves
+        has the curves of an ICC profile.
     exif : Exif, optional
     profile : bytes or None
-        ICC profile, passed on without interpretation.
+        ICC profile that describes `values`: that of the file, or one of its gamma.
+    stated : bool
+        True if the file or the caller states the encoding, False if it was assumed.
     """
 
     values: Values
-    encoding: str
+    encoding: Encoding
     exif: Exif = field(default_factory=Exif)
     profile: bytes | None = None
+    stated: bool = False
 
     def light(self) -> Values:
         """Return linear light; 1 is white.
@@ -295,14 +301,16 @@ class Photograph:
         return scene_light("the photograph", self.values, self.encoding, np.float32)
 
 
-def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Photograph:
+def read_photo(path: str | PathLike[str], encoding: Encoding | None = None) -> Photograph:
     """Read a photograph (PNG, JPEG, TIFF, EXR, BMP, HEIC) and rotate it upright as its EXIF states.
 
     Parameters
     ----------
     path : path
-    encoding : {"srgb", "linear"}, optional
-        Encoding of the stored values; by default integers are sRGB and floats are linear.
+    encoding : {"srgb", "linear"} or float, optional
+        Encoding of the stored values; a number states ``light = value ** number``. By default floats are linear, and
+        integers are encoded as the file states by an ICC profile (curves of red, green and blue, or of grey), a gamma
+        of PNG (cICP, sRGB, gAMA) or of EXIF, or else sRGB. Curves within 0.0005 of white of sRGB are sRGB.
 
     Returns
     -------
@@ -319,15 +327,33 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Photog
         If Pillow, tifffile, OpenEXR or pillow-heif is not installed.
     OSError
         If it cannot be read.
+
+    Warns
+    -----
+    UserWarning
+        If the file states another encoding than `encoding`, or than linear for floats (its profile is left out if
+        `encoding` is given), or has an ICC profile of which no use was made, such as one of look-up tables.
     """
-    if encoding is not None:
-        validation.choice("encoding", encoding, ENCODINGS)
-    values, exif, profile = read_raster(path)
-    return Photograph(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), exif, profile)
+    given = None if encoding is None else checked(encoding)
+    values, exif, profile, is_srgb = read_raster(path)
+    stated: Encoding | None = "srgb" if is_srgb else None
+    name, is_float = Path(path).name, values.dtype.kind == "f"
+    if profile is not None:
+        try:
+            stated = icc.encoding_of(profile, grey=values.ndim == 2)
+        except ValueError as error:
+            taken = named(given or ("linear" if is_float else "srgb"))
+            validation.tell(f"{name}: its ICC profile {error}: not applied, and the values were taken as {taken}")
+    used: Encoding = given or ("linear" if is_float else stated or "srgb")
+    if stated is not None and used != stated and not agree(used, stated):
+        advice = "" if given else "; give their encoding if they are not"
+        validation.tell(f"{name} states values {named(stated)}, but they were taken as {named(used)}{advice}")
+        profile = None if given else profile
+    return Photograph(values, used, exif, profile, given is not None or stated is not None)
 
 
-def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
-    """Return (1) the upright values of a photograph, (2) its EXIF, (3) its ICC profile; see :func:`read_photo`."""
+def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None, bool]:
+    """Return (1) the upright values of a photograph, (2) its EXIF, (3) its ICC profile, (4) if sRGB is stated."""
     source = validation.path("path", path)
     data = reading.contents(source)
     with recognized(source, "photo", data) as form:
@@ -366,8 +392,11 @@ def _is_raw(source: Path, data: bytes) -> bool:
         return False  # a damaged file, which raises an error when it is read
 
 
-def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
-    """Return (1) values rotated upright, (2) EXIF, (3) ICC profile; a warning of Pillow is raised as an error."""
+def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None, bool]:
+    """Return (1) values rotated upright, (2) EXIF, (3) ICC profile, (4) True if sRGB is stated otherwise.
+
+    A warning of Pillow is raised as an error.
+    """
     with warnings.catch_warnings(), reading.quietly():
         warnings.simplefilter("error")
         values, tags, profile, *block = form.read(data)
@@ -376,15 +405,22 @@ def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
             raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
         row_step, column_step, transposed = _ORIENTATIONS[int(orientation) - 1]
         values = values[::row_step, ::column_step].swapaxes(0, transposed)
-        exif = parsed(tags.get_ifd(_EXPOSURE_TAG), *block or [None])
-    return np.ascontiguousarray(values), exif, profile
+        exposure = tags.get_ifd(_EXPOSURE_TAG)
+        exif = parsed(exposure, *block or [None])
+        is_srgb = 1 in (tags.get(_COLOUR_SPACE_TAG), exposure.get(_COLOUR_SPACE_TAG))
+        gamma, colours = float(exposure.get(_GAMMA_TAG, 0.0)), icc.SRGB
+        if tags.get_ifd(_INTEROPERABILITY_TAG).get(1) == "R03":  # Adobe RGB, of DCF 2.0
+            gamma, colours = 563.0 / 256.0, icc.ADOBE_RGB
+        if profile is None and not is_srgb and 0.1 <= gamma <= 10.0:
+            profile = icc.profile_of([gamma], grey=values.ndim == 2, colours=colours)
+    return np.ascontiguousarray(values), exif, profile, is_srgb
 
 
 def write_photo(
     path: str | PathLike[str],
     light: Values,
     *,
-    encoding: str = "srgb",
+    encoding: Encoding = "srgb",
     dtype: DTypeLike = np.uint8,
     like: Photograph | None = None,
 ) -> float:
@@ -399,8 +435,9 @@ def write_photo(
         .png (uint8, uint16), .jpg (uint8), .tif (uint8, uint16, float32) or .exr (float32).
     light : ndarray of float, shape (height, width) or (height, width, 3)
         1 is white.
-    encoding : {"srgb", "linear"}, default "srgb"
-        Encoding of the stored values.
+    encoding : {"srgb", "linear"} or float, default "srgb"
+        Encoding of the stored values, as of :func:`read_photo`. Integers that are not sRGB have an ICC profile that
+        states it.
     dtype : uint8, uint16 or float32, default uint8
     like : Photograph, optional
         Source photograph, whose EXIF is stored, and its ICC profile if the encoding is the same, since a profile
@@ -425,13 +462,19 @@ def write_photo(
     profile, block = None, None
     if like is not None and _EXIF in form.holds:
         profile, block = like.profile if encoding == like.encoding else None, like.exif.block
+    if profile is not None or values.dtype.kind == "f" or encoding == "srgb":
+        pass
+    elif isinstance(encoding, ToneCurves):
+        profile = encoding.profile
+    else:
+        profile = icc.profile_of([1.0 if isinstance(encoding, str) else encoding], grey=values.ndim == 2)
     atomic.write(Path(path), form.write(values, profile, *([] if block is None else [block])))
     return clipped
 
 
-def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, float]:
+def stored(light: Values, encoding: Encoding, dtype: DTypeLike) -> tuple[Values, float]:
     """Return encoded light as uint8, uint16 or float32, and the fraction of its values that were clipped."""
-    validation.choice("encoding", encoding, ENCODINGS)
+    encoding = checked(encoding)
     kind = validation.kind("dtype", dtype, np.uint8, np.uint16, np.float32)
     light = validation.array("light", light, "counts")
     if light.dtype.kind != "f":
@@ -450,6 +493,10 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
     return from_light(clipped_light, encoding, kind), clipped_fraction
 
 
+_SRGB_TRANSFER, _HDR = 13, (16, 18)
+# Curves of the transfer functions of ITU-T H.273 that are used: BT.709, gamma 2.2 and 2.8, linear; 2 is unspecified.
+_TRANSFERS: dict[int, Sequence[float]] = dict.fromkeys((1, 6, 14, 15), icc.BT709) | {4: (2.2,), 5: (2.8,), 8: (1.0,)}
+
 _BAND_PIXELS = 2**20  # number of pixels that are converted to an array in one step
 
 
@@ -460,7 +507,7 @@ def _decode(kind: str, data: bytes) -> tuple[Values, Tags, bytes | None, bytes |
             raise ValueError(f"it is an animation of {file.n_frames} frames")
         if file.mode not in ("1", "L", "P", "RGB", "I", "I;16", "LA", "RGBA"):
             raise ValueError(f"its colours are {file.mode}, neither grey nor RGB")
-        is_16_bit, grey = file.format == "PNG" and data[24] == 16, file.mode not in ("RGB", "RGBA")
+        is_16_bit, grey = file.format == "PNG" and data[24] == 16, file.mode not in ("P", "RGB", "RGBA")
         mode = file.tile[0][3] if is_16_bit else ""
         if is_16_bit and "transparency" in file.info:
             raise ValueError(_ALPHA)
@@ -468,7 +515,20 @@ def _decode(kind: str, data: bytes) -> tuple[Values, Tags, bytes | None, bytes |
             file.tile = [(*file.tile[0][:3], "RGBA")]
         values = _opaque_values(file)
         # The tags of a PNG may follow the image data.
-        metadata = file.getexif(), file.info.get("icc_profile"), file.info.get("exif")
+        tags, profile = file.getexif(), file.info.get("icc_profile")
+        place = data.find(b"cICP", 0, max(0, data.find(b"IDAT"))) if file.format == "PNG" else -1
+        nclx = (file.info.get("nclx_profile") or {}).get("transfer_characteristics")
+        transfer = data[place + 5] if place >= 0 else nclx if nclx in _HDR else None
+        gamma = file.info.get("gamma", 0.0) if file.format == "PNG" else 0.0
+        if transfer in _HDR:
+            raise ValueError("its values are of HDR (PQ or HLG); save it as sRGB")
+        if transfer == _SRGB_TRANSFER or (transfer is None and profile is None and "srgb" in file.info):
+            profile, tags[_COLOUR_SPACE_TAG] = None, 1
+        elif transfer in _TRANSFERS:
+            profile = icc.profile_of(_TRANSFERS[transfer], grey=grey)
+        elif profile is None and 0.1 <= gamma <= 10.0:
+            profile = icc.profile_of([1.0 / gamma], grey=grey)
+        metadata = tags, profile, file.info.get("exif")
     if not is_16_bit:
         return values, *metadata
     if grey:

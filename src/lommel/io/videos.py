@@ -23,6 +23,7 @@ import numpy as np
 
 from lommel.base import atomic, optional, reading, validation
 from lommel.base.arrays import Values
+from lommel.base.encoding import Encoding
 from lommel.io import photos, registry
 from lommel.io.registry import Format
 
@@ -141,8 +142,8 @@ class VideoFrames(_ClosingIterator):
         uint8; uint16 if the source has more than 8 bits (scaled to the maximum 65535); or float32.
     levels : int
         Number of levels that the source can store: 256 for 8 bits; 0 for floats.
-    encoding : {"srgb", "linear"}
-        Assumed encoding: linear for floats and for grey of more than 8 bits, otherwise sRGB.
+    encoding : {"srgb", "linear"}, float or ToneCurves
+        Encoding that numbered images state; otherwise linear for floats and for grey of more than 8 bits, else sRGB.
     number : int
         Number of the latest frame, from 0; missing frames are counted.
     dropped : int
@@ -176,7 +177,8 @@ class VideoFrames(_ClosingIterator):
         self.shape, self.dtype = first[1].values.shape, first[1].values.dtype
         self._first: _NumberedFrame | None = first
         high_depth = reader.grey and reader.levels > 256
-        self.encoding = "linear" if high_depth or self.dtype.kind == "f" else "srgb"
+        assumed = "linear" if high_depth or self.dtype.kind == "f" else "srgb"
+        self.encoding: Encoding = getattr(reader, "encoding", None) or assumed
         self._latest = _LatestFrames(self._frames, self.name) if self.live else None
 
     def __repr__(self) -> str:
@@ -698,12 +700,13 @@ class _ImageReader:
         self._files = sorted((int(match[1]), file) for match, file in matches if match)
         if not self._files:
             raise VideoError(f"{self.name} has no numbered images")
-        values = self._read(self._files[0][1])
+        values, first = self._read(self._files[0][1]), photos.read_photo(self._files[0][1])
+        self.encoding = first.encoding if first.stated else None
         self.levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
         self.grey = values.ndim == 2
 
     def _read(self, path: Path) -> Values:
-        values, _, _ = photos.read_raster(path)
+        values = photos.read_raster(path)[0]
         _require_frame_size(validation.line(path), *values.shape[1::-1])
         if self._grey and values.ndim == 3:
             luma = values @ np.array([0.299, 0.587, 0.114])

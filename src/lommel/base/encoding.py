@@ -38,15 +38,21 @@ class ToneCurves:
     def decoded(self, name: str, values: Values) -> Values:
         """Return light from stored values; ValueError beyond 0 and 1, for which a profile states no light."""
         if values.size and not 0.0 <= float(values.min()) <= float(values.max()) <= 1.0:
-            raise ValueError(f"{name} must be from 0 to 1 for the curves of an ICC profile, got {values.max()}")
+            raise ValueError(
+                f"{name} must be from 0 to 1 for the curves of an ICC profile, got {values.max() if values.max() > 1.0 else values.min()}"
+            )
         return self._each(values, lambda part, light: np.interp(part, _NODES, light))
 
     def encoded(self, light: Values) -> Values:
         """Return stored values from light, clipped to 0 and 1."""
 
         def stored(part: Values, curve: Array) -> Array:
+            # Nodes even in the root of light, along which stored values of common curves are nearly straight.
             rising, first = np.unique(curve, return_index=True)  # a curve may have level parts
-            return np.interp(part, rising, _NODES[first])
+            inverse = np.interp(np.append(_NODES, 1.0) ** 2, rising, _NODES[first])
+            place = np.sqrt(np.clip(part, 0.0, 1.0)) * (_NODES.size - 1)
+            node = place.astype(np.intp)
+            return inverse[node] + (place - node) * (inverse[node + 1] - inverse[node])
 
         return self._each(light, stored)
 

@@ -37,10 +37,8 @@ class ToneCurves:
 
     def decoded(self, name: str, values: Values) -> Values:
         """Return light from stored values; ValueError beyond 0 and 1, for which a profile states no light."""
-        if values.size and not 0.0 <= float(values.min()) <= float(values.max()) <= 1.0:
-            raise ValueError(
-                f"{name} must be from 0 to 1 for the curves of an ICC profile, got {values.max() if values.max() > 1.0 else values.min()}"
-            )
+        if (beyond := values[(values < 0.0) | (values > 1.0)]).size:
+            raise ValueError(f"{name} must be from 0 to 1 for the curves of an ICC profile, got {beyond[0]}")
         return self._each(values, lambda part, light: np.interp(part, _NODES, light))
 
     def encoded(self, light: Values) -> Values:
@@ -52,7 +50,7 @@ class ToneCurves:
             inverse = np.interp(np.append(_NODES, 1.0) ** 2, rising, _NODES[first])
             place = np.sqrt(np.clip(part, 0.0, 1.0)) * (_NODES.size - 1)
             node = place.astype(np.intp)
-            return inverse[node] + (place - node) * (inverse[node + 1] - inverse[node])
+            return np.asarray(inverse[node] + (place - node) * (inverse[node + 1] - inverse[node]))
 
         return self._each(light, stored)
 

@@ -76,6 +76,12 @@ def test_every_format_holds_the_same_table(load, suffix):
     )
 
 
+def test_semicolons_separate_decimal_commas(load):
+    text = "# order: noll\n# unit: waves\n# normalization: rms\nindex;value\n4;0,25\n7;-1,5e-3\n8;0.5\n"
+    assert load(".csv", text).terms == {4: 0.25, 7: -1.5e-3, 8: 0.5}
+    assert "line 5" in faults(load, ".csv", text.replace("0,25", "1.000,25"))[0]
+
+
 def test_the_order_nm_has_two_columns_or_a_pair_for_a_key(load):
     text = "# order: nm\n# unit: waves\n# normalization: edge\nn,m,value\n3,1,0.25\n2,-2,1e-3\n"
     expected = ZernikeTable({(3, 1): 0.25, (2, -2): 1e-3}, "nm", "waves", "edge")

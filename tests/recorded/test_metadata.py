@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from lommel.recorded import frames
@@ -83,3 +85,81 @@ def test_files_that_state_electron_multiplication_state_its_excess_noise():
         assert detector.format(kind) in text
         file = SimpleNamespace(ome_metadata=text, series=[SimpleNamespace(name="a")])
         assert frames.ome_metadata(file, 0).get("excess") == found
+
+
+def fits_file(path, values, *, unit=None, **cards):
+    from astropy.io import fits
+
+    image = fits.PrimaryHDU(np.asarray(values))
+    for name, card in cards.items():
+        image.header[name] = card
+    if unit:
+        image.header["BUNIT"] = unit
+    image.writeto(path, overwrite=True)
+    return path
+
+
+COUNTS = np.arange(20.0, dtype=np.float32).reshape(4, 5)
+
+
+@pytest.mark.parametrize(
+    ("cards", "note"),
+    [
+        ({"ROWORDER": "TOP-DOWN"}, r"ROWORDER = TOP-DOWN, .* sine terms \(m < 0: coma y, .* change sign"),
+        ({"FLIPSTAT": "Flip"}, "FLIPSTAT = Flip, .* change sign"),
+        ({"XPIXSZ": 7.6, "XBINNING": 2}, r"states XPIXSZ = 7.6, XBINNING = 2, not used: pixel, focal length"),
+        (
+            {"FOCALLEN": 2000, "FILTER": "R"},
+            "states FOCALLEN = 2000, FILTER = R, not used: .* wavelength are those given",
+        ),
+        (
+            {"BUNIT": "MJy/sr"},
+            "BUNIT = MJy/sr, not counts: photon noise is right only if the gain is in electrons per",
+        ),
+        ({"BUNIT": "adu/s"}, "BUNIT = adu/s, not counts"),
+    ],
+)
+def test_cards_that_turn_or_scale_images_are_named_with_what_they_change(tmp_path, cards, note):
+    with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **cards)) as images:
+        (found,) = images.notes
+        assert re.search(note, found), found
+        assert isinstance(images.metadata["gain"], Unusable) is ("BUNIT" in cards)
+    ordinary = {"XBINNING": 1, "FILTER": "", "BUNIT": "ADU / pixel"}
+    with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **ordinary)) as images:
+        assert images.notes == ()
+
+
+def test_files_of_two_orders_of_rows_are_refused(tmp_path):
+    paths = [
+        fits_file(tmp_path / f"{k}.fits", COUNTS, ROWORDER=order) for k, order in enumerate(("TOP-DOWN", "BOTTOM-UP"))
+    ]
+    with pytest.raises(frames.RecordingError, match=r"0.fits states ROWORDER = TOP-DOWN, but 1.fits states ROWORDER"):
+        open_frames(*paths)
+
+
+def test_comments_of_cards_state_units_of_gain_and_read_noise(tmp_path):
+    def metadata(**cards):
+        with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **cards)) as images:
+            return images.metadata
+
+    assert metadata(EGAIN=0.5, RDNOISE=(7.0, "[ADU] read noise"))["read"] == 3.5
+    assert metadata(EGAIN=0.5, RDNOISE=(7.0, "read noise in electrons"))["read"] == 7.0
+    assert metadata(EGAIN=0.5, RDNOISE=7.0)["read"] == 7.0
+    assert metadata(RDNOISE=(7.0, "counts"))["read"] == Unusable("7 counts, without a gain")
+    assert metadata(GAIN=(1.4, "[e-/ADU] gain"))["gain"] == 1.4
+    assert metadata(GAIN=(139, "sensor gain"))["unsure"] == "GAIN = 139"
+
+
+@pytest.mark.parametrize("name", ["a.png", "a.tif"])
+def test_images_of_counts_that_state_an_encoding_are_named(tmp_path, name):
+    import tifffile
+    from PIL import Image, ImageCms
+
+    stated = ImageCms.ImageCmsProfile(ImageCms.createProfile("sRGB")).tobytes()
+    values = COUNTS.astype(np.uint8)
+    if name == "a.png":
+        Image.fromarray(values).save(tmp_path / name, icc_profile=stated)
+    else:
+        tifffile.imwrite(tmp_path / name, values, iccprofile=stated)
+    with open_frames(tmp_path / name) as images:
+        assert images.notes == ("The file states values sRGB; they were taken as linear counts.",)

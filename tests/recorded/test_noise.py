@@ -244,3 +244,18 @@ def test_noise_that_ends_at_a_power_of_two_is_not_saturated(white):
             values, _ = counts(flux, white, seed)
             for shift in (0, 1023 - values.max()):  # its largest value is that of ten bits
                 assert full_value([values + shift], None)[0] == np.inf
+
+
+@pytest.mark.parametrize("bits", [10, 12, 14])
+def test_the_common_divisor_of_counts_and_images_of_0_to_1_are_named(bits):
+    def found(images, **noise):
+        noise = lm.Noise(read=1, **noise)
+        return Findings(recording_findings([counted(images=images, noise=noise)], noise, "image"))
+
+    values, factor = np.random.default_rng(0).poisson(50.0, (2, 8, 9)).astype(np.uint16), 2 ** (16 - bits)
+    text = found(values * np.uint16(factor)).get("multiples").text
+    assert text.startswith(f"all values are multiples of {factor}, as of {bits} bits stored in 16")
+    assert not {"multiples", "no_counts"} & set(found(values).codes)
+    text = found(values / 65535.0).get("no_counts").text
+    assert text.startswith(f"the largest value is {values.max() / 65535:.3g}, of less than one electron: counts are")
+    assert found(values / 65535.0, white=65535.0).get("no_counts") is None

@@ -108,7 +108,8 @@ def retrieve(
     instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
     with progress("reading") as status:
         read = read_images(_files(images))
-        noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
+        sizes = float(np.min(instrument.side)), instrument.lens.focal_length
+        noise, saturation, header = camera.resolve(read.metadata, instrument.camera, *sizes)
         stars = read[...]
         if not options.defocus and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
@@ -273,7 +274,8 @@ def fit_field(
         blur = Seeing.from_fwhm(seeing * ARCSEC, focal_length)
     with progress("reading") as status:
         read = read_images(images)
-        noise, saturation, header = camera.resolve(read.metadata, instrument.camera)
+        sizes = float(np.min(instrument.side)), instrument.lens.focal_length
+        noise, saturation, header = camera.resolve(read.metadata, instrument.camera, *sizes)
         values = read[...]
         exposures = Counts.of(values, noise=noise, mask=camera.mask_of(values), saturation=saturation)
         if not options.defocus and len(exposures) > 1:
@@ -462,7 +464,7 @@ def beads(
     with progress("reading") as status:
         read = list(read_each(tuple(stacks)))
         metadata = combined_metadata([stack.metadata for stack in read])
-        noise, saturation, header = camera.resolve(metadata, microscope.camera)
+        noise, saturation, header = camera.resolve(metadata, microscope.camera, microscope.pixel)
         steps = {stack.metadata.get("step") for stack in read} if step is None else {step}
         used_step = steps.pop() if len(steps) == 1 else None
         if used_step is None:

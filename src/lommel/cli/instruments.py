@@ -392,10 +392,21 @@ class CameraNoise(Sensor):
         """Return gain, read noise and offset, None without an option."""
         return {name: getattr(self, name) for name in ("white", "read", "offset")} | {"excess": None}
 
-    def resolve(self, header: Metadata, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
-        """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header."""
+    def resolve(
+        self, header: Metadata, camera: Camera | None, pixel: float | None = None, focal_length: float | None = None
+    ) -> tuple[Noise, float | None, list[str]]:
+        """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header.
+
+        Notes state a pixel and a focal length (metres) in the header that differ from those in use.
+        """
         options = self.values() | {"saturation": self.saturation}
         notes = take_header(options, header, camera)
+        lengths = (("sensor_pixel", "pixels of {}", pixel), ("focal_length", "a focal length of {}", focal_length))
+        for key, phrase, used in lengths:
+            stated = header.get(key)
+            if used is not None and stated is not None and abs(stated - used) > _TOLERANCE * used:
+                text = phrase.format(format_length(stated, digits=4))
+                notes.append(f"The header of the images states {text}; {format_length(used, digits=4)} was used.")
         noise = noise_of(options, camera)
         # The files of such cameras do not state whether the electron multiplication was on.
         if camera is not None and "EMCCD" in camera.name and noise.excess == 1.0:

@@ -107,7 +107,7 @@ def localize(
     parts: list[Localizations] = []
     with progress("table of images") as report_progress, open_frames(movie) as movie_file:
         frames = movie_file.as_stack()
-        noise, saturation, header = camera.resolve(frames.metadata, microscope.camera)
+        noise, saturation, header = camera.resolve(frames.metadata, microscope.camera, microscope.pixel)
         header = [*frames.notes, *header, *header_differences(frames.metadata, microscope).values()]
         mask = camera.mask_of(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel

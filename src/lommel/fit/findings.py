@@ -27,6 +27,8 @@ CODES: Mapping[str, str] = {
     "misfit": "the images differ from the model by more than noise",
     "model_error": "images of the search differ from images with a proven error bound",
     "moved": "planes are shifted relative to the other planes",
+    "multiples": "all values are multiples of an integer, such as 12 bits that are stored in 16",
+    "no_counts": "the largest value is less than one electron, as of images that were divided by their full scale",
     "no_depth": "no depth was estimated: there is no texture, or all texture is out of range",
     "no_light": "the light of a source is within the noise",
     "not_settled": "the steps of the search did not settle",
@@ -144,9 +146,12 @@ class Findings(tuple[Finding, ...]):
     def text(self) -> str:
         """The texts of all findings, separated by semicolons; what is not tested comes last.
 
-        Pixels that may be saturated come first where the fit is not reliable, since they may be the cause.
+        Pixels that may be saturated, and values that are not counts, come first where the fit is not reliable, since
+        they may be the cause.
         """
-        places = {"untested": 1} if self.reliable else {"untested": 1, "flat_top": -1}
+        places = {"untested": 1} | (
+            {} if self.reliable else dict.fromkeys(("flat_top", "multiples", "no_counts"), -1)
+        )
         return "; ".join(finding.text for finding in sorted(self, key=lambda finding: places.get(finding.code, 0)))
 
     def get(self, code: str) -> Finding | None:

@@ -32,12 +32,13 @@ Cards: TypeAlias = Mapping[str, Any]
 
 
 class Image(NamedTuple):
-    """Values of an image, its header, its number in the file, and the header of the first unit of the file."""
+    """Values of an image, its header, its number in the file, the header of the first unit, and comments of both."""
 
     values: Values
     header: Cards
     number: int = 0
     primary: Cards = {}  # noqa: RUF012 (never changed)
+    comments: dict[str, str] = {}  # noqa: RUF012 (never changed)
 
 
 def write(images: Sequence[tuple[Values, Cards]]) -> bytes:
@@ -66,7 +67,8 @@ def read(data: bytes, max_values: int) -> list[Image]:
     from astropy.io import fits
 
     contents = _decompress(data)
-    images, total, primary = list[Image](), 0, Json()
+    images, total, primary, primary_comments = list[Image](), 0, Json(), dict[str, str]()
+    kinds = set[str]()
     with warnings.catch_warnings():
         # Ignore warnings about comments that are not ASCII and about cards that are not standard.
         warnings.simplefilter("ignore")
@@ -74,11 +76,16 @@ def read(data: bytes, max_values: int) -> list[Image]:
         # The sizes in each header are checked before its data are read.
         with fits.open(io.BytesIO(contents), memmap=False, disable_image_compression=True) as file:
             for number, unit in enumerate(file):
-                header, cards = unit.header, Json()
+                header, cards, comments = unit.header, Json(), primary_comments.copy()
+                kinds.add("packed" if header.get("ZIMAGE") else str(header.get("XTENSION", "IMAGE")).strip())
                 for card in header.cards:
                     with suppress(Exception):  # an invalid card is skipped
-                        cards[card.keyword] = card.value
-                primary = primary or cards
+                        cards[card.keyword], comments[card.keyword] = card.value, card.comment
+                primary, primary_comments = primary or cards, primary_comments or comments
+                if header.get("GROUPS") is True and header.get("NAXIS1") == 0:
+                    raise ValueError(
+                        "it holds random groups, which are not read: save the images as image extensions"
+                    )
                 if header.get("XTENSION", "IMAGE").strip() != "IMAGE" or not header["NAXIS"]:
                     continue  # a table, or a header without data
                 sides = [header[f"NAXIS{k + 1}"] for k in range(min(header["NAXIS"], _MAX_AXES))]
@@ -91,9 +98,11 @@ def read(data: bytes, max_values: int) -> list[Image]:
                     count = " x ".join(map(str, sides))
                     raise ValueError(f"it states {count} values, more than the file holds or than {max_values}")
                 values = np.asarray(unit.data, unit.data.dtype.newbyteorder("="))
-                images.append(Image(values, cards, number, primary))
+                images.append(Image(values, cards, number, primary, comments))
     if not images:
-        raise ValueError("it holds no image; unpack an image that is compressed in a table (.fz) first")
+        if "packed" in kinds:
+            raise ValueError("it holds no image; unpack the image that is compressed in a table (.fz) first")
+        raise ValueError(f"it holds no image, but {'tables only' if kinds - {'IMAGE'} else 'headers without data'}")
     return images
 
 

@@ -41,7 +41,9 @@ _TYPE_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 
 _WORD_TYPES = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}
 _MAX_ENTRY_BYTES, _MAX_ENTRIES, _MAX_EXIF_BYTES = 2**12, 256, 2**16 - 256  # limits of EXIF
 _EXPOSURE_TAG, _GPS_TAG = 0x8769, 0x8825  # tags of the subdirectories with exposure and GPS data
-_GAMMA_TAG, _COLOUR_SPACE_TAG, _INTEROPERABILITY_TAG = 0xA500, 0xA001, 0xA005
+_GAMMA_TAG, _INTEROPERABILITY_TAG = 0xA500, 0xA005
+COLOUR_SPACE_TAG = 0xA001
+"""Tag of EXIF whose value 1 states sRGB."""
 _COPIED_TAGS = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
 # Tags that are not copied: maker's notes contain offsets into the old file, the other tags describe the old pixels.
 _OMITTED_TAGS = {_EXPOSURE_TAG: (0x927C, 0xA001, 0xA002, 0xA003, 0xA005), _GPS_TAG: ()}
@@ -407,7 +409,7 @@ def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None, bool
         values = values[::row_step, ::column_step].swapaxes(0, transposed)
         exposure = tags.get_ifd(_EXPOSURE_TAG)
         exif = parsed(exposure, *block or [None])
-        is_srgb = 1 in (tags.get(_COLOUR_SPACE_TAG), exposure.get(_COLOUR_SPACE_TAG))
+        is_srgb = 1 in (tags.get(COLOUR_SPACE_TAG), exposure.get(COLOUR_SPACE_TAG))
         gamma, colours = float(exposure.get(_GAMMA_TAG, 0.0)), icc.SRGB
         if tags.get_ifd(_INTEROPERABILITY_TAG).get(1) == "R03":  # Adobe RGB, of DCF 2.0
             gamma, colours = 563.0 / 256.0, icc.ADOBE_RGB
@@ -523,7 +525,7 @@ def _decode(kind: str, data: bytes) -> tuple[Values, Tags, bytes | None, bytes |
         if transfer in _HDR:
             raise ValueError("its values are of HDR (PQ or HLG); save it as sRGB")
         if transfer == _SRGB_TRANSFER or (transfer is None and profile is None and "srgb" in file.info):
-            profile, tags[_COLOUR_SPACE_TAG] = None, 1
+            profile, tags[COLOUR_SPACE_TAG] = None, 1
         elif transfer in _TRANSFERS:
             profile = icc.profile_of(_TRANSFERS[transfer], grey=grey)
         elif profile is None and 0.1 <= gamma <= 10.0:

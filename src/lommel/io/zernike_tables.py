@@ -356,8 +356,8 @@ class _CsvSettings:
 def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     """Return the table of a CSV text, or all errors in the text."""
     settings = _CsvSettings(text)
-    errors, order = settings.errors, settings.values.get("order")
-    (head, columns), *rows = [*text_files.rows(text, _find_separator(text))] or [(0, [])]
+    errors, order, separator = settings.errors, settings.values.get("order"), _find_separator(text)
+    (head, columns), *rows = [*text_files.rows(text, separator)] or [(0, [])]
     names = [cell.lower() for cell in columns]
     columns_used = [k for k, name in enumerate(names) if name not in _NAME_COLUMNS]
     index, _, unit = _find_columns([names[k] for k in columns_used], order)
@@ -377,6 +377,8 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
             errors.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_shorten_row(row)}")
             continue
         *index_cells, number = (row[k] for k in columns_used)
+        if separator != "," and "." not in number:
+            number = number.replace(",", ".")  # a decimal comma
         match = _NUMBERED_NAME.fullmatch(index_cells[0])
         terms.append((match[1] if match else ",".join(index_cells), text_files.number(number), f"line {place}"))
     table, table_errors = build(settings.values, terms, settings.where)

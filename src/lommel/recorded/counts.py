@@ -16,6 +16,7 @@ from lommel.base.arrays import Array, Index, Values
 from lommel.fit.findings import Finding
 from lommel.recorded.noise import Noise
 
+_MIN_LEVELS = 8  # least number of different values whose common divisor is told
 _FULL_SCALES = {2.0**bits - 1.0: bits for bits in (8, 10, 12, 14, 16)}  # largest value of converters: bits
 _LEAST = 3  # smallest number of pixels with the largest value that counts as saturation
 _COUNTS = 3.0  # standard deviation of the noise, counts, from which equal values are rare
@@ -376,9 +377,32 @@ def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> lis
         findings.append(Finding("left_out", "note", text, {"pixels": count, "of": total}))
     assumed = dict.fromkeys(image.assumed for image in images if image.assumed)
     findings += [Finding("saturation_assumed", "note", text) for text in assumed]
+    findings += scale_findings(images, noise)
     if remark := flat_tops(images, noise, name):
         findings.append(Finding("flat_top", "note", remark))
     return findings
+
+
+def scale_findings(images: Sequence[Counts], noise: Noise) -> list[Finding]:
+    """Return the finding on counts that are multiples of an integer, or fractions of a full scale, as a list."""
+    known = np.unique(np.concatenate([image.values[image.known] for image in images]))
+    if known.size < _MIN_LEVELS:
+        return []
+    top = float(known[-1])
+    if (known == np.rint(known)).all():
+        divisor = int(np.gcd.reduce(known.astype(np.int64)))
+        text = (
+            f"all values are multiples of {divisor}, as of {16 - divisor.bit_length() + 1} bits stored in 16: gain, "
+            f"offset and saturation must be those of the stored values, the gain 1/{divisor} of that of the camera"
+        )
+        return [Finding("multiples", "note", text, {"divisor": divisor})] if divisor > 1 else []
+    if top > 1.0 or float(np.max(noise.white or 1.0)) * top > 1.0:
+        return []
+    text = (
+        f"the largest value is {top:.3g}, of less than one electron: counts are expected; if the values were divided "
+        "by their full scale, state the electrons at 1 as gain (white=, --gain)"
+    )
+    return [Finding("no_counts", "note", text, {"largest": top})]
 
 
 def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:

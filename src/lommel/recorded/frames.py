@@ -25,10 +25,11 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Json, Values
+from lommel.base.encoding import named
 from lommel.base.quantities import metres_of, plain
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
-from lommel.io import fits_images, photos, registry, zarr_folders
+from lommel.io import fits_images, icc, photos, registry, zarr_folders
 from lommel.io.registry import Format
 from lommel.recorded.counts import Counts, OnDemand
 from lommel.recorded.noise import Noise
@@ -42,10 +43,19 @@ _EM_GAIN = ("EMGAIN", "EMREALGN", "EMREALGAIN")
 EXCESS = (
     2.0  # variance of an electron-multiplying register, divided by the variance of a Poisson variable of equal mean
 )
+_PIXELS = ("XPIXSZ", "PIXSIZE1", "PIXSIZE")  # pitch of the pixels, micrometres, after binning
+_ORDER = (
+    "which was not applied: in the other order of rows, sine terms (m < 0: coma y, oblique astigmatism) change sign"
+)
 _IGNORED_CARDS = {
     "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass the pixels of one",
     "PEDESTAL": "which was not subtracted: state it by the offset",
+    "ROWORDER": _ORDER,
+    "FLIPSTAT": _ORDER,
 }
+_UNUSED_CARDS = (*_PIXELS, "XBINNING", "PIXSCALE", "SECPIX", "FOCALLEN", "FOCRATIO", "FILTER")
+_COUNT = r"(?:adu|dn|counts?|cts?)\b"  # names of counts, also in units of gain and read noise
+_COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?", re.IGNORECASE)
 _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
 
 
@@ -178,33 +188,60 @@ def zarr_metadata(
     return metadata
 
 
-def fits_metadata(header: fits_images.Cards) -> Metadata:
-    """Return the metadata of the camera in a FITS header: electrons per count, read noise, saturation."""
+def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -> Metadata:
+    """Return the metadata of the camera in a FITS header: electrons per count, read noise, saturation, lengths.
+
+    The comments of cards state units: of read noise in counts, and of a `GAIN` that is in electrons per count.
+    """
 
     def first(names: tuple[str, ...], least: float = 0.0) -> float | Unusable | None:
         return next((number(header[name], least=least) for name in names if name in header), None)
 
     # A read noise of 0 is a valid value, unlike a gain of 0.
-    metadata: Metadata = {"gain": first(_GAIN), "read": first(_READ, -1e-300), "saturation": first(_SATURATION)}
+    is_gain = re.search(rf"\be(?:lectrons?)?-?\s*(?:/|per)\s*{_COUNT}", comments.get(_AMBIGUOUS_GAIN, "").lower())
+    gains = _GAIN + (_AMBIGUOUS_GAIN,) * bool(is_gain)
+    metadata: Metadata = {"gain": first(gains), "read": first(_READ, -1e-300), "saturation": first(_SATURATION)}
+    if order := header.get("ROWORDER"):
+        metadata["rows"] = order
+    for key, names, scale in (("sensor_pixel", _PIXELS, 1e-6), ("focal_length", ("FOCALLEN",), 1e-3)):
+        if isinstance(size := first(names), float):
+            metadata[key] = scale * size
     if isinstance(times := first(_EM_GAIN), float) and times > 1.0:
         metadata |= {"excess": EXCESS, "em_gain": times}
     unit = str(header.get("BUNIT", "")).strip()
     if unit.lower().rstrip("s") in ("electron", "e", "e-"):
         metadata["gain"] = 1.0
-    elif "electron" in unit.lower():
-        metadata["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in electrons")
+    elif unit and not _COUNTS.fullmatch(unit):
+        metadata["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in counts or electrons")
     elif metadata["gain"] is None and header.get(_AMBIGUOUS_GAIN) not in (None, ""):
         metadata["unsure"] = f"{_AMBIGUOUS_GAIN} = {validation.brief(str(header[_AMBIGUOUS_GAIN]), 60)}"
+    comment = next((comments.get(name, "").lower() for name in _READ if name in header), "")
+    if (
+        isinstance(read := metadata["read"], float)
+        and re.search(rf"\b{_COUNT}", comment)
+        and not re.search(r"\be(-|lec)", comment)
+    ):
+        gain = metadata["gain"]
+        metadata["read"] = read * gain if isinstance(gain, float) else Unusable(f"{read:g} counts, without a gain")
     return metadata
 
 
 def fits_notes(header: Mapping[str, object]) -> list[str]:
     """Return a sentence on each card of a FITS header that matters but is not applied."""
-    cards = [name for name in _IGNORED_CARDS if header.get(name) not in (None, "", 0)]
-    return [
-        f"The header of the images states {name} = {validation.brief(str(header[name]), 60)}, {_IGNORED_CARDS[name]}."
-        for name in cards
-    ]
+    stated = {
+        name: f"{name} = {validation.brief(str(header[name]), 60)}"
+        for name in (*_IGNORED_CARDS, *_UNUSED_CARDS, "BUNIT")
+        if header.get(name) not in (None, "", 0) and (name, header[name]) != ("XBINNING", 1)
+    }
+    endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
+    if unused := [stated[name] for name in _UNUSED_CARDS if name in stated]:
+        given = "not used: pixel, focal length and wavelength are those given"
+        endings.append((", ".join(unused), given))
+    if "BUNIT" in stated and not _COUNTS.fullmatch(str(header["BUNIT"]).strip()):
+        endings.append(
+            (stated["BUNIT"], "not counts: photon noise is right only if the gain is in electrons per unit")
+        )
+    return [f"The header of the images states {words}, {ending}." for words, ending in endings]
 
 
 def combined_metadata(files: Sequence[Metadata]) -> Metadata:
@@ -782,9 +819,8 @@ def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
             else "is empty"
         )
         raise RecordingError(f"{line(path)} {problem}") from None
-    values, header = file_format.read(data, part)
-    metadata = fits_metadata(header) | ({"format": "FITS"} if header else {})
-    return _array_frames(_grey(values), "it", path, metadata=metadata, notes=tuple(fits_notes(header)))
+    values, metadata, notes = file_format.read(data, part)
+    return _array_frames(_grey(values), "it", path, metadata=metadata, notes=tuple(notes))
 
 
 def _open_tiff(path: Path, image: int | None) -> Frames:
@@ -828,6 +864,7 @@ def _tiff_frames(path: Path, file: TiffFile, image: int | None) -> Frames:
     elif file.is_imagej:
         metadata = imagej_metadata(file) | {"format": "ImageJ"}
     planes = _TiffPlanes(path, file, series) if mapped is None else _ArrayPlanes(mapped, "it", path)
+    notes += _encoding_notes(page.iccprofile)
     orientation = page.tags.get("Orientation")
     if orientation is not None and orientation.value != 1:
         notes.append(f"The file states the orientation {orientation.value}, which was not applied.")
@@ -931,16 +968,26 @@ def _grey(values: Values) -> Values:
     return values
 
 
-def _png(data: bytes, _part: str | None) -> tuple[Values, Metadata]:
-    values: Values = photos.read_png(data)[0]
+def _png(data: bytes, _part: str | None) -> tuple[Values, Metadata, list[str]]:
+    values, tags, profile, _ = photos.read_png(data)
     if values.ndim != 2:
         raise ValueError(f"it has {values.shape[2]} channels: save the counts of the sensor in grey, of 16 bits")
-    return values, {}
+    return values, {}, _encoding_notes(profile, is_srgb=photos.COLOUR_SPACE_TAG in tags)
 
 
-def _fits(data: bytes, part: str | None) -> tuple[Values, Metadata]:
+def _encoding_notes(profile: bytes | None, *, is_srgb: bool = False) -> list[str]:
+    """Return a sentence on the encoding that a file states, unless it is linear, as a list."""
+    try:
+        encoding = named(icc.encoding_of(profile, grey=True) if profile else "srgb" if is_srgb else "linear")
+    except ValueError as error:
+        encoding = f"of an ICC profile that {error}"
+    return [] if encoding == "linear" else [f"The file states values {encoding}; they were taken as linear counts."]
+
+
+def _fits(data: bytes, part: str | None) -> tuple[Values, Metadata, list[str]]:
     image = fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
-    return image.values, {**image.primary, **image.header}  # an extension inherits the cards of the primary header
+    header = {**image.primary, **image.header}  # an extension inherits the cards of the primary header
+    return image.values, fits_metadata(header, image.comments) | {"format": "FITS"}, fits_notes(header)
 
 
 _images = partial(Format, "images")
@@ -987,6 +1034,10 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Frames:
             )
     if len(files) == 1:
         return files[0]
+    orders = {str(file.metadata["rows"]): file for file in files if file.metadata.get("rows")}
+    if len(orders) > 1:
+        texts = [f"{file.names[0]} states ROWORDER = {order}" for order, file in orders.items()]
+        raise RecordingError(f"images must have one order of rows: {', but '.join(texts[:2])}; flip the rows of one")
     names = tuple(name for file in files for name in file.names)
     planes = _ArrayPlanes(np.concatenate([file[...] for file in files]), "images", None, names)
     notes = tuple(dict.fromkeys(note for file in files for note in file.notes))

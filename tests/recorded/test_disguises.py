@@ -336,6 +336,9 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
         assert re.search(r"header of the images states gain .*: state --gain", result.stderr), result.stderr
     _, said = asked(words, BAYERPAT="RGGB")
     assert "states BAYERPAT = RGGB, a mosaic of colours" in said
+    _, said = asked(words, XPIXSZ=99.0, FOCALLEN=7e5)
+    assert "The header of the images states pixels of 99 um; " in said
+    assert ("states a focal length of 700 m; " in said) is (command in ("retrieve", "fit-field"))
     _, said = asked(without, GAIN=120)
     assert "states GAIN = 120, which was not used" in said
 

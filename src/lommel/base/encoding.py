@@ -96,6 +96,11 @@ def named(encoding: Encoding) -> str:
     return f"light = value ** {encoding:.4g}"
 
 
+def plain(encoding: Encoding) -> str | float:
+    """Return an encoding for JSON: a name or number, "icc" for curves."""
+    return "icc" if isinstance(encoding, ToneCurves) else encoding
+
+
 def agree(first: Encoding, second: Encoding) -> bool:
     """Return True if two encodings differ by at most :data:`CLOSE` of white."""
     levels = np.repeat(_NODES[::257, None], 3, axis=1)

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from lommel import imaging
 from lommel.base.arrays import Values, plain
 from lommel.base.encoding import Encoding, named, parsed, to_light
+from lommel.base.encoding import plain as plain_encoding
 from lommel.base.options import In, Shown, filled
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import (
@@ -284,7 +285,7 @@ def _through_field(
     shift = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
     facts = _errors(rendered, clipped) | {
         "shape": list(light.shape),
-        "encoding": {"photo": photograph.encoding, "output": stored_as},
+        "encoding": _encodings(photograph, stored_as),
         "read": _read_as(photograph),
         "pixel": pitch,
         "moved": shift,
@@ -449,7 +450,7 @@ class Job:
         height, width, *channels = photograph.values.shape
         common = {
             "shape": [height // points, width // points, *channels],
-            "encoding": {"photo": photograph.encoding, "output": self._stored_as},
+            "encoding": _encodings(photograph, self._stored_as),
             "read": _read_as(photograph),
             "bits": "float" if self._dtype.kind == "f" else str(8 * self._dtype.itemsize),
             "focal_length": lens.focal_length,
@@ -467,6 +468,10 @@ def read_as(dtype: np.dtype[np.generic], bits: int, encoding: Encoding, stated: 
         return text + named(encoding)
     other = "linear" if encoding == "srgb" else "srgb"
     return f"{text}assumed {named(encoding)}; if they are {named(other)}, give --encoding {other}"
+
+
+def _encodings(photograph: imaging.Photograph, stored_as: Encoding) -> Facts:
+    return {"photo": plain_encoding(photograph.encoding), "output": plain_encoding(stored_as)}
 
 
 def _read_as(photograph: imaging.Photograph) -> str:

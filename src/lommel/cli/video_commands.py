@@ -658,7 +658,7 @@ def _clip(
         if values.dtype.kind == "f":
             warn_if_bright(values)
         levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
-        coding = coder(levels, values.dtype, picture.encoding)
+        coding = coder(levels, values.dtype, picture.encoding, stated=picture.stated)
         dtype, stored_as = output_type(picture, output)
 
         def save(light: Values, _: float) -> None:
@@ -698,7 +698,7 @@ class Coding(NamedTuple):
         """Return the entropy of a stored pixel's noise, bits, at a number of electrons, for normal noise."""
         sigma = math.hypot(math.sqrt(electrons), self.noise.read)
         ends = np.clip(np.array([electrons - sigma, electrons + sigma]) / self.white, 0.0, 1.0)
-        low, high = from_light(ends, self.encoding, np.float64)
+        low, high = from_light(ends[:, None].repeat(3, axis=1), self.encoding, np.float64)[:, 1]
         steps = 0.5 * (self.levels - 1) * float(high - low)  # standard deviation in steps between levels
         return max(0.0, math.log2(max(steps, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
 
@@ -745,10 +745,12 @@ def coding_of(
     video_noise: FrameNoise,
     camera: Camera | None,
     encoding: Encoding | None,
+    *,
+    stated: bool = False,
 ) -> Coding:
     """Return the coding of stored values from the options --white, --read, --offset, --saturation and --encoding.
 
-    The noise of 8-bit sRGB values is always reported as a guess; without option and camera it has default values.
+    `stated` is whether the file states the default encoding. The noise of 8-bit sRGB values is always reported as a guess; without option and camera it has default values.
     """
     encoding_used = encoding or default_encoding
     is_guess = encoding_used != "linear" and levels == 256
@@ -762,7 +764,7 @@ def coding_of(
     white, read, offset = np.array([sensor.white, sensor.read, sensor.offset], np.float64).tolist()
     value_of_white = 1.0 if encoding_used != "linear" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
     stored_white, stored_read = stored_noise(white, read, levels, encoding_used)
-    text = read_as(dtype, levels.bit_length() - 1, encoding_used, encoding is not None)
+    text = read_as(dtype, levels.bit_length() - 1, encoding_used, stated or encoding is not None)
     guess = ""
     if is_guess:
         source = f"by default; give {' and '.join(assumed)}" if assumed else "as stated"
@@ -788,7 +790,8 @@ def stored_noise(white: float, read: float, levels: int, encoding: Encoding) -> 
         return white, read
     if encoding == "linear":
         return white, math.hypot(read, white / (levels - 1) / math.sqrt(12.0))
-    light = to_light("levels", np.linspace(0.0, 1.0, levels), encoding, np.float64)
+    steps = np.linspace(0.0, 1.0, levels)[:, None].repeat(3, axis=1)
+    light = to_light("levels", steps, encoding, np.float64)[:, 1]  # of green, where channels differ
     variance = light / white + (read / white) ** 2 + np.gradient(light) ** 2 / 12.0
     fitted = light > _FIT_ABOVE
     terms = np.stack([light, np.ones_like(light)], axis=1)[fitted] / variance[fitted, None]

@@ -19,10 +19,9 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
-from lommel.base import atomic, reading, validation
+from lommel.base import atomic, encoding, reading, validation
 from lommel.base.arrays import Array, Json, Values
 from lommel.base.atomic import plain, size_and_checksum_of_bytes, size_and_checksum_of_file
-from lommel.base.encoding import from_light
 from lommel.base.options import HIDDEN, In, Options, listed
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
@@ -522,7 +521,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "depth_unknown": unknown_fraction,
         "wavelength": lens.wavelength,
         "channels": [[list(line) for line in channel] for channel in spectra("channels", channels)],
-        "encoding": picture.encoding if isinstance(picture.encoding, str | float) else "icc",
+        "encoding": encoding.plain(picture.encoding),
         "noise": None if noise is None else noise.to_dict(),
         "window": 2 * max(bank.half for bank in blur.banks) + 1,
         "lost": float(f"{blur.lost:.4g}"),
@@ -577,7 +576,7 @@ def _png_of_photo(picture: Photograph, light: Values) -> bytes:
 
 def _png(light: Values, picture: Photograph) -> bytes:
     """Return linear light as a 16-bit PNG. Compression level 1: a higher level takes longer than the blur."""
-    return png_of_16_bits(from_light(light, picture.encoding, np.uint16), _profile(picture), 1)
+    return png_of_16_bits(encoding.from_light(light, picture.encoding, np.uint16), _profile(picture), 1)
 
 
 def _profile(picture: Photograph) -> bytes | None:

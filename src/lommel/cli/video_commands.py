@@ -750,7 +750,8 @@ def coding_of(
 ) -> Coding:
     """Return the coding of stored values from the options --white, --read, --offset, --saturation and --encoding.
 
-    `stated` is whether the file states the default encoding. The noise of 8-bit sRGB values is always reported as a guess; without option and camera it has default values.
+    `stated` is whether the file states the default encoding. The noise of 8-bit values that are not linear is always
+    reported as a guess; without option and camera it has default values.
     """
     encoding_used = encoding or default_encoding
     is_guess = encoding_used != "linear" and levels == 256
@@ -767,9 +768,10 @@ def coding_of(
     text = read_as(dtype, levels.bit_length() - 1, encoding_used, stated or encoding is not None)
     guess = ""
     if is_guess:
+        kind = "sRGB" if encoding_used == "srgb" else "encoded"
         source = f"by default; give {' and '.join(assumed)}" if assumed else "as stated"
         guess = (
-            f"The noise of 8-bit sRGB values is a guess, because cameras denoise and compress them: {white:g} "
+            f"The noise of 8-bit {kind} values is a guess, because cameras denoise and compress them: {white:g} "
             f"electrons at white, read noise {read:g} electrons ({source}), and rounding."
         )
     facts = {"read": text, "white": white, "read_noise": read, "noise_is_a_guess": is_guess, "assumed": assumed}

@@ -31,7 +31,7 @@ from lommel.localize.table import Table, Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
-from lommel.recorded.counts import Counts, flat_tops
+from lommel.recorded.counts import Counts, flat_tops, scale_findings
 from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
@@ -112,6 +112,8 @@ class Checks:
             self._add_once("below_offset", "doubt", text, share=dark_fraction)
         if remark := flat_tops([counts], self._noise, "movie"):
             self._add_once("flat_top", "note", remark)
+        for found in scale_findings([counts[:1]], self._noise):
+            self._add_once(found.code, found.severity, found.text)
         if counts.assumed:
             self._add_once("saturation_assumed", "note", counts.assumed)
 

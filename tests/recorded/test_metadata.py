@@ -124,7 +124,7 @@ def test_cards_that_turn_or_scale_images_are_named_with_what_they_change(tmp_pat
         (found,) = images.notes
         assert re.search(note, found), found
         assert isinstance(images.metadata["gain"], Unusable) is ("BUNIT" in cards)
-    ordinary = {"XBINNING": 1, "FILTER": "", "BUNIT": "ADU / pixel"}
+    ordinary = {"XBINNING": 1, "CCDSUM": "1 1", "FILTER": "", "BUNIT": "ADU / pixel"}
     with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **ordinary)) as images:
         assert images.notes == ()
 
@@ -145,6 +145,7 @@ def test_comments_of_cards_state_units_of_gain_and_read_noise(tmp_path):
     assert metadata(EGAIN=0.5, RDNOISE=(7.0, "[ADU] read noise"))["read"] == 3.5
     assert metadata(EGAIN=0.5, RDNOISE=(7.0, "read noise in electrons"))["read"] == 7.0
     assert metadata(EGAIN=0.5, RDNOISE=7.0)["read"] == 7.0
+    assert metadata(EGAIN=0.5, RDNOISE=(7.0, "[ADU] read noise"), BUNIT="electron")["read"] == 3.5
     assert metadata(RDNOISE=(7.0, "counts"))["read"] == Unusable("7 counts, without a gain")
     assert metadata(GAIN=(1.4, "[e-/ADU] gain"))["gain"] == 1.4
     assert metadata(GAIN=(139, "sensor gain"))["unsure"] == "GAIN = 139"

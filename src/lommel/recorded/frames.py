@@ -53,7 +53,8 @@ _IGNORED_CARDS = {
     "ROWORDER": _ORDER,
     "FLIPSTAT": _ORDER,
 }
-_UNUSED_CARDS = (*_PIXELS, "XBINNING", "PIXSCALE", "SECPIX", "FOCALLEN", "FOCRATIO", "FILTER")
+_BINNING = ("XBINNING", "YBINNING", "CCDSUM")
+_UNUSED_CARDS = (*_PIXELS, *_BINNING, "PIXSCALE", "SECPIX", "FOCALLEN", "FOCRATIO", "FILTER")
 _COUNT = r"(?:adu|dn|counts?|cts?)\b"  # names of counts, also in units of gain and read noise
 _COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?", re.IGNORECASE)
 _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
@@ -203,6 +204,7 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
     metadata: Metadata = {"gain": first(gains), "read": first(_READ, -1e-300), "saturation": first(_SATURATION)}
     if order := header.get("ROWORDER"):
         metadata["rows"] = order
+    gain = metadata["gain"]
     for key, names, scale in (("sensor_pixel", _PIXELS, 1e-6), ("focal_length", ("FOCALLEN",), 1e-3)):
         if isinstance(size := first(names), float):
             metadata[key] = scale * size
@@ -221,7 +223,6 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
         and re.search(rf"\b{_COUNT}", comment)
         and not re.search(r"\be(-|lec)", comment)
     ):
-        gain = metadata["gain"]
         metadata["read"] = read * gain if isinstance(gain, float) else Unusable(f"{read:g} counts, without a gain")
     return metadata
 
@@ -231,7 +232,8 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
     stated = {
         name: f"{name} = {validation.brief(str(header[name]), 60)}"
         for name in (*_IGNORED_CARDS, *_UNUSED_CARDS, "BUNIT")
-        if header.get(name) not in (None, "", 0) and (name, header[name]) != ("XBINNING", 1)
+        if header.get(name) not in (None, "", 0)
+        and (name not in _BINNING or str(header[name]).strip() not in ("1", "1.0", "1 1"))
     }
     endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
     if unused := [stated[name] for name in _UNUSED_CARDS if name in stated]:

@@ -176,7 +176,7 @@ def test_a_profile_that_is_not_applied_is_named(tmp_path, stated, message):
 def test_encodings_that_contradict_the_file_are_named_and_floats_are_linear(tmp_path):
     path = photo_of(tmp_path / "a.tif", RAMP, profile(*[para(0, 1.8)] * 3))
     with pytest.warns(
-        UserWarning, match=r"a.tif states values light = value \*\* 1.8, but they were taken as linear"
+        UserWarning, match=r"a.tif states values light = value \*\* 1.8, but .* linear, and its ICC profile was"
     ):
         found = read_photo(path, "linear")
     assert (found.encoding, found.profile) == ("linear", None)

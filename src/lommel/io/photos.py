@@ -348,7 +348,9 @@ def read_photo(path: str | PathLike[str], encoding: Encoding | None = None) -> P
             validation.tell(f"{name}: its ICC profile {error}: not applied, and the values were taken as {taken}")
     used: Encoding = given or ("linear" if is_float else stated or "srgb")
     if stated is not None and used != stated and not agree(used, stated):
-        advice = "" if given else "; give their encoding if they are not"
+        advice = "; give their encoding if they are not"
+        if given:
+            advice = "" if profile is None else ", and its ICC profile was left out"
         validation.tell(f"{name} states values {named(stated)}, but they were taken as {named(used)}{advice}")
         profile = None if given else profile
     return Photograph(values, used, exif, profile, given is not None or stated is not None)

@@ -178,7 +178,7 @@ def tiff(values: np.ndarray, **options: object) -> bytes:
         (png(mode="LA"), "it has alpha"),
         (png(transparency=(0, 0, 0)), "it has alpha"),
         (png(save_all=True, append_images=[Image.new("RGB", (9, 8), "red")]), "an animation of 2 frames"),
-        (tiff(np.zeros((2, 8, 9), np.uint8), photometric="minisblack"), "it has 2 pages"),
+        (tiff(np.zeros((2, 8, 9), np.uint8), photometric="minisblack"), "it holds 2 images, "),
         (tiff(np.zeros((8, 9, 4), np.uint8), photometric="rgb", extrasamples=["unassalpha"]), "it has alpha"),
         (tiff(np.zeros((8, 9), np.uint8), photometric="miniswhite"), "MINISWHITE, neither grey nor RGB"),
         (tiff(np.zeros((8, 9), np.int32), photometric="minisblack"), "int32, neither uint8"),

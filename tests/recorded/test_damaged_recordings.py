@@ -68,7 +68,7 @@ def test_frames_written_one_by_one_are_a_stack(tmp_path):
 @pytest.mark.parametrize("small", [(2, 2), (3, 4)])
 def test_of_frames_of_two_sizes_one_must_be_named(small, tmp_path):
     frame_by_frame(tmp_path / "a.tif", [*np.ones((3, 4, 4), np.uint16), *np.ones((3, *small), np.uint16)])
-    message = rf"it holds 2 images \(3 x 4 x 4, 3 x {small[0]} x {small[1]}\): name one"
+    message = rf"it holds 2 images, \[0\] of 3 x 4 x 4, \[1\] of 3 x {small[0]} x {small[1]}: name one"
     with pytest.raises(RecordingError, match=message):
         open_frames(tmp_path / "a.tif")
     with open_frames(f"{tmp_path / 'a.tif'}[1]") as images:

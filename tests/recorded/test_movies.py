@@ -90,6 +90,39 @@ def refused(path: Path) -> str:
     return str(caught.value)
 
 
+def test_what_is_no_movie_is_told(tmp_path):
+    path = tmp_path / "movie.tif"
+    path.write_bytes(b"")
+    assert "movie.tif is empty" in refused(path)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(100))
+    assert "movie.tif: " in refused(path)
+    path.write_bytes(b"GIF89a" + bytes(100))
+    assert "movie.tif is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr" in refused(path)
+    tifffile.imwrite(path, np.zeros((4, 8, 8, 3), np.uint8), photometric="rgb")
+    assert "it holds colours (RGB), 4 x 8 x 8 x 3 along QYXS; save each channel in grey" in refused(path)
+    tifffile.imwrite(path, np.zeros((2, 3, 8, 8), np.uint8), ome=True, metadata={"axes": "TZYX"})
+    assert (
+        "it holds 2 x 3 x 8 x 8 values along TZYX: save one stack of images, of one channel and time point"
+        in refused(path)
+    )
+    tifffile.imwrite(path, np.zeros((4, 8, 8), np.complex64), photometric="minisblack")
+    assert "must hold real numbers, got complex64" in refused(path)
+    with tifffile.TiffWriter(path) as file:
+        file.write(np.zeros((3, 8, 8), np.uint8), photometric="minisblack")
+        file.write(np.zeros((3, 9, 9), np.uint8), photometric="minisblack")
+    assert "it holds 2 images, [0] of 3 x 8 x 8, [1] of 3 x 9 x 9: name one, as in movie.tif[0]" in refused(path)
+    with tifffile.TiffWriter(path) as file:
+        for side in (*[8] * 10, 9, *[8] * 3):
+            file.write(np.zeros((8, side), np.uint8), contiguous=False, photometric="minisblack")
+    assert "it holds 2 images, [0] of 13 x 8 x 8, [1] of 8 x 9: name one, as in movie.tif[0]" in refused(path)
+    with pytest.raises(FileNotFoundError, match="nowhere"):
+        open_frames(tmp_path / "nowhere.tif").as_stack()
+    with pytest.raises(RecordingError, match="no OME-Zarr"):
+        open_frames(tmp_path).as_stack()
+    with pytest.raises(ValueError, match="images must have images of one pixel or more"):
+        open_frames(5)
+
+
 @pytest.mark.parametrize("way", ["stack", "imagej", "ome", "pages", "deflate"])
 def test_a_movie_that_was_cut_off_is_told(way, tmp_path):
     path = tmp_path / "movie.tif"

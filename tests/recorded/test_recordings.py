@@ -217,7 +217,9 @@ def test_of_several_images_the_largest_is_taken_or_that_which_is_asked_for(tmp_p
         np.testing.assert_array_equal(found[0], STACK[0])
     with open_frames(f"{path}[0]").as_channels() as found:
         assert (found.shape, found.metadata["step"], found.notes) == ((1, 1, 4, 4), None, ())
-    with pytest.raises(ValueError, match="image must be"):
+    with open_frames(f"{path}[Thumbnail]") as found:
+        assert found.shape == (4, 4)
+    with pytest.raises(ValueError, match=r"it holds 2 images, \[thumbnail\] of 4 x 4, \[stack\] of 5 x 8 x 9: name"):
         open_frames(f"{path}[2]").as_channels()
 
 

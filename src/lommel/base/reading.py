@@ -6,15 +6,17 @@ import errno
 import io
 import logging
 import math
+import re
 import stat
 import struct
 import threading
 import warnings
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any, cast
+from typing import IO, TYPE_CHECKING, Any, TypeVar, cast
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -47,6 +49,48 @@ MAX_TOML = 2**18
 """Maximum size in bytes of a lens file; the parser may allocate half a kilobyte for two bytes of TOML."""
 
 _LZW = 5  # code of the compression LZW in TIFF files
+_PART = re.compile(r"(?P<file>.+)\[(?P<part>[^\[\]]+)\]")
+_Item = TypeVar("_Item")
+
+
+def part_of(path: Path) -> tuple[Path, str | None]:
+    """Split file.fits[SCI] into the path of the file and the name or number of an image, or None."""
+    match = None if path.exists() else _PART.fullmatch(str(path))
+    return (Path(match["file"]), match["part"]) if match and Path(match["file"]).exists() else (path, None)
+
+
+def only(
+    items: Sequence[_Item], names: Sequence[Sequence[str]], sizes: Sequence[str], part: str | None, file: str
+) -> _Item:
+    """Return the image of a file that is named `part`, without it the only image.
+
+    Each image has several `names`, of which the last is its number or path, and a size as text. ValueError with the
+    names of all images if no image or more than one has the name; `file` is the name of the file there.
+    """
+    if part is None and len(items) == 1:
+        return items[0]
+    keys = [[name.upper().replace(" ", "") for name in each] for each in names]
+    key = "" if part is None else part.upper().replace(" ", "")
+    fitting = [item for item, each in zip(items, keys, strict=True) if key == each[-1]] or [
+        item for item, each in zip(items, keys, strict=True) if key and key in each
+    ]
+    if len(fitting) == 1:
+        return fitting[0]
+    counts = Counter(name for each in keys for name in set(each))
+    # Brackets cannot be part of a name in brackets.
+    shown = [
+        next(
+            n
+            for n, k in zip(each, key_row, strict=True)
+            if k == key_row[-1] or (k and counts[k] == 1 and "[" not in k)
+        )
+        for each, key_row in zip(names, keys, strict=True)
+    ]
+    texts = [f"[{name}]{f' of {size}' * bool(size)}" for name, size in zip(shown, sizes, strict=True)]
+    listed = ", ".join(texts[:4]) + (f" and {len(texts) - 4} more" if len(texts) > 4 else "")
+    raise ValueError(
+        f"it holds {len(items)} image{'s' * (len(items) != 1)}, {listed}: name one, as in {file}[{shown[0]}]"
+    )
 
 
 def contents(path: Path, limit: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:

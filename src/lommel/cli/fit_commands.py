@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple
 import numpy as np
 
 from lommel import detection
+from lommel.base import reading
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.options import In, Options, Shown
 from lommel.base.units import ARCSEC, format_length, with_error
@@ -143,11 +144,9 @@ def retrieve(
 
 def _files(paths: list[Path]) -> list[Path]:
     """Return the files; patterns that the shell has not expanded are expanded in the order of names."""
-    from lommel.recorded.frames import part_of
-
     files: list[Path] = []
     for path in paths:
-        if path.exists() or part_of(path)[1] is not None or not set("*?[") & set(path.name):
+        if path.exists() or reading.part_of(path)[1] is not None or not set("*?[") & set(path.name):
             files.append(path)
         elif matches := sorted(path.parent.glob(path.name)):
             files += matches

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from lommel.base.arrays import Array, Values
     from lommel.lensfiles.microscope_files import Microscope
-    from lommel.recorded.frames import Metadata
+    from lommel.recorded.frames import Frames, Metadata
 
 
 def _camera(text: str) -> Camera:
@@ -141,7 +141,7 @@ def _camera_map(text: str, name: str) -> Array:
     flag, path = flag_of(name), Path(text)
     if not path.suffix:
         raise ValueError(f"{flag} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
-    images = read_images([path])[...]
+    images = _noted(read_images([path]), flag)[...]
     if len(images) != 1:
         raise ValueError(f"{flag} must be one image, got {len(images)} in {validation.line(path)}")
     values = np.asarray(images[0], np.float64)
@@ -152,11 +152,18 @@ def _camera_map(text: str, name: str) -> Array:
     return values
 
 
+def _noted(frames: Frames, flag: str) -> Frames:
+    """Return images whose notes, such as on the choice of one of several, are told with the option of their file."""
+    for note in frames.notes:
+        validation.tell(f"{flag}: {note}")
+    return frames
+
+
 def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     """Return a mask of the pixels to ignore, read from an image file."""
     from lommel.recorded.frames import read_images
 
-    masks = read_images([path])[...]
+    masks = _noted(read_images([path]), "--mask")[...]
     if masks.shape[1:] != images.shape[1:] or len(masks) not in (1, len(images)):
         raise ValueError(
             f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "

@@ -210,7 +210,8 @@ def read_depth(
     ----------
     path : path
         NPY, PFM, or grey TIFF, PNG or EXR file (channel Z, or the only channel), recognized by its content. Three
-        equal channels count as grey, and an alpha channel that is opaque everywhere is ignored.
+        equal channels count as grey, and an alpha channel that is opaque everywhere is ignored. ``file.tif[1]``
+        selects one of several pages, from 0, ``file.exr[left.Z]`` a channel.
     shape : tuple of int, optional
         Shape of the photograph, height and width first, which the map must have or to which it is resampled.
     options : DepthMapOptions, optional
@@ -254,7 +255,8 @@ def read_depth(
     >>> lm.imaging.read_depth(file, disparity=(771.6, 131.1), unknown=0, missing="nearest").round(2)
     array([[0.47, 0.47]])
     """
-    source, conversion = validation.path("path", path), DepthMapOptions.of("read_depth", options, given)
+    source, part = reading.part_of(validation.path("path", path))
+    conversion = DepthMapOptions.of("read_depth", options, given)
     size = None if shape is None else validation.image_shape(tuple(shape[:2]))
     if size is None and conversion.resample is not None:
         raise ValueError("resample needs the shape to resample to")
@@ -262,7 +264,7 @@ def read_depth(
     name = validation.line(source)
     if data.startswith(JPEG):
         raise PhotoError(f"{name} is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG")
-    with recognized(source, "depth map", data) as form:
+    with recognized(source, "depth map", data, part) as form:
         # `inverse` and `disparity` ignore the scale in a PFM header, so that `scale` is not required with them.
         values = form.read(data, 1.0 if conversion.scale is None and conversion.states_metres else conversion.scale)
     del data  # frees memory

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from lommel.base import atomic
+from lommel.base import atomic, reading
 from lommel.base.arrays import Json, Values
 
 SUFFIXES = (".fits", ".fit")
@@ -111,29 +111,13 @@ def only(images: Sequence[Image], name: str | None) -> Image:
 
     Without a `name`, return the only image. ValueError if no image or more than one image fits.
     """
-    if name is None and len(images) == 1:
-        return images[0]
-    extnames = [str(image.header.get("EXTNAME", "")).strip().upper() for image in images]
-    versions = [f"{extname},{image.header.get('EXTVER', 1)}" for extname, image in zip(extnames, images, strict=True)]
-    key = "" if name is None else name.upper().replace(" ", "")
-    fitting = [
-        image
-        for image, extname, version in zip(images, extnames, versions, strict=True)
-        if key and key in (extname, version, str(image.number))
-    ]
-    if len(fitting) == 1:
-        return fitting[0]
-    names = [
-        extname
-        if extname and extnames.count(extname) == 1
-        else version
-        if extname and versions.count(version) == 1
-        else str(image.number)
-        for image, extname, version in zip(images, extnames, versions, strict=True)
-    ]
-    texts = [f"[{name}] of {' x '.join(map(str, i.values.shape))}" for name, i in zip(names, images, strict=True)]
-    listed = ", ".join(texts[:4]) + (f" and {len(texts) - 4} more" if len(texts) > 4 else "")
-    raise ValueError(f"it holds {len(images)} images, {listed}: name one, as in file.fits[{names[0]}]")
+    names = []
+    for image in images:
+        extname = str(image.header.get("EXTNAME", "")).strip()
+        versions = [extname, f"{extname},{image.header.get('EXTVER', 1)}"] if extname else []
+        names.append([*versions, str(image.number)])
+    sizes = [" x ".join(map(str, image.values.shape)) for image in images]
+    return reading.only(images, names, sizes, name, "file.fits")
 
 
 def read_columns(data: bytes, max_bytes: int) -> list[tuple[str, str, Values]]:

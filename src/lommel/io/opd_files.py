@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Values
+from lommel.base.quantities import metres_of
 from lommel.base.units import LENGTHS, parse_length
 from lommel.io import fits_images, registry, text_files
 from lommel.io.registry import Description, Format
@@ -71,16 +72,20 @@ def read_dat(data: bytes) -> Measured:
     return Measured(values, "m", _shortest_float(spacing) or None, _shortest_float(wavelength))
 
 
-def read_datx(data: bytes) -> Measured:
-    """Return the surface map in a file of Mx, in fringes or in a unit of length."""
+def read_datx(data: bytes, part: str | None = None) -> Measured:
+    """Return a surface map in a file of Mx, in fringes or in a unit of length."""
     import h5py
 
     with reading.hdf5(data) as file:
         folder = file.get("Data/Surface", {})
-        surfaces = [x for x in (file.get("Measurement/Surface"), *folder.values()) if isinstance(x, h5py.Dataset)]
+        found = (file.get("Measurement/Surface"), *folder.values())
+        surfaces = list(dict.fromkeys(item for item in found if isinstance(item, h5py.Dataset)))  # without links
         if not surfaces:
             raise ValueError("it holds no surface")
-        surface, attrs = surfaces[0], surfaces[0].attrs
+        names = [[str(item.name).rpartition("/")[2], str(item.name)] for item in surfaces]
+        sizes = [" x ".join(map(str, item.shape)) for item in surfaces]
+        surface = reading.only(surfaces, names, sizes, part, "file.datx")
+        attrs = surface.attrs
         if surface.ndim != 2 or surface.dtype.kind not in "iuf" or surface.size > reading.MAX_PIXELS:
             raise ValueError(f"its surface holds {surface.dtype} of the shape {surface.shape}, not a map")
         values = np.asarray(reading.hdf5_values(surface), dtype=np.float64)
@@ -126,7 +131,7 @@ def load_opd(
 ) -> OPDMap:
     """Read a map of optical path differences (OPD), for :func:`lommel.fit_opd`.
 
-    ``.fits``, ``.fit``, also ``.gz``: the first image, in the unit of BUNIT, with the spacing of PUPLSCAL (metres, as
+    ``.fits``, ``.fit``, also ``.gz``: an image, in the unit of BUNIT, with the spacing of PUPLSCAL (metres, as
     POPPY and WebbPSF write it) or of CDELT1 and CUNIT1, and WAVELEN in metres. ``.dat``: MetroPro's binary files.
     ``.datx``: files of Zygo Mx. ``.int``: a wavefront grid of Code V (GRD). ``.npy``: an array. ``.csv``: rows of
     numbers, with empty cells for missing numbers; lines such as ``# unit: nm``, ``# spacing: 0.1 mm`` and
@@ -138,6 +143,7 @@ def load_opd(
     Parameters
     ----------
     path : path
+        ``file.fits[OPD]`` selects one of several images by its name or number, ``file.datx[NAME]`` a surface.
     unit : str, optional
         "waves", "radians", "metres" or another unit of length, for files that do not state it.
     spacing : float, optional
@@ -161,7 +167,8 @@ def load_opd(
     OSError
         If the file cannot be read.
     """
-    form, source = find(path, verb="read"), Path(path)
+    source, part = reading.part_of(validation.path("path", path))
+    form = find(source, verb="read")
     if unit is not None:
         validation.choice("unit", unit, UNITS)
     arguments = {
@@ -171,7 +178,9 @@ def load_opd(
     }
     data = reading.contents(source, 8 * reading.MAX_PIXELS)
     with reading.refused_as(OPDFileError, source, f"cannot be read as {registry.KINDS['opd']}"):
-        measured = form.read(data)
+        if part is not None and form.read not in (_read_fits, read_datx):
+            raise ValueError(f"it holds one map: omit [{part}]")
+        measured = form.read(data) if part is None else form.read(data, part)
         facts = {name: _merge_stated(name, value, getattr(measured, name)) for name, value in arguments.items()}
         opd = None if facts["unit"] is None else _to_metres(measured.values, **facts)
     if opd is None:
@@ -239,16 +248,28 @@ def _find_unit(text: object) -> str | None:
     return unit_name if unit_name in UNITS else unit
 
 
-def _read_fits(data: bytes) -> Measured:
-    values, header, *_ = fits_images.read(data, reading.MAX_PIXELS)[0]
+def _read_fits(data: bytes, part: str | None = None) -> Measured:
+    image = fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
+    # An extension inherits the cards of a first unit without an image.
+    values, header = image.values, image.header if image.primary.get("NAXIS") else {**image.primary, **image.header}
 
     def length(name: str, metres: float = 1.0) -> float | None:
         value = header.get(name)
-        return None if value is None else validation.real(name, value, above=0.0) * metres
+        return None if value in (None, "") else validation.real(name, value, above=0.0) * metres
 
-    spacing = length("PUPLSCAL")
-    if spacing is None and (unit_length := LENGTHS.get(str(header.get("CUNIT1", "")).strip())):
-        spacing = length("CDELT1", unit_length)
+    spacing, pitches = length("PUPLSCAL"), list[float]()
+    for k in "12":
+        cards = f"CDELT{k} = {header.get(f'CDELT{k}')}, CUNIT{k} = {header.get(f'CUNIT{k}')}"
+        try:
+            pitches.append(abs(float(header[f"CDELT{k}"])) * metres_of(str(header[f"CUNIT{k}"]).strip()))
+        except (KeyError, ValueError):
+            if f"CUNIT{k}" in header:
+                validation.tell(f"the file states {cards}, which is no spacing in a unit of length and was not used")
+    if len(pitches) == 2 and not math.isclose(*pitches, rel_tol=1e-4):
+        raise ValueError(f"its samples are {pitches[0]:g} m apart in x and {pitches[1]:g} m in y; resample it")
+    if pitches and spacing is not None and not math.isclose(spacing, pitches[0], rel_tol=1e-4):
+        validation.tell(f"the file states PUPLSCAL = {spacing:g}, which was used, and {cards}")
+    spacing = spacing or next(iter(pitches), None)
     return Measured(values, _find_unit(header.get("BUNIT", "")), spacing, length("WAVELEN"))
 
 

@@ -207,10 +207,14 @@ def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
     return values.astype(np.float32), Image.Exif(), None
 
 
-def read_depth(data: bytes, _scale: float | None) -> Values:
-    """Return the channel Z of an EXR file (of any layer), or else its only channel, possibly stored as R = G = B."""
+def read_depth(data: bytes, _scale: float | None, part: str | None = None) -> Values:
+    """Return the channel `part` of an EXR file, else Z (of any layer), else the only one, possibly as R = G = B."""
     with _open_exr(data) as channels:
         names = [name for name in channels if name.split(".")[-1] == "Z"]
+        if part is not None:
+            names = [
+                reading.only(list(channels), [[name] for name in channels], [""] * len(channels), part, "file.exr")
+            ]
         if len(names) != 1:
             names = [name for name in channels if name != "A"]
         if set(names) == {"R", "G", "B"} and all(
@@ -218,7 +222,10 @@ def read_depth(data: bytes, _scale: float | None) -> Values:
         ):
             names = ["R"]
         if len(names) != 1:
-            raise ValueError(f"its channels are {', '.join(sorted(channels))}; a depth map has one, or one named Z")
+            raise ValueError(
+                f"its channels are {', '.join(sorted(channels))}; a depth map has one, or one named Z: name one, as "
+                "in file.exr[Y]"
+            )
         return np.array(channels[names[0]])
 
 
@@ -358,15 +365,18 @@ def read_photo(path: str | PathLike[str], encoding: Encoding | None = None) -> P
 
 def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None, bool]:
     """Return (1) the upright values of a photograph, (2) its EXIF, (3) its ICC profile, (4) if sRGB is stated."""
-    source = validation.path("path", path)
+    source, part = reading.part_of(validation.path("path", path))
     data = reading.contents(source)
-    with recognized(source, "photo", data) as form:
+    with recognized(source, "photo", data, part) as form:
         return upright(form, data)
 
 
 @contextmanager
-def recognized(source: Path, kind: str, data: bytes) -> Iterator[Format]:
-    """Yield the format of the contents of a file; PhotoError if it is unknown or if reading it fails."""
+def recognized(source: Path, kind: str, data: bytes, part: str | None = None) -> Iterator[Format]:
+    """Yield the format of the contents of a file; PhotoError if it is unknown or if reading it fails.
+
+    The format reads the page of a TIFF file, or the channel of an EXR depth map, that `part` names.
+    """
     require_developed(source, data)
     try:
         form = registry.identify(kind, data)
@@ -374,7 +384,9 @@ def recognized(source: Path, kind: str, data: bytes) -> Iterator[Format]:
         raise PhotoError(f"{validation.line(source)} {error}") from None
     file_kind = f"a {form.name} photograph" if kind == "photo" else f"a {kind}"
     with reading.refused_as(PhotoError, source, f"cannot be read as {file_kind}"):
-        yield form
+        if part is not None and form.read not in (read_tiff, _read_raster, read_depth):
+            raise ValueError(f"it holds one image: omit [{part}]")
+        yield form if part is None else replace(form, read=partial(form.read, part=part))
 
 
 def require_developed(source: Path, data: bytes) -> None:
@@ -580,16 +592,22 @@ def _opaque_values(image: Image) -> Values:
     return values
 
 
-def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes | None, bytes]:
-    """Return (1) values, (2) tags, (3) ICC profile, (4) EXIF of a one-page TIFF; `levels` allows any integer type."""
+def read_tiff(
+    data: bytes, *, levels: bool = False, part: str | None = None
+) -> tuple[Values, Tags, bytes | None, bytes]:
+    """Return (1) values, (2) tags, (3) ICC profile, (4) EXIF of the only page of a TIFF file, or that of a number.
+
+    `levels` allows any integer type.
+    """
     import tifffile
     from PIL import Image
 
     with reading.tiff(data) as file:
         pages = [page for page in list[Any](file.pages) if not page.is_reduced]
-        if len(pages) != 1:
-            raise ValueError(f"it has {len(pages)} pages; give a file of one")
-        page = pages[0]
+        sizes = [" x ".join(map(str, page.shape)) for page in pages]
+        page = reading.only(pages, [[str(k)] for k in range(len(pages))], sizes, part, "file.tif")
+        if (images := math.prod(file.series[0].shape) // page.size) > len(file.pages):  # contiguous, as of ImageJ
+            raise ValueError(f"it describes {images} images; give a file of one")
         alpha = tuple(page.extrasamples) in ((1,), (2,))
         if page.extrasamples and not alpha:
             raise ValueError("it has additional channels that are not alpha; remove them")
@@ -685,9 +703,12 @@ def _read_npy(data: bytes, _scale: float | None) -> Values:
     return reading.npy(data, reading.MAX_PIXELS)[0]
 
 
-def _read_raster(data: bytes, _scale: float | None) -> Values:
+def _read_raster(data: bytes, _scale: float | None, part: str | None = None) -> Values:
     form = registry.identify("photo", data)
-    form = replace(form, read=partial(read_tiff, levels=True)) if form.read is read_tiff else form
+    if form.read is read_tiff:
+        form = replace(form, read=partial(read_tiff, levels=True, part=part))
+    elif part is not None:
+        raise ValueError(f"it holds one image: omit [{part}]")
     values = upright(form, data)[0]
     if values.ndim == 2:
         return values

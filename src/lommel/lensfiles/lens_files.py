@@ -129,8 +129,9 @@ class _Mask(Section):
         return Mask(np.sqrt(mask.values))
 
 
-def _read_transmission(path: Path) -> Values:
+def _read_transmission(named: Path) -> Values:
     """Read transmissions from 0 to 1 from an array (.npy), a FITS image or a grey picture, whose white is 1."""
+    path, part = reading.part_of(named)
     if not path.name.lower().endswith(_SUFFIXES):
         raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
     if path.suffix.lower() == ".npy":
@@ -142,11 +143,11 @@ def _read_transmission(path: Path) -> Values:
         optional.library("astropy", "FITS files need", "fits")
         data = reading.contents(path)
         try:
-            return fits_images.read(data, MAX_SIDE**2)[0].values
+            return fits_images.only(fits_images.read(data, MAX_SIDE**2), part).values
         except Exception as error:  # astropy raises various errors
             raise ValueError(f"{path.name!r} is not a FITS image: {reading.reason(error)}") from None
     try:
-        values = read_raster(path)[0]
+        values = read_raster(named)[0]
     except PhotoError as error:
         raise ValueError(f"{path.name!r} is not a picture: {reading.reason(error)}") from None
     if values.ndim != 2:

@@ -265,7 +265,6 @@ __all__ = ["Counts", "Frames", "RecordingError", "Unusable", "open_frames"]
 _NUMPY = b"\x93NUMPY"
 _MAX_BLOCK = 2**28  # largest block of images of an OME-Zarr that are read together, bytes
 _MAX_CHANNELS = 4096  # largest number of channels of an OME-Zarr
-_PART = re.compile(r"(?P<file>.+\.(?:fits?(?:\.gz|\.bz2)?|tiff?))\[(?P<part>[^\[\]]+)\]", re.IGNORECASE)
 _TOLERANCE = 1e-4  # relative difference up to which lengths count as equal
 # Lengths in files, in the words of messages; "down" is the height of a pixel.
 _LENGTHS = {"pixel": "a pixel size of", "down": "a pixel height of", "step": "a plane spacing of"}
@@ -754,8 +753,7 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
         values = cast(ArrayLikeImages, images) if is_array else validation.array(name, images, "counts")
         validation.refuse_masked(name, values)
         return _array_frames(values, name)
-    file_path, part = part_of(images)
-    source = validation.path("path", file_path)
+    source, part = reading.part_of(validation.path("path", images))
     if source.is_dir():
         with errors_of(source):
             return _zarr_frames(source)
@@ -765,17 +763,9 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
         with errors_of(source):
             return _array_frames(_grey(np.load(source, mmap_mode="r", allow_pickle=False)), "it", source)
     if start.startswith(photos.TIFF):
-        if part is not None and not part.isdecimal():
-            raise ValueError(f"{line(source)} has images by number, as in {source.name}[0], got {shown(part)}")
-        return _open_tiff(source, None if part is None else int(part))
+        return _open_tiff(source, part)
     with errors_of(source):
         return _fits_or_png_frames(source, part)
-
-
-def part_of(path: str | PathLike[str]) -> tuple[str | PathLike[str], str | None]:
-    """Split file.fits[SCI] into the path of the file and the name or number of an image, or None."""
-    match = _PART.fullmatch(str(path)) if not Path(path).exists() else None
-    return (match["file"], match["part"]) if match else (path, None)
 
 
 @contextmanager
@@ -821,26 +811,28 @@ def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
             else "is empty"
         )
         raise RecordingError(f"{line(path)} {problem}") from None
+    if part is not None and file_format.read is not _fits:
+        raise RecordingError(f"{line(path)} holds one image: omit [{part}]")
     values, metadata, notes = file_format.read(data, part)
     return _array_frames(_grey(values), "it", path, metadata=metadata, notes=tuple(notes))
 
 
-def _open_tiff(path: Path, image: int | None) -> Frames:
+def _open_tiff(path: Path, part: str | None) -> Frames:
     optional.require("tifffile", "reading TIFF files needs", "images")
     with errors_of(path):
         file, errors = reading.tiff_on_disk(path)
         try:
             if errors:
                 raise ValueError(f"it is cut off or damaged: {validation.brief(re.sub('^<.*?> ', '', errors[0]))}")
-            return _tiff_frames(path, file, image)
+            return _tiff_frames(path, file, part)
         except BaseException:
             file.close()
             raise
 
 
-def _tiff_frames(path: Path, file: TiffFile, image: int | None) -> Frames:
+def _tiff_frames(path: Path, file: TiffFile, part: str | None) -> Frames:
     notes: list[str] = []
-    series, place = _series_of(path, file, image, notes)
+    series, place = _series_of(path, file, part, notes)
     letters: str = series.axes
     page = series.keyframe
     if "S" in letters and letters != "SYX":  # SYX: some programs write three grey images as the colours of one
@@ -881,8 +873,8 @@ def _tiff_frames(path: Path, file: TiffFile, image: int | None) -> Frames:
     return Frames(planes, numbers, axes, metadata, tuple(notes))
 
 
-def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) -> tuple[Any, int]:
-    """Return the series of a file to read, by default the largest, and its number."""
+def _series_of(path: Path, file: TiffFile, part: str | None, notes: list[str]) -> tuple[Any, int]:
+    """Return the series of a file to read, in OME-TIFF by default the largest, and its number."""
     # A smaller image is the level of a pyramid only where it is marked as one.
     every = [
         level
@@ -890,17 +882,19 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
         for level in series.levels
         if level is series or not (series.kind == "ome" or level.keyframe.is_reduced or level.keyframe.is_subifd)
     ]
-    place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
-    series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
-    if len(every) > 1 and image is None:
+    if len(every) > 1 and part is None and file.is_ome:
         sides = _sizes(every)
-        if not file.is_ome:
-            raise ValueError(f"it holds {len(every)} images ({sides}): name one, as in {path.name}[0]")
+        place = max(range(len(every)), key=lambda k: math.prod(every[k].shape))
         notes.append(
             f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was used; "
             f"{path.name}[{0 if place else 1}] selects another."
         )
-    return series, place
+    else:
+        names = [[str(item.name), str(k)] if file.is_ome else [str(k)] for k, item in enumerate(every)]
+        place = reading.only(
+            range(len(every)), names, [" x ".join(map(str, item.shape)) for item in every], part, path.name
+        )
+    return every[place], place
 
 
 def _sizes(every: Sequence[Any]) -> str:

@@ -12,12 +12,13 @@ import os
 import re
 import stat
 import struct
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base import reading, validation
 from lommel.base.arrays import Json, Values
@@ -66,6 +67,133 @@ class Chunks:
 
 
 META = "zarr.json"
+_SHEAR = 1e-6  # largest element of an affine transform off its diagonal, relative to the diagonal
+
+
+class OMEImage(NamedTuple):
+    """An image of an OME-Zarr: its finest array, and for each of its axes a letter of TCZYX, the unit and the scale.
+
+    The scale is a text where the file states transforms that are no scale, and None where it states none.
+    """
+
+    array: Any
+    axes: str
+    units: list[str | None]
+    scale: NDArray[np.float64] | str | None
+    attributes: Json
+    notes: list[str]
+
+
+def ome_image(folder: Path, group: Any, part: str | None) -> OMEImage:
+    """Return the image of an OME-Zarr (0.1 to 0.5) that is named `part`, without it the only one.
+
+    Images are the multiscales of the folder or, in folders of converters, of the groups in it. ValueError if there is
+    no image, if several fit, or if axes or transforms are invalid; other errors for malformed metadata.
+    """
+    for kind, place in (("plate", "A/1/0"), ("well", "0")):
+        if kind in _ome(group):
+            raise ValueError(
+                f"it is a {kind} of several images: give the folder of one, such as {folder.name}/{place}"
+            )
+    inner: list[tuple[str, Any]] = []
+    if "multiscales" not in _ome(group):
+        # Converters put folders that are no groups beside them.
+        places = [place.name for place in folder.iterdir() if (place / ".zgroup").exists() or (place / META).exists()]
+        inner = [(name, group[name]) for name in sorted(places, key=lambda name: (len(name), name))]
+    images, names = [], []
+    for path, member in inner or [("", group)]:
+        listed = _ome(member).get("multiscales", [])
+        for k, scales in enumerate(listed):
+            images.append((member, scales))
+            number = path if path and len(listed) == 1 else f"{path}/{k}".lstrip("/")
+            names.append([str(scales.get("name") or ""), number])
+    if not images:
+        raise ValueError(
+            "it holds no multiscales of OME-Zarr: pass an array, such as zarr.open(path)['0'], and pixel="
+        )
+    member, scales = reading.only(images, names, [""] * len(images), part, folder.name)
+    if "coordinateSystems" in scales:
+        raise ValueError("its metadata are of OME-Zarr 0.6: save it as 0.4 or 0.5")
+    notes, levels = [], []
+    for dataset in scales["datasets"]:
+        if dataset["path"] in member:
+            levels.append((dataset, member[dataset["path"]]))
+        else:
+            notes.append(f"The folder lacks the array {dataset['path']} of its pyramid.")
+    dataset, array = max(levels, key=lambda level: math.prod(level[1].shape))
+    axes, units = _axes(scales, array)
+    transforms = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
+    scale = _scale(member, transforms, array.ndim)
+    if scale is None:
+        notes.append("The file states no scale: the size of its pixels is unknown.")
+    elif not isinstance(scale, str) and (turned := [a for a, s in zip(axes, scale, strict=True) if s < 0.0]):
+        notes.append(
+            f"The file states a negative scale along {', '.join(turned)}, of which the magnitude was used: the order "
+            "of its values was kept."
+        )
+    return OMEImage(array, axes, units, scale, _ome(member), notes)
+
+
+def _ome(group: Any) -> Json:
+    """Return the attributes of a group; OME-Zarr 0.5 has them in an attribute of their own."""
+    group_attributes = dict(group.attrs)
+    return group_attributes | group_attributes.get("ome", {})
+
+
+def _axes(scales: Json, array: Any) -> tuple[str, list[str | None]]:
+    """Return letters and units of the axes of an array; ValueError unless Y and X are among them."""
+    entries = [axis if isinstance(axis, dict) else {"name": axis} for axis in scales.get("axes", "tczyx")]
+    names, kinds = [str(entry["name"]) for entry in entries], {"time": "T", "channel": "C"}
+    letters = [
+        name.upper() if len(name) == 1 else kinds.get(str(entry.get("type")), "?")
+        for name, entry in zip(names, entries, strict=True)
+    ]
+    axes = "".join(letters)
+    if set(axes) - set("TCZYX") or len(set(axes)) != len(axes) or not {"Y", "X"} <= set(axes):
+        raise ValueError(f"its axes are {', '.join(names)}: save it with y and x, and at most one of t, c and z each")
+    if len(axes) != array.ndim:
+        raise ValueError(f"its array has {array.ndim} axes, but the metadata name {', '.join(names)}")
+    stated = getattr(array.metadata, "dimension_names", None) or array.attrs.get("_ARRAY_DIMENSIONS") or names
+    if list(stated) != names and sorted(map(str, stated)) == sorted(names):
+        raise ValueError(
+            f"its array names its axes {', '.join(map(str, stated))}, its metadata {', '.join(names)}: save it again"
+        )
+    return axes, [entry.get("unit") for entry in entries]
+
+
+def _scale(group: Any, transforms: Sequence[Json], count: int) -> NDArray[np.float64] | str | None:
+    """Return the product of the scales of transforms, words for transforms that are no scale, or None for none."""
+    scale, kinds = np.ones(count), set[str]()
+    for transform in _steps(transforms):
+        kind = str(transform.get("type"))
+        kinds.add(kind)
+        if kind in ("identity", "translation"):
+            continue
+        if kind not in ("scale", "affine"):
+            return f"a transform of the type {validation.key(kind)}"
+        factors = np.asarray(transform[kind] if kind in transform else group[transform["path"]][...], float)
+        if kind == "affine":
+            if factors.shape not in ((count, count + 1), (count + 1, count + 1)):
+                raise ValueError(f"its affine transform has the shape {factors.shape} for {count} axes")
+            matrix = factors[:count, :count]
+            factors = np.diag(matrix)
+            if np.abs(matrix - np.diag(factors)).max() > _SHEAR * np.abs(factors).min():
+                return "an affine transform with rotation or shear"
+        if factors.shape != (count,):
+            raise ValueError(f"its scale has {factors.size} values for {count} axes")
+        scale = scale * factors
+    return scale if kinds & {"scale", "affine"} else "an identity transform" if "identity" in kinds else None
+
+
+def _steps(transforms: Sequence[Json]) -> Iterator[Json]:
+    """Yield the transforms of a list, those of sequences one by one."""
+    for transform in transforms:
+        if transform.get("type") == "sequence":
+            yield from _steps(transform["transformations"])
+        else:
+            yield transform
+
+
 _KINDS = ("float32", "float64", "uint8", "int64")  # data types that are read and written without zarr
 
 

@@ -175,11 +175,8 @@ def imagej_metadata(file: TiffFile) -> Metadata:
     return metadata
 
 
-def zarr_metadata(
-    attributes: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[str, str | None]
-) -> Metadata:
-    """Return the metadata of an OME-Zarr from its `attributes`, and `scale` and `units` by axis letter."""
-    sides = {letter: length(value, units.get(letter)) for letter, value in scale.items()}
+def zarr_metadata(attributes: Mapping[str, Any], sides: Metadata) -> Metadata:
+    """Return the metadata of an OME-Zarr from its `attributes`, and the lengths of a voxel by axis letter."""
     metadata: Metadata = {"pixel": sides.get("X"), "down": sides.get("Y"), "step": sides.get("Z")}
     listed = attributes.get("omero") or {}
     channels = listed.get("channels", []) if isinstance(listed, dict) else []
@@ -665,17 +662,19 @@ class _ZarrPlanes(Planes):
 
     path: Path
 
-    def __init__(self, path: Path, array: Any) -> None:
-        self.path, self._array = path, array
-        self._stack_shape = tuple(array.shape[:-2])
-        self.sides: tuple[int, int] = (int(array.shape[-2]), int(array.shape[-1]))
+    def __init__(self, path: Path, array: Any, order: tuple[int, ...]) -> None:
+        """Store an array whose axes are read in another `order`, rows and columns at the end."""
+        self.path, self._array, self._order = path, array, order
+        *stack_shape, height, width = (int(array.shape[axis]) for axis in order)
+        self._stack_shape, self.sides = tuple(stack_shape), (height, width)
         self.dtype = np.dtype(array.dtype).newbyteorder("=")
         reading.pixels(*self.sides[::-1])
         self.chunks = zarr_folders.Chunks(path, array)
-        self.chunk_sizes = _sizes_of_chunks(array.shape, array.chunks)
+        sizes = _sizes_of_chunks(array.shape, array.chunks)
+        self.chunk_sizes = tuple(sizes[axis] for axis in order)
         # Number of images that are read together: those of a chunk, or one, and its chunks again for each, if they
         # would take too much memory.
-        images = array.chunks[-3] if self._stack_shape else 1
+        images = array.chunks[order[-3]] if self._stack_shape else 1
         is_small = images * math.prod(self.sides) * self.dtype.itemsize <= _MAX_BLOCK
         self._block_images: int = images if is_small else 1
         self._block: tuple[int, Values] | None = None
@@ -689,8 +688,13 @@ class _ZarrPlanes(Planes):
     def block(self, part: tuple[slice, ...]) -> Values:
         """Return a part of the array."""
         with errors_of(self.path), self._lock:
-            self.chunks.check([range(one.start, one.stop) for one in part])
-            return np.asarray(self._array[part], self.dtype)
+            return self._part(part)
+
+    def _part(self, part: tuple[slice, ...]) -> Values:
+        """Return a part of the array; the caller holds the lock."""
+        stored = tuple(part[self._order.index(axis)] for axis in range(len(part)))
+        self.chunks.check([range(one.start, one.stop) for one in stored])
+        return np.asarray(self._array[stored], self.dtype).transpose(self._order)
 
     def _read(self, number: int) -> Values:
         *leading_indices, last_index = np.unravel_index(number, self._stack_shape) if self._stack_shape else (0,)
@@ -699,13 +703,11 @@ class _ZarrPlanes(Planes):
         block = self._block
         if block is None or block[0] != key:
             self._block = None
-            ranges = [range(int(k), int(k) + 1) for k in leading_indices]
+            slices = [slice(int(k), int(k) + 1) for k in leading_indices]
             if self._stack_shape:
-                ranges.append(range(first, min(first + self._block_images, self._stack_shape[-1])))
-            ranges += map(range, self.sides)
-            self.chunks.check(ranges)
-            part = self._array[tuple(slice(part.start, part.stop) for part in ranges)]
-            self._block = block = key, np.asarray(part, self.dtype).reshape(-1, *self.sides)
+                slices.append(slice(first, min(first + self._block_images, self._stack_shape[-1])))
+            part = self._part((*slices, *(slice(0, side) for side in self.sides)))
+            self._block = block = key, part.reshape(-1, *self.sides)
         return np.array(block[1][number - key])
 
 
@@ -756,7 +758,7 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
     source, part = reading.part_of(validation.path("path", images))
     if source.is_dir():
         with errors_of(source):
-            return _zarr_frames(source)
+            return _zarr_frames(source, part)
     start = reading.start(source, 16)
     photos.require_developed(source, start)
     if start.startswith(_NUMPY):
@@ -907,7 +909,7 @@ def _sizes(every: Sequence[Any]) -> str:
     return ", ".join(texts[:4]) + ", ..." * (len(texts) > 4)
 
 
-def _zarr_frames(path: Path) -> Frames:
+def _zarr_frames(path: Path, part: str | None) -> Frames:
     zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
     try:
         files = zarr_folders.files_of(path)
@@ -916,41 +918,33 @@ def _zarr_frames(path: Path) -> Frames:
         raise ValueError(f"no OME-Zarr: {reading.reason(error)}") from None
     if not hasattr(group, "attrs") or hasattr(group, "dtype"):
         raise ValueError("it is an array without OME metadata; pass zarr.open(...) and pixel=")
-    attributes = dict(group.attrs)
-    ome = attributes.get("ome", attributes)
     try:
-        scales = ome["multiscales"][0]
-        names = [axis["name"] if isinstance(axis, dict) else str(axis) for axis in scales["axes"]]
-        units = [axis.get("unit") if isinstance(axis, dict) else None for axis in scales["axes"]]
-        dataset = scales["datasets"][0]
-        array = group[dataset["path"]]
-        transforms = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
-        scale = np.ones(len(names))
-        for transform in transforms:
-            if transform.get("type") == "scale":
-                scale = scale * np.asarray(transform["scale"], float)
+        image = zarr_folders.ome_image(path, group, part)
+    except ValueError:
+        raise
     except Exception as error:  # malformed metadata raise many types
         raise ValueError(f"its multiscales metadata are invalid ({reading.reason(error)})") from None
-    order = "".join(names).upper()
-    if not re.fullmatch(r"[TCZ]*YX", order) or len(order) != array.ndim or len(set(order)) != len(order):
-        raise ValueError(f"its axes are {shown(order)}, not some of t, c, z, y, x in this order")
+    array, letters, notes = image.array, image.axes, image.notes
+    order = "".join(letter for letter in letters if letter not in "YX") + "YX"
     require_numbers("it", array.dtype)
-    if "C" in order and (count := array.shape[order.index("C")]) > _MAX_CHANNELS:
+    if "C" in order and (count := array.shape[letters.index("C")]) > _MAX_CHANNELS:
         raise ValueError(f"it has {count} channels; the limit is {_MAX_CHANNELS}")
-    metadata = zarr_metadata(
-        {"omero": ome.get("omero", attributes.get("omero"))},
-        {letter: float(value) for letter, value in zip(order, scale, strict=True)},
-        dict(zip(order, units, strict=True)),
-    )
-    planes = _ZarrPlanes(path, array)
+    sides: Metadata = {}
+    if isinstance(image.scale, str):
+        sides = dict.fromkeys(letters, Unusable(image.scale))
+    elif image.scale is not None:
+        stated = zip(letters, image.scale.tolist(), image.units, strict=True)
+        sides = {letter: length(size, unit) for letter, size, unit in stated}
+    metadata = zarr_metadata(image.attributes, sides)
+    planes = _ZarrPlanes(path, array, tuple(letters.index(letter) for letter in order))
     missing, total = planes.chunks.missing(files)
     if missing == total:
         raise ValueError(f"it lacks all of its {total} chunks: copy the whole folder")
-    notes = [
+    notes += [
         f"{missing} of the {total} chunks of the folder are missing and count as {array.fill_value}: they were "
         "empty, or the copy is not complete."
     ] * (missing > 0)
-    stack_shape = array.shape[:-2]
+    stack_shape = tuple(array.shape[letters.index(letter)] for letter in order[:-2])
     numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
     return Frames(planes, numbers, order, metadata | {"format": "OME-Zarr"}, tuple(notes))
 

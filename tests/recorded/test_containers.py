@@ -1,0 +1,175 @@
+"""What other programs write in OME-Zarr and TIFF: each size is used, named or refused, and values are as stored."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import zarr
+
+from lommel.recorded.frames import RecordingError, open_frames
+
+STACK = np.random.default_rng(0).poisson(100, (3, 4, 5)).astype(np.uint16)
+SIZES = [0.25, 0.108, 0.108]
+SPACE = [{"name": name, "type": "space", "unit": "micrometer"} for name in "zyx"]
+
+
+def scale(sizes=tuple(SIZES)):
+    return {"type": "scale", "scale": list(sizes)}
+
+
+def affine(matrix):
+    return {"type": "affine", "affine": [[*row, 7.0] for row in matrix]}
+
+
+def multiscales(transforms=(), *, axes=SPACE, name="", levels=("0",), **more):
+    made = [{"path": level, "coordinateTransformations": list(transforms)} for level in levels]
+    return {"axes": axes, "name": name, "datasets": made, **more}
+
+
+def folder(path, *scales, arrays=None, version=2, attributes=None, **options):
+    """A folder as other programs write it: its arrays by path, and metadata of a version of OME-Zarr."""
+    group = zarr.open_group(str(path), mode="w", zarr_format=version)
+    for place, values in ({"0": STACK} if arrays is None else arrays).items():
+        group.create_array(place, data=np.asarray(values), **options)
+    told = {"multiscales": list(scales)} if scales else {}
+    told |= attributes or {}
+    group.attrs.update({"ome": {"version": "0.5", **told}} if version == 3 else told)
+    return path
+
+
+# By name: transforms of the level, what the file has beside, and the pixel in micrometres or a text of the notes.
+TRANSFORMS = {
+    "scale": ([scale()], {}, 0.108),
+    "scale and translation": ([scale(), {"type": "translation", "translation": [1, 2, 3]}], {}, 0.108),
+    "levels and image, both multiply": (
+        [scale([0.5, 0.216, 0.216])], {"coordinateTransformations": [scale([0.5, 0.5, 0.5])]}, 0.108),
+    "image alone": ([], {"coordinateTransformations": [scale()]}, 0.108),
+    "sequence": ([{"type": "sequence", "transformations": [
+                 {"type": "identity"}, scale([0.5, 1, 1]), scale([0.5, 0.108, 0.108])]}], {}, 0.108),
+    "sequence of sequences": (
+        [{"type": "sequence", "transformations": [{"type": "sequence", "transformations": [scale()]}]}], {}, 0.108),
+    "affine": ([affine(np.diag(SIZES))], {}, 0.108),
+    "affine of four rows": ([{"type": "affine", "affine": np.diag([*SIZES, 1.0]).tolist()}], {}, 0.108),
+    "affine times scale": ([affine(np.diag([0.25, 1.08, 1.08])), scale([1, 0.1, 0.1])], {}, 0.108),
+    "path": ([{"type": "scale", "path": "sizes"}], {}, 0.108),
+    "flipped": ([scale([0.25, -0.108, 0.108])], {}, "negative scale along Y, of which the magnitude was used"),
+    "sheared": ([affine([[0.25, 0, 0], [0, 0.108, 0.05], [0, 0, 0.108]])], {},
+                "a pixel size of an affine transform with rotation or shear, which cannot be used"),
+    "rotation": ([{"type": "rotation", "rotation": np.eye(3).tolist()}], {}, "of the type rotation, which cannot be"),
+    "identity": ([{"type": "identity"}], {}, "a pixel size of an identity transform, which cannot be used"),
+    "translation alone": ([{"type": "translation", "translation": [1, 2, 3]}], {}, "states no scale"),
+    "none": ([], {}, "The file states no scale: the size of its pixels is unknown."),
+    "nanometres of one axis": ([scale([250, 0.108, 0.108])], {"axes": [SPACE[0] | {"unit": "nanometer"}, *SPACE[1:]]},
+                               0.108),
+    "no unit": ([scale()], {"axes": [{"name": n, "type": "space"} for n in "zyx"]}, "0.108 without a unit, which"),
+    "unknown unit": ([scale()], {"axes": [a | {"unit": "parsec"} for a in SPACE]}, "0.108 parsec, which cannot be"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("name", TRANSFORMS)
+def test_transforms_of_an_ome_zarr_are_used_named_or_refused(name, version, tmp_path):
+    transforms, more, found = TRANSFORMS[name]
+    folder(tmp_path / "a.zarr", multiscales(transforms, **more), arrays={"0": STACK, "sizes": SIZES}, version=version)
+    read = open_frames(tmp_path / "a.zarr").as_channels()
+    np.testing.assert_array_equal(read[0], STACK)
+    if isinstance(found, str):
+        assert found in " ".join(read.notes)
+    if name == "flipped" or not isinstance(found, str):
+        assert (read.metadata["pixel"], read.metadata["step"]) == (pytest.approx(108e-9), pytest.approx(250e-9))
+    else:
+        assert (read.metadata["pixel"], read.metadata["step"]) == (None, None)
+        assert not any("From the" in note for note in read.notes)
+
+
+@pytest.mark.parametrize("transforms", [[scale([0.1])], [affine(np.eye(2))], [{"type": "scale", "path": "lost"}]])
+def test_transforms_of_another_number_of_axes_are_refused(transforms, tmp_path):
+    with pytest.raises(RecordingError, match=r"for 3 axes|metadata are invalid"):
+        open_frames(folder(tmp_path / "a.zarr", multiscales(transforms)))
+
+
+@pytest.mark.parametrize("order", ["xyz", "yxz", "czyx", "zcyx", "xytcz"])
+def test_axes_of_an_ome_zarr_may_be_in_any_order(order, tmp_path):
+    sizes, units = {"z": 0.25, "y": 108.0, "x": 0.108}, {"z": "micrometer", "y": "nanometer", "x": "micrometer"}
+    axes = [{"name": n, "type": "space", "unit": units.get(n)} for n in order]
+    lengths = {"t": 2, "c": 3, "z": 4, "y": 5, "x": 6}
+    values = np.random.default_rng(1).integers(0, 9, [lengths[n] for n in order])
+    scales = multiscales([scale([sizes.get(n, 1.0) for n in order])], axes=axes)
+    chunks = tuple(-(-side // 2) for side in values.shape)
+    with open_frames(folder(tmp_path / "a.zarr", scales, arrays={"0": values}, chunks=chunks)) as read:
+        there = read.axes.lower()
+        expected = np.einsum(f"{order}->{there}", values)
+        assert there == "".join(n for n in order if n not in "yx") + "yx"
+        np.testing.assert_array_equal(read[...], expected)
+        np.testing.assert_array_equal(read[..., 1, 2:4, ::-1], expected[..., 1, 2:4, ::-1])
+        np.testing.assert_array_equal(read.planes.block(tuple(map(slice, [0] * read.ndim, read.shape))), expected)
+        found = [read.metadata[key] for key in ("pixel", "down", "step")]
+        assert found == pytest.approx([108e-9, 108e-9, 250e-9])
+        assert sum(read.planes.chunk_sizes[-1]) == read.shape[-1]
+
+
+@pytest.mark.parametrize(
+    ("axes", "values", "said"),
+    [("zzx", STACK, "its axes are z, z, x: save it with y and x"), ("zya", STACK, "its axes are z, y, a"),
+     ("zx", STACK[0], "its axes are z, x"), ("yx", STACK, "its array has 3 axes, but the metadata name y, x")],
+)  # fmt: skip
+def test_other_axes_of_an_ome_zarr_are_refused(axes, values, said, tmp_path):
+    scales = multiscales([scale()], axes=[{"name": n} for n in axes])
+    with pytest.raises(RecordingError, match=said):
+        open_frames(folder(tmp_path / "a.zarr", scales, arrays={"0": values}))
+
+
+def test_names_of_dimensions_that_contradict_the_axes_are_refused(tmp_path):
+    folder(tmp_path / "a.zarr", multiscales([scale()]), version=3, dimension_names=["x", "y", "z"])
+    with pytest.raises(RecordingError, match="its array names its axes x, y, z, its metadata z, y, x"):
+        open_frames(tmp_path / "a.zarr")
+    folder(tmp_path / "b.zarr", multiscales([scale()]), version=3, dimension_names=["z", "y", "x"])
+    assert open_frames(tmp_path / "b.zarr").axes == "ZYX"
+
+
+def test_the_finest_level_is_read_in_whatever_order_the_pyramid_is_listed(tmp_path):
+    half = STACK[:, ::2, ::2]
+    for name, levels in (("a", ("0", "1")), ("b", ("1", "0"))):
+        scales = multiscales(levels=levels)
+        for level in scales["datasets"]:
+            level["coordinateTransformations"] = [scale(SIZES if level["path"] == "0" else [0.25, 0.216, 0.216])]
+        read = open_frames(folder(tmp_path / name, scales, arrays={"0": STACK, "1": half}))
+        np.testing.assert_array_equal(read[...], STACK)
+        assert read.metadata["pixel"] == pytest.approx(108e-9)
+    read = open_frames(folder(tmp_path / "c", scales, arrays={"1": half}))
+    assert (read.shape, read.notes) == (half.shape, ("The folder lacks the array 0 of its pyramid.",))
+
+
+def test_one_of_several_images_of_an_ome_zarr_is_named(tmp_path):
+    several = [multiscales([scale(np.multiply(k, SIZES))], name=f"well {k}", levels=(str(k),)) for k in (1, 2)]
+    path = folder(tmp_path / "a.zarr", *several, arrays={"1": STACK, "2": STACK + 1})
+    with pytest.raises(
+        RecordingError, match=r"holds 2 images, \[well 1\], \[well 2\]: name one, as in a.zarr\[well 1\]"
+    ):
+        open_frames(path)
+    for part in ("[1]", "[well 2]"):
+        read = open_frames(f"{path}{part}")
+        np.testing.assert_array_equal(read[...], STACK + 1)
+        assert read.metadata["pixel"] == pytest.approx(216e-9)
+
+
+def test_folders_of_converters_are_read_and_plates_refused(tmp_path):
+    root = folder(tmp_path / "a.zarr", arrays={}, attributes={"bioformats2raw.layout": 3})
+    folder(root / "0", multiscales([scale()]))
+    (root / "OME").mkdir()
+    assert open_frames(root).metadata["pixel"] == pytest.approx(108e-9)
+    folder(root / "10", multiscales([scale([0.25, 0.5, 0.5])]), arrays={"0": STACK + 2})
+    with pytest.raises(RecordingError, match=r"holds 2 images, \[0\], \[10\]: name one, as in a.zarr\[0\]"):
+        open_frames(root)
+    np.testing.assert_array_equal(open_frames(f"{root}[10]")[...], STACK + 2)
+    for kind, way in (("plate", r"b.zarr/A/1/0"), ("well", r"b.zarr/0")):
+        path = folder(tmp_path / "b.zarr", arrays={}, attributes={kind: {"images": []}})
+        with pytest.raises(
+            RecordingError, match=f"it is a {kind} of several images: give the folder of one, .*{way}"
+        ):
+            open_frames(path)
+    with pytest.raises(RecordingError, match=r"holds no multiscales of OME-Zarr: pass an array"):
+        open_frames(folder(tmp_path / "c.zarr"))
+    scales = {"coordinateSystems": [], "datasets": [{"path": "0"}]}
+    with pytest.raises(RecordingError, match=r"OME-Zarr 0\.6: save it as 0\.4 or 0\.5"):
+        open_frames(folder(tmp_path / "d.zarr", scales, version=3))

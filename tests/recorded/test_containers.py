@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import tifffile
 import zarr
 
 from lommel.recorded.frames import RecordingError, open_frames
@@ -173,3 +174,78 @@ def test_folders_of_converters_are_read_and_plates_refused(tmp_path):
     scales = {"coordinateSystems": [], "datasets": [{"path": "0"}]}
     with pytest.raises(RecordingError, match=r"OME-Zarr 0\.6: save it as 0\.4 or 0\.5"):
         open_frames(folder(tmp_path / "d.zarr", scales, version=3))
+
+
+def tiff(path, **options):
+    tifffile.imwrite(path, STACK, photometric="minisblack", **options)
+    return path
+
+
+def resolved(pixels, per, /, **described):
+    """A TIFF of ImageJ with pixels per unit of ResolutionUnit, and its description."""
+    return {"imagej": True, "resolution": (pixels, pixels), "resolutionunit": per,
+            "metadata": {"axes": "ZYX", **described}}  # fmt: skip
+
+
+def positions(*values, unit="µm", **sizes):
+    """An OME-TIFF with a position for each plane."""
+    there = {"PositionZ": list(values)} | ({"PositionZUnit": [unit] * len(values)} if unit else {})
+    sizes = {
+        "PhysicalSizeX": 108.0,
+        "PhysicalSizeXUnit": "nm",
+        "PhysicalSizeY": 1.08,
+        "PhysicalSizeYUnit": "Å",
+    } | sizes
+    sizes["PhysicalSizeY"] *= 1e3
+    return {"ome": True, "metadata": {"axes": "ZYX", "Plane": there, **sizes}}
+
+
+PLACEHOLDER = {"PhysicalSizeZ": 1.0, "PhysicalSizeZUnit": "µm"}
+# What tifffile is to write; pixel and step in nanometres, and a part of the notes, or "" for none but those of sizes.
+TIFFS = {
+    "positions against a placeholder": (
+        positions(10, 10.25, 10.5, **PLACEHOLDER), (108, 250),
+        "250 nm apart by their positions (PositionZ), which was used; PhysicalSizeZ is 1 um"),
+    "positions alone, falling": (positions(10, 9.75, 9.5), (108, 250), "a negative plane spacing"),
+    "positions with jitter": (positions(10, 10.249, 10.502, PhysicalSizeZ=0.25), (108, 250), ""),
+    "positions in millimetres": (positions(0, 25e-5, 50e-5, unit="mm"), (108, 250), ""),
+    "positions that are not regular": (
+        positions(10, 10.25, 10.75, PhysicalSizeZ=0.25), (108, 250), "are not regular, 0.25 to 0.5 µm apart"),
+    "positions without a unit": (
+        positions(10, 10.25, 10.5, unit="", **PLACEHOLDER), (108, 1000), "0.25 reference frame apart by their"),
+    "positions of a reference frame that agree": (
+        positions(10, 10.25, 10.5, unit="reference frame", PhysicalSizeZ=0.25), (108, 250), ""),
+    "positions, and a step of a pixel": (
+        positions(10, 10.25, 10.5, PhysicalSizeZ=1, PhysicalSizeZUnit="pixel"), (108, 250), ""),
+    "one position": (positions(10, 10, 10, PhysicalSizeZ=0.25), (108, 250), ""),
+    "positions that are no numbers": (positions("a", "b", "c", PhysicalSizeZ=0.25), (108, 250), ""),
+    "imagej, micrometres": (resolved(1 / 0.108, "NONE", unit="um", spacing=0.25), (108, 250), ""),
+    "imagej, escaped unit": (resolved(1 / 0.108, "NONE", unit="\\u00B5m", spacing=0.25), (108, 250), ""),
+    "imagej, z in nanometres": (resolved(1 / 0.108, "NONE", unit="micron", zunit="nm", spacing=250), (108, 250), ""),
+    "imagej, centimetres of both": (resolved(1 / 108e-7, "CENTIMETER", unit="cm", spacing=25e-6), (108, 250), ""),
+    "imagej, centimetres alone": (resolved(1 / 108e-7, "CENTIMETER"), (108, None), ""),
+    "imagej, micrometres and centimetres": (
+        resolved(1 / 108e-7, "CENTIMETER", unit="um", spacing=0.25), (108, 250),
+        "state pixels of 108 nm and were used; the ImageJ metadata state 0.0108 nm"),
+    "imagej, micrometres and the inches of a print": (
+        resolved(1 / 0.108, "INCH", unit="um", spacing=0.25), (108, 250), "state pixels of 2.743 mm; the ImageJ"),
+    "imagej, pixels": (resolved(1.0, "NONE", unit="pixel"), (None, None), ""),
+    "imagej, inches alone": (resolved(0.0254 / 108e-9, "INCH"), (108, None), ""),
+    "plain, centimetres": (
+        {"resolution": (1 / 108e-7,) * 2, "resolutionunit": "CENTIMETER"}, (108, None), "From the TIFF metadata"),
+    "plain, a print": ({"resolution": (300, 300), "resolutionunit": "INCH"}, (None, None), ""),
+    "ome and another resolution": (
+        positions(0, 0.25, 0.5) | {"resolution": (1e5, 1e5), "resolutionunit": "CENTIMETER"}, (108, 250),
+        "state pixels of 100 nm; the OME metadata state 108 nm"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TIFFS)
+def test_sizes_in_a_tiff_are_used_or_named(name, tmp_path):
+    options, sizes, note = TIFFS[name]
+    read = open_frames(tiff(tmp_path / "a.tif", **options)).as_channels(axes="ZYX")
+    np.testing.assert_array_equal(read[0], STACK)
+    found = [size and 1e9 * size for size in (read.metadata["pixel"], read.metadata["step"])]
+    assert found == [None if size is None else pytest.approx(size, rel=5e-3) for size in sizes]
+    assert note in " ".join(read.notes)
+    assert note or all(text.startswith("From the") for text in read.notes)

@@ -13,7 +13,7 @@ import re
 import threading
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
@@ -35,6 +35,8 @@ from lommel.recorded.counts import Counts, OnDemand
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
     from tifffile import FileHandle, TiffFile, TiffPageSeries
 
 # Names of FITS header cards in common use.
@@ -60,8 +62,10 @@ _COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?
 _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
 
 
-_CENTIMETRE = 3  # value of the tag ResolutionUnit of TIFF
-_FINEST_PRINT = 1e-3  # centimetres: pixels of prints are larger (2540 per inch)
+_RESOLUTION_UNITS = {2: 25.4e-3, 3: 1e-2}  # metres of values of the tag ResolutionUnit of TIFF: inch, centimetre
+_FINEST_PRINT = 1e-5  # metres: pixels of prints are larger (2540 per inch)
+_IRREGULAR = 0.1  # deviation of steps between planes, relative to their mean, above which they are not regular
+_AGREEMENT = 0.02  # relative difference up to which sizes agree that a file states twice
 
 
 @dataclass(frozen=True)
@@ -130,7 +134,9 @@ def ome_metadata(file: TiffFile, place: int) -> Metadata:
         name = f"PhysicalSize{letter}"
         return length(pixels.get(name), pixels.get(f"{name}Unit"), "µm")
 
-    metadata: Metadata = {"pixel": side("X"), "down": side("Y"), "step": side("Z")}
+    metadata: Metadata = {"pixel": side("X"), "down": side("Y"), "step": side("Z"), "notes": []}
+    with suppress(ValueError):  # positions that are no numbers
+        _read_positions(pixels, metadata)
     channels = pixels.findall("{*}Channel")
     metadata["names"] = [channel.get("Name") for channel in channels]
     for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
@@ -153,26 +159,82 @@ def ome_metadata(file: TiffFile, place: int) -> Metadata:
     return metadata
 
 
+def _read_positions(pixels: Element, metadata: Metadata) -> None:
+    """Replace the step of an OME image by that of the positions of its planes; note a contradiction."""
+    planes = [plane for plane in pixels.findall("{*}Plane") if plane.get("PositionZ")]
+    # The planes of one channel and time point.
+    planes = [p for p in planes if all(p.get(f"The{axis}") == planes[0].get(f"The{axis}") for axis in "CT")]
+    positions = {int(plane.get("TheZ", "0")): float(plane.get("PositionZ", "")) for plane in planes}
+    steps = np.diff([positions[k] for k in sorted(positions)])
+    if len(positions) < 2 or len(positions) != int(pixels.get("SizeZ", "1")) or not np.isfinite(steps).all():
+        return
+    mean, unit = float(steps.mean()), planes[0].get("PositionZUnit", "reference frame")
+    size, stated = length(mean, unit), metadata["step"]
+    least, most = np.abs(steps).min(), np.abs(steps).max()
+    if not steps.any():  # one position for all planes, such as that of the other stage
+        return
+    metadata["is_step_negative"] = mean < 0.0
+    if np.abs(steps - mean).max() > _IRREGULAR * abs(mean):
+        metadata["notes"].append(
+            f"The positions of the planes (PositionZ) are not regular, {least:g} to {most:g} {unit} apart."
+        )
+    elif not isinstance(size, float):
+        if abs(float(pixels.get("PhysicalSizeZ", "0")) - abs(mean)) > _AGREEMENT * abs(mean):
+            metadata["notes"].append(
+                f"The planes are {abs(mean):g} {unit} apart by their positions (PositionZ), which cannot be used."
+            )
+    elif not isinstance(stated, float) or abs(stated - size) > _AGREEMENT * size:
+        metadata["step"] = size
+        if stated is not None:
+            words = stated.words if isinstance(stated, Unusable) else format_length(stated)
+            metadata["notes"].append(
+                f"The planes are {format_length(size)} apart by their positions (PositionZ), which was used; "
+                f"PhysicalSizeZ is {words}."
+            )
+
+
 def imagej_metadata(file: TiffFile) -> Metadata:
     """Return the ImageJ metadata of a TIFF file."""
     entries, page = file.imagej_metadata or {}, file.pages.first
     unit = entries.get("unit")  # unit of x, and of y and z unless these have their own
     metadata: Metadata = {"step": length(entries.get("spacing"), entries.get("zunit", unit))}
     metadata["is_step_negative"] = str(entries.get("spacing", "")).startswith("-")
-    resolution_unit = page.tags.get("ResolutionUnit")
-    is_metric = resolution_unit is not None and resolution_unit.value == _CENTIMETRE
     for key, tag, axis_unit in (("pixel", "XResolution", unit), ("down", "YResolution", entries.get("yunit", unit))):
-        value = page.tags.get(tag)
-        if value is None:
-            continue
-        # TIFF states pixels per unit of length as a fraction.
-        pixels, units = value.value
-        side = units / pixels if pixels else 0.0
-        if axis_unit:
+        if axis_unit and (side := _side_of(page, tag)) is not None:
             metadata[key] = length(side, axis_unit)
-        elif is_metric and 0.0 < side < _FINEST_PRINT:  # as ImageJ; else the tag is the resolution of a print
-            metadata[key] = length(side, "cm")
     return metadata
+
+
+def _side_of(page: Any, tag: str) -> float | None:
+    """Return the side of a pixel that a resolution states, in its unit, 0 if it is 0; None without the tag."""
+    if (value := page.tags.get(tag)) is None:
+        return None
+    pixels, units = value.value  # pixels per unit of length as a fraction
+    return float(units / pixels) if pixels else 0.0
+
+
+def _with_resolution(metadata: Metadata, page: Any) -> None:
+    """Add the pixel of the tags XResolution and ResolutionUnit to metadata without a pixel; note a contradiction."""
+    unit = page.tags.get("ResolutionUnit")
+    metres, form = _RESOLUTION_UNITS.get(0 if unit is None else int(unit.value), 0.0), metadata.get("format", "TIFF")
+    for key, tag in (("pixel", "XResolution"), ("down", "YResolution")):
+        side, stated = metres * (_side_of(page, tag) or 0.0), metadata.get(key)
+        # Coarse ones are those of a print, but the numbers of ImageJ have the unit of its description.
+        is_print = side >= _FINEST_PRINT
+        if not side or (is_print and (stated is None or form != "ImageJ")):
+            continue
+        if isinstance(stated, float) and abs(stated - side) <= _AGREEMENT * side:
+            continue
+        # ImageJ converts centimetres to the unit of its description.
+        if stated is None or (form == "ImageJ" and isinstance(stated, float) and not is_print):
+            metadata |= {key: side, "format": form}
+        if stated is not None and key == "pixel":
+            words = stated.words if isinstance(stated, Unusable) else format_length(stated)
+            used = " and were used" * (metadata[key] == side)
+            metadata.setdefault("notes", []).append(
+                f"XResolution and ResolutionUnit state pixels of {format_length(side)}{used}; the {form} metadata "
+                f"state {words}."
+            )
 
 
 def zarr_metadata(attributes: Mapping[str, Any], sides: Metadata) -> Metadata:
@@ -859,6 +921,10 @@ def _tiff_frames(path: Path, file: TiffFile, part: str | None) -> Frames:
         metadata = ome_metadata(file, place) | {"format": "OME"}
     elif file.is_imagej:
         metadata = imagej_metadata(file) | {"format": "ImageJ"}
+    elif series.kind not in ("generic", "uniform", "shaped"):  # LSM, STK and others, as tifffile names them
+        notes.append(f"The metadata of the format {series.kind} are not read: state pixel and step.")
+    _with_resolution(metadata, page)
+    notes += metadata.pop("notes", [])
     planes = _TiffPlanes(path, file, series) if mapped is None else _ArrayPlanes(mapped, "it", path)
     notes += _encoding_notes(page.iccprofile)
     orientation = page.tags.get("Orientation")

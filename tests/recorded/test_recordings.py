@@ -210,7 +210,7 @@ def test_of_several_images_the_largest_is_taken_or_that_which_is_asked_for(tmp_p
         file.write(STACK[0], photometric="minisblack", metadata={"axes": "ZYX", "Name": "stack", **SIZES})
     with open_frames(path).as_channels() as found:
         assert found.notes[0] == (
-            "The file holds 2 images (4 x 4, 5 x 8 x 9); image 1, counted from 0, was used; "
+            "The file holds 2 images, [thumbnail] of 4 x 4, [stack] of 5 x 8 x 9; image 1, counted from 0, was used; "
             "two.ome.tif[0] selects another."
         )
         assert found.metadata["step"] == pytest.approx(2e-7)

@@ -67,30 +67,28 @@ def only(
     Each image has several `names`, of which the last is its number or path, and a size as text. ValueError with the
     names of all images if no image or more than one has the name; `file` is the name of the file there.
     """
-    if part is None and len(items) == 1:
-        return items[0]
-    keys = [[name.upper().replace(" ", "") for name in each] for each in names]
-    key = "" if part is None else part.upper().replace(" ", "")
-    fitting = [item for item, each in zip(items, keys, strict=True) if key == each[-1]] or [
-        item for item, each in zip(items, keys, strict=True) if key and key in each
-    ]
+    keys = [[_key(name) for name in each] for each in names]
+    fitting = [item for item, each in zip(items, keys, strict=True) if part and _key(part) == each[-1]]
+    fitting = fitting or [item for item, each in zip(items, keys, strict=True) if part is None or _key(part) in each]
     if len(fitting) == 1:
         return fitting[0]
-    counts = Counter(name for each in keys for name in set(each))
-    # Brackets cannot be part of a name in brackets.
-    shown = [
-        next(
-            n
-            for n, k in zip(each, key_row, strict=True)
-            if k == key_row[-1] or (k and counts[k] == 1 and "[" not in k)
-        )
-        for each, key_row in zip(names, keys, strict=True)
+    listed, first = listing(names, sizes)
+    raise ValueError(f"it holds {len(items)} image{'s' * (len(items) != 1)}, {listed}: name one, as in {file}{first}")
+
+
+def listing(names: Sequence[Sequence[str]], sizes: Sequence[str]) -> tuple[str, str]:
+    """Return the images of a file as text, by the first name of each that is unique, and the first of these names."""
+    counts = Counter(key for each in names for key in {_key(name) for name in each})
+    unique = [
+        next((f"[{n}]" for n in each[:-1] if n and counts[_key(n)] == 1 and "[" not in n), f"[{each[-1]}]")
+        for each in names
     ]
-    texts = [f"[{name}]{f' of {size}' * bool(size)}" for name, size in zip(shown, sizes, strict=True)]
-    listed = ", ".join(texts[:4]) + (f" and {len(texts) - 4} more" if len(texts) > 4 else "")
-    raise ValueError(
-        f"it holds {len(items)} image{'s' * (len(items) != 1)}, {listed}: name one, as in {file}[{shown[0]}]"
-    )
+    texts = [f"{name} of {size}" if size else name for name, size in zip(unique, sizes, strict=True)]
+    return ", ".join(texts[:4]) + f" and {len(texts) - 4} more" * (len(texts) > 4), unique[0]
+
+
+def _key(name: str) -> str:
+    return name.upper().replace(" ", "")
 
 
 def contents(path: Path, limit: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:

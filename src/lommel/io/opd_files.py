@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Values
-from lommel.base.quantities import metres_of
 from lommel.base.units import LENGTHS, parse_length
 from lommel.io import fits_images, registry, text_files
 from lommel.io.registry import Description, Format
@@ -255,21 +254,19 @@ def _read_fits(data: bytes, part: str | None = None) -> Measured:
 
     def length(name: str, metres: float = 1.0) -> float | None:
         value = header.get(name)
-        return None if value in (None, "") else validation.real(name, value, above=0.0) * metres
+        return None if value is None else validation.real(name, value, above=0.0) * metres
 
-    spacing, pitches = length("PUPLSCAL"), list[float]()
-    for k in "12":
-        cards = f"CDELT{k} = {header.get(f'CDELT{k}')}, CUNIT{k} = {header.get(f'CUNIT{k}')}"
-        try:
-            pitches.append(abs(float(header[f"CDELT{k}"])) * metres_of(str(header[f"CUNIT{k}"]).strip()))
-        except (KeyError, ValueError):
-            if f"CUNIT{k}" in header:
-                validation.tell(f"the file states {cards}, which is no spacing in a unit of length and was not used")
-    if len(pitches) == 2 and not math.isclose(*pitches, rel_tol=1e-4):
-        raise ValueError(f"its samples are {pitches[0]:g} m apart in x and {pitches[1]:g} m in y; resample it")
-    if pitches and spacing is not None and not math.isclose(spacing, pitches[0], rel_tol=1e-4):
-        validation.tell(f"the file states PUPLSCAL = {spacing:g}, which was used, and {cards}")
-    spacing = spacing or next(iter(pitches), None)
+    spacings = {"PUPLSCAL": length("PUPLSCAL")}
+    for name, unit in (("CDELT1", "CUNIT1"), ("CDELT2", "CUNIT2")):
+        if text := str(header.get(unit, "")).strip():
+            metres = LENGTHS.get(text)
+            spacings[name] = length(name, metres or 1.0) if metres else None
+            if metres is None:
+                validation.tell(f"the file states {name} in {text}, which is no spacing and was not used")
+    stated = {name: value for name, value in spacings.items() if value is not None}
+    spacing = next(iter(stated.values()), None)
+    if any(not math.isclose(value, spacing, rel_tol=1e-4) for value in stated.values()):
+        raise ValueError(f"it states the spacings {stated}, in metres, which differ: save it with one")
     return Measured(values, _find_unit(header.get("BUNIT", "")), spacing, length("WAVELEN"))
 
 

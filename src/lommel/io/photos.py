@@ -384,7 +384,7 @@ def recognized(source: Path, kind: str, data: bytes, part: str | None = None) ->
         raise PhotoError(f"{validation.line(source)} {error}") from None
     file_kind = f"a {form.name} photograph" if kind == "photo" else f"a {kind}"
     with reading.refused_as(PhotoError, source, f"cannot be read as {file_kind}"):
-        if part is not None and form.read not in (read_tiff, _read_raster, read_depth):
+        if part is not None and form.starts != TIFF and (kind, form.starts) != ("depth map", START):
             raise ValueError(f"it holds one image: omit [{part}]")
         yield form if part is None else replace(form, read=partial(form.read, part=part))
 
@@ -707,8 +707,6 @@ def _read_raster(data: bytes, _scale: float | None, part: str | None = None) -> 
     form = registry.identify("photo", data)
     if form.read is read_tiff:
         form = replace(form, read=partial(read_tiff, levels=True, part=part))
-    elif part is not None:
-        raise ValueError(f"it holds one image: omit [{part}]")
     values = upright(form, data)[0]
     if values.ndim == 2:
         return values

@@ -12,7 +12,7 @@ import os
 import re
 import stat
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple, Self
@@ -67,6 +67,7 @@ class Chunks:
 
 
 META = "zarr.json"
+_KINDS = ("float32", "float64", "uint8", "int64")  # data types that are read and written without zarr
 _SHEAR = 1e-6  # largest element of an affine transform off its diagonal, relative to the diagonal
 
 
@@ -95,13 +96,11 @@ def ome_image(folder: Path, group: Any, part: str | None) -> OMEImage:
             raise ValueError(
                 f"it is a {kind} of several images: give the folder of one, such as {folder.name}/{place}"
             )
-    inner: list[tuple[str, Any]] = []
-    if "multiscales" not in _ome(group):
-        # Converters put folders that are no groups beside them.
-        places = [place.name for place in folder.iterdir() if (place / ".zgroup").exists() or (place / META).exists()]
-        inner = [(name, group[name]) for name in sorted(places, key=lambda name: (len(name), name))]
+    # Converters put folders that are no groups beside those of images.
+    places = [p.name for p in folder.iterdir() if (p / ".zgroup").exists() or (p / META).exists()]
+    groups = {name: group[name] for name in sorted(places, key=lambda name: (len(name), name))}
     images, names = [], []
-    for path, member in inner or [("", group)]:
+    for path, member in ({"": group} if "multiscales" in _ome(group) else groups).items():
         listed = _ome(member).get("multiscales", [])
         for k, scales in enumerate(listed):
             images.append((member, scales))
@@ -149,10 +148,16 @@ def _axes(scales: Json, array: Any) -> tuple[str, list[str | None]]:
         for name, entry in zip(names, entries, strict=True)
     ]
     axes = "".join(letters)
-    if set(axes) - set("TCZYX") or len(set(axes)) != len(axes) or not {"Y", "X"} <= set(axes):
-        raise ValueError(f"its axes are {', '.join(names)}: save it with y and x, and at most one of t, c and z each")
-    if len(axes) != array.ndim:
-        raise ValueError(f"its array has {array.ndim} axes, but the metadata name {', '.join(names)}")
+    if (
+        not set(axes) <= set("TCZYX")
+        or len(set(axes)) != len(axes)
+        or not set("YX") <= set(axes)
+        or len(axes) != array.ndim
+    ):
+        raise ValueError(
+            f"its axes are {', '.join(names)} for {array.ndim} axes of its array: save it with y and x, and at most "
+            "one of t, c and z each"
+        )
     stated = getattr(array.metadata, "dimension_names", None) or array.attrs.get("_ARRAY_DIMENSIONS") or names
     if list(stated) != names and sorted(map(str, stated)) == sorted(names):
         raise ValueError(
@@ -163,38 +168,26 @@ def _axes(scales: Json, array: Any) -> tuple[str, list[str | None]]:
 
 def _scale(group: Any, transforms: Sequence[Json], count: int) -> NDArray[np.float64] | str | None:
     """Return the product of the scales of transforms, words for transforms that are no scale, or None for none."""
-    scale, kinds = np.ones(count), set[str]()
-    for transform in _steps(transforms):
-        kind = str(transform.get("type"))
-        kinds.add(kind)
-        if kind in ("identity", "translation"):
-            continue
-        if kind not in ("scale", "affine"):
-            return f"a transform of the type {validation.key(kind)}"
-        factors = np.asarray(transform[kind] if kind in transform else group[transform["path"]][...], float)
-        if kind == "affine":
-            if factors.shape not in ((count, count + 1), (count + 1, count + 1)):
-                raise ValueError(f"its affine transform has the shape {factors.shape} for {count} axes")
-            matrix = factors[:count, :count]
-            factors = np.diag(matrix)
-            if np.abs(matrix - np.diag(factors)).max() > _SHEAR * np.abs(factors).min():
+    scale, steps, kinds = np.ones(count), list(transforms), set[str]()
+    for transform in steps:
+        kinds.add(kind := str(transform.get("type")))
+        if kind == "sequence":
+            steps += transform["transformations"]  # in any order, since factors are multiplied
+        elif kind in ("scale", "affine"):
+            factors = matrix = np.asarray(
+                transform[kind] if kind in transform else group[transform["path"]][...], float
+            )
+            if kind == "affine":
+                matrix = (matrix if len(matrix) == count else matrix[:-1])[:, :-1]
+                factors = np.diag(matrix)
+            if factors.shape != (count,):
+                raise ValueError(f"its {kind} has {factors.size} values for {count} axes")
+            if matrix.ndim == 2 and np.abs(matrix - np.diag(factors)).max() > _SHEAR * np.abs(factors).min():
                 return "an affine transform with rotation or shear"
-        if factors.shape != (count,):
-            raise ValueError(f"its scale has {factors.size} values for {count} axes")
-        scale = scale * factors
+            scale = scale * factors
+        elif kind not in ("identity", "translation"):
+            return f"a transform of the type {validation.key(kind)}"
     return scale if kinds & {"scale", "affine"} else "an identity transform" if "identity" in kinds else None
-
-
-def _steps(transforms: Sequence[Json]) -> Iterator[Json]:
-    """Yield the transforms of a list, those of sequences one by one."""
-    for transform in transforms:
-        if transform.get("type") == "sequence":
-            yield from _steps(transform["transformations"])
-        else:
-            yield transform
-
-
-_KINDS = ("float32", "float64", "uint8", "int64")  # data types that are read and written without zarr
 
 
 def write_group(folder: Path, attributes: Json) -> None:

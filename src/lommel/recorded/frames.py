@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 import re
 import threading
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
@@ -950,29 +949,17 @@ def _series_of(path: Path, file: TiffFile, part: str | None, notes: list[str]) -
         for level in series.levels
         if level is series or not (series.kind == "ome" or level.keyframe.is_reduced or level.keyframe.is_subifd)
     ]
+    names = [[str(item.name), str(k)] if file.is_ome else [str(k)] for k, item in enumerate(every)]
+    sizes = [" x ".join(map(str, item.shape)) for item in every]
     if len(every) > 1 and part is None and file.is_ome:
-        sides = _sizes(every)
         place = max(range(len(every)), key=lambda k: math.prod(every[k].shape))
         notes.append(
-            f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was used; "
-            f"{path.name}[{0 if place else 1}] selects another."
+            f"The file holds {len(every)} images, {reading.listing(names, sizes)[0]}; image {place}, counted from 0, "
+            f"was used; {path.name}[{0 if place else 1}] selects another."
         )
     else:
-        names = [[str(item.name), str(k)] if file.is_ome else [str(k)] for k, item in enumerate(every)]
-        place = reading.only(
-            range(len(every)), names, [" x ".join(map(str, item.shape)) for item in every], part, path.name
-        )
+        place = reading.only(range(len(every)), names, sizes, part, path.name)
     return every[place], place
-
-
-def _sizes(every: Sequence[Any]) -> str:
-    """Return the sizes of images as a text, equal ones once with their number, with types if these differ."""
-    is_mixed = len({item.dtype for item in every}) > 1
-    texts = [" x ".join(map(str, item.shape)) + f" {item.dtype}" * is_mixed for item in every]
-    counts = Counter(texts)
-    if len(every) > 4 and len(counts) < len(every):
-        texts = [f"{count} of {text}" for text, count in counts.items()]
-    return ", ".join(texts[:4]) + ", ..." * (len(texts) > 4)
 
 
 def _zarr_frames(path: Path, part: str | None) -> Frames:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import tifffile
+import xarray
 import zarr
 
 from lommel.recorded.frames import RecordingError, open_frames
@@ -249,3 +250,15 @@ def test_sizes_in_a_tiff_are_used_or_named(name, tmp_path):
     assert found == [None if size is None else pytest.approx(size, rel=5e-3) for size in sizes]
     assert note in " ".join(read.notes)
     assert note or all(text.startswith("From the") for text in read.notes)
+
+
+def test_names_of_the_axes_of_an_array_are_those_of_its_images(tmp_path):
+    values = np.zeros((2, 3, 4, 5), np.uint16)
+    for kind in (lambda dims: xarray.DataArray(values, dims=dims), lambda dims: zarr.create_array(
+        store={}, data=values, dimension_names=dims
+    )):  # fmt: skip
+        assert open_frames(kind(("z", "c", "y", "x"))).as_channels().shape == (3, 2, 4, 5)
+        with pytest.raises(RecordingError, match="state it, such as axes"):
+            open_frames(kind(("pose", "z", "y", "x"))).as_channels()
+    with pytest.raises(ValueError, match="must have rows and columns as its last axes, got the axes x, y, z, c"):
+        open_frames(kind(("x", "y", "z", "c")))

@@ -63,6 +63,7 @@ _COUNTS = ("electron", "electrons", "adu", "ct", "count", "counts", "ph", "photo
 _NAMES = (("t", "time"), ("c", "channel"), ("z", "plane"), ("y", "row", "rows", "height"))
 _NAMES += (("x", "col", "column", "columns", "width"),)
 _RANKS = {name: rank for rank, names in enumerate(_NAMES) for name in names}
+ROWS_AND_COLUMNS = dict.fromkeys(_NAMES[3], "row") | dict.fromkeys(_NAMES[4], "column")
 _PLAIN = (float, int, np.ndarray, np.float64, str, bool, type(None))  # tested first because they are frequent
 
 

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Values
-from lommel.base.units import LENGTHS, parse_length
+from lommel.base.quantities import LENGTHS
+from lommel.base.units import parse_length
 from lommel.io import fits_images, registry, text_files
 from lommel.io.registry import Description, Format
 from lommel.io.zernike_tables import UNIT_NAMES
@@ -264,9 +265,9 @@ def _read_fits(data: bytes, part: str | None = None) -> Measured:
             if metres is None:
                 validation.tell(f"the file states {name} in {text}, which is no spacing and was not used")
     stated = {name: value for name, value in spacings.items() if value is not None}
-    spacing = next(iter(stated.values()), None)
-    if any(not math.isclose(value, spacing, rel_tol=1e-4) for value in stated.values()):
+    if stated and not math.isclose(min(stated.values()), max(stated.values()), rel_tol=1e-4):
         raise ValueError(f"it states the spacings {stated}, in metres, which differ: save it with one")
+    spacing = next(iter(stated.values()), None)
     return Measured(values, _find_unit(header.get("BUNIT", "")), spacing, length("WAVELEN"))
 
 

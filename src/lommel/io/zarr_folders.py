@@ -135,8 +135,8 @@ def ome_image(folder: Path, group: Any, part: str | None) -> OMEImage:
 
 def _ome(group: Any) -> Json:
     """Return the attributes of a group; OME-Zarr 0.5 has them in an attribute of their own."""
-    group_attributes = dict(group.attrs)
-    return group_attributes | group_attributes.get("ome", {})
+    group_attributes: Json = dict(group.attrs)
+    return {**group_attributes, **group_attributes.get("ome", {})}
 
 
 def _axes(scales: Json, array: Any) -> tuple[str, list[str | None]]:

@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Json, Values
 from lommel.base.encoding import named
-from lommel.base.quantities import metres_of, plain
+from lommel.base.quantities import ROWS_AND_COLUMNS, metres_of, plain
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, icc, photos, registry, zarr_folders
@@ -330,6 +330,7 @@ _SIDES = 1e-12, 1e-4  # metres, range of voxel sides in the sample
 _WAVES = 1e-7, 1e-4  # metres, range of wavelengths: 0.52 nm is a wavelength in micrometres with a wrong unit
 BLOCK = 2**22
 """Default number of pixels of a block of frames: 32 MB in float64."""
+_LETTERS = {"t": "T", "time": "T", "frame": "T", "c": "C", "channel": "C", "z": "Z", "plane": "Z"}
 UNKNOWN = "Q"
 """Letter of an axis whose meaning the file does not state."""
 
@@ -811,11 +812,12 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
     if isinstance(images, Frames):
         return images
     if not isinstance(images, str | PathLike):
-        images = plain(name, images, "counts")
-        is_array = hasattr(images, "shape") and hasattr(images, "dtype")
-        values = cast(ArrayLikeImages, images) if is_array else validation.array(name, images, "counts")
+        letters, given = _letters_of(name, images), plain(name, images, "counts")
+        is_array = hasattr(given, "shape") and hasattr(given, "dtype")
+        values = cast(ArrayLikeImages, given) if is_array else validation.array(name, given, "counts")
         validation.refuse_masked(name, values)
-        return _array_frames(values, name)
+        frames = _array_frames(values, name)
+        return replace(frames, axes=f"{letters}YX") if len(letters) == frames.numbers.ndim else frames
     source, part = reading.part_of(validation.path("path", images))
     if source.is_dir():
         with errors_of(source):
@@ -829,6 +831,18 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
         return _open_tiff(source, part)
     with errors_of(source):
         return _fits_or_png_frames(source, part)
+
+
+def _letters_of(name: str, images: object) -> str:
+    """Return the letters of the axes before rows and columns by the names of an array's dimensions (xarray, Zarr)."""
+    stated = getattr(images, "dims", None) or getattr(getattr(images, "metadata", None), "dimension_names", None)
+    dims = [str(dim).lower() for dim in stated] if isinstance(stated, tuple | list) else []
+    if not set(dims) & set(ROWS_AND_COLUMNS):
+        return ""
+    sides = [ROWS_AND_COLUMNS.get(dim) for dim in dims]
+    if not hasattr(images, "dims") and sides[-2:] != ["row", "column"]:  # those of xarray are put in order
+        raise ValueError(f"{name} must have rows and columns as its last axes, got the axes {', '.join(dims)}")
+    return "".join(_LETTERS.get(dim, UNKNOWN) for dim, side in zip(dims, sides, strict=True) if side is None)
 
 
 @contextmanager

@@ -13,6 +13,7 @@ from lommel.cli.instruments import mask_of
 from lommel.imaging import read_depth, read_photo
 from lommel.io.opd_files import OPDFileError
 from lommel.lensfiles.lens_files import load_instrument
+from lommel.recorded.stack_files import kind_of
 
 LENS = """
 [lens]
@@ -128,3 +129,5 @@ def test_a_mask_is_one_that_is_named_and_notes_on_it_are_told(tmp_path):
     with pytest.warns(UserWarning, match=r"--mask: The file holds 2 images, .* image 0"):
         assert mask_of(path, images)[2].all()
     assert mask_of(tmp_path / "mask.ome.tif[1]", images)[3].all()
+    with pytest.raises(ValueError, match="must not replace the recording"):
+        kind_of(path, f"{path}[1]")

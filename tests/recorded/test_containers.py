@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import h5py
 import numpy as np
 import pytest
 import tifffile
@@ -232,6 +233,12 @@ TIFFS = {
         resolved(1 / 0.108, "INCH", unit="um", spacing=0.25), (108, 250), "state pixels of 2.743 mm; the ImageJ"),
     "imagej, pixels": (resolved(1.0, "NONE", unit="pixel"), (None, None), ""),
     "imagej, inches alone": (resolved(0.0254 / 108e-9, "INCH"), (108, None), ""),
+    "tifffile's description": (
+        {"resolution": (1 / 0.108,) * 2, "metadata": {"axes": "ZYX", "spacing": 0.25, "unit": "um"}}, (108, 250),
+        "state pixels of 2.743 mm; the TIFF metadata state 108 nm"),
+    "sizes as of OME elsewhere": (
+        {"metadata": {"axes": "ZYX", **{f"PhysicalSize{n}": 1.08e3 for n in "XYZ"}, "PhysicalSizeXUnit": "Å"}},
+        (None, None), "a plane spacing of 1080.0 without a unit"),
     "plain, centimetres": (
         {"resolution": (1 / 108e-7,) * 2, "resolutionunit": "CENTIMETER"}, (108, None), "From the TIFF metadata"),
     "plain, a print": ({"resolution": (300, 300), "resolutionunit": "INCH"}, (None, None), ""),
@@ -239,6 +246,17 @@ TIFFS = {
         positions(0, 0.25, 0.5) | {"resolution": (1e5, 1e5), "resolutionunit": "CENTIMETER"}, (108, 250),
         "state pixels of 100 nm; the OME metadata state 108 nm"),
 }  # fmt: skip
+
+
+def test_dimensions_of_hdf5_have_the_same_order_or_are_refused(tmp_path):
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        stack = file.create_dataset("stack", data=STACK)
+        for k, name in enumerate("tyx"):
+            stack.dims[k].label = name
+        assert open_frames(stack).axes == "TYX"
+        stack.dims[2].label, stack.dims[1].label = "y", "x"
+        with pytest.raises(ValueError, match="rows and columns as its last axes, got the axes t, x, y"):
+            open_frames(stack)
 
 
 @pytest.mark.parametrize("name", TIFFS)

@@ -192,14 +192,19 @@ def _read_positions(pixels: Element, metadata: Metadata) -> None:
             )
 
 
-def imagej_metadata(file: TiffFile) -> Metadata:
-    """Return the ImageJ metadata of a TIFF file."""
-    entries, page = file.imagej_metadata or {}, file.pages.first
+def described_metadata(entries: Mapping[str, Any], page: Any) -> Metadata:
+    """Return the metadata in the description of a TIFF file by ImageJ, or by tifffile with the same words."""
     unit = entries.get("unit")  # unit of x, and of y and z unless these have their own
-    metadata: Metadata = {"step": length(entries.get("spacing"), entries.get("zunit", unit))}
+    spacing, step_unit = entries.get("spacing"), entries.get("zunit", unit)
+    if spacing is None:
+        spacing, step_unit = entries.get("PhysicalSizeZ"), entries.get("PhysicalSizeZUnit")
+    metadata: Metadata = {"step": length(spacing, step_unit)}
     metadata["is_step_negative"] = str(entries.get("spacing", "")).startswith("-")
     for key, tag, axis_unit in (("pixel", "XResolution", unit), ("down", "YResolution", entries.get("yunit", unit))):
-        if axis_unit and (side := _side_of(page, tag)) is not None:
+        name = f"PhysicalSize{tag[0]}"  # as of OME, in other files
+        if name in entries:
+            metadata[key] = length(entries[name], entries.get(f"{name}Unit"))
+        elif axis_unit and (side := _side_of(page, tag)) is not None:
             metadata[key] = length(side, axis_unit)
     return metadata
 
@@ -220,12 +225,12 @@ def _with_resolution(metadata: Metadata, page: Any) -> None:
         side, stated = metres * (_side_of(page, tag) or 0.0), metadata.get(key)
         # Coarse ones are those of a print, but the numbers of ImageJ have the unit of its description.
         is_print = side >= _FINEST_PRINT
-        if not side or (is_print and (stated is None or form != "ImageJ")):
+        if not side or (is_print and (stated is None or form == "OME")):
             continue
         if isinstance(stated, float) and abs(stated - side) <= _AGREEMENT * side:
             continue
         # ImageJ converts centimetres to the unit of its description.
-        if stated is None or (form == "ImageJ" and isinstance(stated, float) and not is_print):
+        if stated is None or (form != "OME" and isinstance(stated, float) and not is_print):
             metadata |= {key: side, "format": form}
         if stated is not None and key == "pixel":
             words = stated.words if isinstance(stated, Unusable) else format_length(stated)
@@ -836,11 +841,13 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
 def _letters_of(name: str, images: object) -> str:
     """Return the letters of the axes before rows and columns by the names of an array's dimensions (xarray, Zarr)."""
     stated = getattr(images, "dims", None) or getattr(getattr(images, "metadata", None), "dimension_names", None)
+    if type(images).__module__.startswith("h5py"):
+        stated = [dim.label for dim in stated or ()]
     dims = [str(dim).lower() for dim in stated] if isinstance(stated, tuple | list) else []
     if not set(dims) & set(ROWS_AND_COLUMNS):
         return ""
     sides = [ROWS_AND_COLUMNS.get(dim) for dim in dims]
-    if not hasattr(images, "dims") and sides[-2:] != ["row", "column"]:  # those of xarray are put in order
+    if not hasattr(images, "transpose") and sides[-2:] != ["row", "column"]:  # those of xarray are put in order
         raise ValueError(f"{name} must have rows and columns as its last axes, got the axes {', '.join(dims)}")
     return "".join(_LETTERS.get(dim, UNKNOWN) for dim, side in zip(dims, sides, strict=True) if side is None)
 
@@ -933,7 +940,9 @@ def _tiff_frames(path: Path, file: TiffFile, part: str | None) -> Frames:
     if file.is_ome:
         metadata = ome_metadata(file, place) | {"format": "OME"}
     elif file.is_imagej:
-        metadata = imagej_metadata(file) | {"format": "ImageJ"}
+        metadata = described_metadata(file.imagej_metadata or {}, page) | {"format": "ImageJ"}
+    elif described := (file.shaped_metadata or ())[place : place + 1]:
+        metadata = described_metadata(described[0], page) | {"format": "TIFF"}
     elif series.kind not in ("generic", "uniform", "shaped"):  # LSM, STK and others, as tifffile names them
         notes.append(f"The metadata of the format {series.kind} are not read: state pixel and step.")
     _with_resolution(metadata, page)

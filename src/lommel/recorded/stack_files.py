@@ -34,7 +34,7 @@ def kind_of(path: Path, recording: str | Path | None = None) -> str:
     Raise ValueError for other endings, or if the path is the `recording` from which the stack was restored;
     FileExistsError for a folder that holds no restored stack; ImportError if the library is not installed.
     """
-    if recording is not None and path.resolve() == Path(recording).resolve():
+    if recording is not None and path.resolve() == reading.part_of(Path(recording))[0].resolve():
         raise ValueError(f"the restored stack must not replace the recording, got {line(path)} for both")
     file_name = path.name.lower()
     if file_name.endswith(".zarr"):
@@ -86,8 +86,9 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Frames, name: str,
     sides = [1.0]
     known_sides = [recording.metadata[key] for key in ("step", "pixel", "pixel")]
     sides += [1.0 if value is None else float(f"{1e6 * value:.12g}") for value in known_sides]
-    has_sizes = None not in known_sides
-    space = [{"name": name, "type": "space"} | ({"unit": "micrometer"} if has_sizes else {}) for name in "zyx"]
+    space: list[Json] = [{"name": letter, "type": "space"} for letter in "zyx"]
+    for axis, value in zip(space, known_sides, strict=True):
+        axis |= {} if value is None else {"unit": "micrometer"}
     group.attrs["multiscales"] = [
         {
             "version": "0.4",

@@ -98,7 +98,7 @@ def test_axes_of_an_ome_zarr_may_be_in_any_order(order, tmp_path):
     lengths = {"t": 2, "c": 3, "z": 4, "y": 5, "x": 6}
     values = np.random.default_rng(1).integers(0, 9, [lengths[n] for n in order])
     scales = multiscales([scale([sizes.get(n, 1.0) for n in order])], axes=axes)
-    chunks = tuple(-(-side // 2) for side in values.shape)
+    chunks = [{"t": 1, "c": 2, "z": 3, "y": 4, "x": 2}[n] for n in order]
     with open_frames(folder(tmp_path / "a.zarr", scales, arrays={"0": values}, chunks=chunks)) as read:
         there = read.axes.lower()
         expected = np.einsum(f"{order}->{there}", values)
@@ -161,8 +161,9 @@ def test_folders_of_converters_are_read_and_plates_refused(tmp_path):
     folder(root / "0", multiscales([scale()]))
     (root / "OME").mkdir()
     assert open_frames(root).metadata["pixel"] == pytest.approx(108e-9)
+    folder(root / "9", multiscales([scale()], name="nine"))
     folder(root / "10", multiscales([scale([0.25, 0.5, 0.5])]), arrays={"0": STACK + 2})
-    with pytest.raises(RecordingError, match=r"holds 2 images, \[0\], \[10\]: name one, as in a.zarr\[0\]"):
+    with pytest.raises(RecordingError, match=r"holds 3 images, \[0\], \[nine\], \[10\]: name one, as in a.zarr\[0\]"):
         open_frames(root)
     np.testing.assert_array_equal(open_frames(f"{root}[10]")[...], STACK + 2)
     for kind, way in (("plate", r"b.zarr/A/1/0"), ("well", r"b.zarr/0")):
@@ -173,6 +174,8 @@ def test_folders_of_converters_are_read_and_plates_refused(tmp_path):
             open_frames(path)
     with pytest.raises(RecordingError, match=r"holds no multiscales of OME-Zarr: pass an array"):
         open_frames(folder(tmp_path / "c.zarr"))
+    with pytest.raises(RecordingError, match="it lacks all arrays of its pyramid: copy the whole folder"):
+        open_frames(folder(tmp_path / "e.zarr", multiscales(levels=("9",))))
     scales = {"coordinateSystems": [], "datasets": [{"path": "0"}]}
     with pytest.raises(RecordingError, match=r"OME-Zarr 0\.6: save it as 0\.4 or 0\.5"):
         open_frames(folder(tmp_path / "d.zarr", scales, version=3))
@@ -246,6 +249,13 @@ TIFFS = {
         positions(0, 0.25, 0.5) | {"resolution": (1e5, 1e5), "resolutionunit": "CENTIMETER"}, (108, 250),
         "state pixels of 100 nm; the OME metadata state 108 nm"),
 }  # fmt: skip
+
+
+def test_positions_are_compared_within_one_channel(tmp_path):
+    options = positions(10, 10.25, 10.5, 90, 90.3, 90.9, **PLACEHOLDER)
+    options["metadata"]["axes"] = "CZYX"
+    tifffile.imwrite(tmp_path / "a.tif", np.stack([STACK, STACK]), photometric="minisblack", **options)
+    assert open_frames(tmp_path / "a.tif").metadata["step"] == pytest.approx(250e-9)
 
 
 def test_dimensions_of_hdf5_have_the_same_order_or_are_refused(tmp_path):

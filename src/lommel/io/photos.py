@@ -316,6 +316,7 @@ def read_photo(path: str | PathLike[str], encoding: Encoding | None = None) -> P
     Parameters
     ----------
     path : path
+        ``file.tif[1]`` selects one of several pages of a TIFF file, from 0.
     encoding : {"srgb", "linear"} or float, optional
         Encoding of the stored values; a number states ``light = value ** number``. By default floats are linear, and
         integers are encoded as the file states by an ICC profile (curves of red, green and blue, or of grey), a gamma

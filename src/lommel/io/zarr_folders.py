@@ -119,6 +119,8 @@ def ome_image(folder: Path, group: Any, part: str | None) -> OMEImage:
             levels.append((dataset, member[dataset["path"]]))
         else:
             notes.append(f"The folder lacks the array {dataset['path']} of its pyramid.")
+    if not levels:
+        raise ValueError("it lacks all arrays of its pyramid: copy the whole folder")
     dataset, array = max(levels, key=lambda level: math.prod(level[1].shape))
     axes, units = _axes(scales, array)
     transforms = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]

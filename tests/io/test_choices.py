@@ -9,6 +9,7 @@ import tifffile
 from astropy.io import fits
 
 import lommel as lm
+from lommel.base import reading
 from lommel.cli.instruments import mask_of
 from lommel.imaging import read_depth, read_photo
 from lommel.io.opd_files import OPDFileError
@@ -63,6 +64,11 @@ def test_one_of_several_opd_maps_is_named(write, name, tmp_path):
         lm.load_opd(f"{tmp_path}/a.npy[1]", unit="nm")
 
 
+def test_a_number_is_that_of_an_image_even_if_another_has_it_for_a_name(tmp_path):
+    assert reading.only("ab", [["1", "0"], ["x", "1"]], ["", ""], "1", "f") == "b"
+    assert reading.part_of(tmp_path / "missing.fits[1]") == (tmp_path / "missing.fits[1]", None)
+
+
 def test_a_link_to_a_surface_is_no_second_one(tmp_path):
     with h5py.File(tmp_path / "a.datx", "w") as file:
         file["Data/Surface/x"] = MAPS["AFTER"]
@@ -114,6 +120,10 @@ def test_an_aperture_in_a_lens_file_is_one_that_is_named(tmp_path):
     fits.HDUList(units).writeto(tmp_path / "a.fits")
     (tmp_path / "lens.toml").write_text(LENS.format("a.fits[diagonal]"))
     np.testing.assert_array_equal(load_instrument(tmp_path / "lens.toml").pupil().mask.values, np.eye(8))
+    np.save(tmp_path / "a.npy", np.eye(8))
+    (tmp_path / "lens.toml").write_text(LENS.format("a.npy[1]"))
+    with pytest.raises(ValueError, match=r"'a.npy' holds one array: omit \[1\]"):
+        load_instrument(tmp_path / "lens.toml")
     (tmp_path / "lens.toml").write_text(LENS.format("a.fits"))
     with pytest.raises(ValueError, match=r"it holds 2 images, \[FULL\] of 8 x 8, \[DIAGONAL\] of 8 x 8: name one"):
         load_instrument(tmp_path / "lens.toml")

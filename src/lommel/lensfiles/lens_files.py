@@ -135,6 +135,8 @@ def _read_transmission(named: Path) -> Values:
     if not path.name.lower().endswith(_SUFFIXES):
         raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
     if path.suffix.lower() == ".npy":
+        if part is not None:
+            raise ValueError(f"{path.name!r} holds one array: omit [{part}]")
         try:
             return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
         except ValueError as error:

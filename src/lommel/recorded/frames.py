@@ -786,8 +786,8 @@ def open_frames(*paths: str | PathLike[str] | ArrayLike) -> Frames:
     *paths : path, array_like or Frames
         A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content;
         ``file.fits[SCI]``, ``file.tif[1]`` or ``file.zarr[0]`` selects one of several images, by default, in
-        OME-TIFF, the one with most values. Or an array of NumPy, dask, Zarr or xarray. Several files, of images of one
-        size and type, are one stack, and are read at once.
+        OME-TIFF, the one with most values. Or an array of NumPy, dask, Zarr or xarray. Several files, of images of
+        one size and type, are one stack, and are read at once.
 
     Returns
     -------

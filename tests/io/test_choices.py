@@ -121,6 +121,8 @@ def test_an_aperture_in_a_lens_file_is_one_that_is_named(tmp_path):
     (tmp_path / "lens.toml").write_text(LENS.format("a.fits[diagonal]"))
     np.testing.assert_array_equal(load_instrument(tmp_path / "lens.toml").pupil().mask.values, np.eye(8))
     np.save(tmp_path / "a.npy", np.eye(8))
+    with pytest.raises(ValueError, match=r"a.npy holds one image: omit \[1\]"):
+        lm.recorded.open_frames(f"{tmp_path}/a.npy[1]")
     (tmp_path / "lens.toml").write_text(LENS.format("a.npy[1]"))
     with pytest.raises(ValueError, match=r"'a.npy' holds one array: omit \[1\]"):
         load_instrument(tmp_path / "lens.toml")

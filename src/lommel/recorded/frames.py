@@ -829,6 +829,8 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
             return _zarr_frames(source, part)
     start = reading.start(source, 16)
     photos.require_developed(source, start)
+    if part is not None and start.startswith((_NUMPY, *photos.PNG)):
+        raise RecordingError(f"{line(source)} holds one image: omit [{part}]")
     if start.startswith(_NUMPY):
         with errors_of(source):
             return _array_frames(_grey(np.load(source, mmap_mode="r", allow_pickle=False)), "it", source)
@@ -895,8 +897,6 @@ def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
             else "is empty"
         )
         raise RecordingError(f"{line(path)} {problem}") from None
-    if part is not None and file_format.read is not _fits:
-        raise RecordingError(f"{line(path)} holds one image: omit [{part}]")
     values, metadata, notes = file_format.read(data, part)
     return _array_frames(_grey(values), "it", path, metadata=metadata, notes=tuple(notes))
 

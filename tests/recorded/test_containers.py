@@ -222,6 +222,7 @@ TIFFS = {
         positions(10, 10.25, 10.5, unit="reference frame", PhysicalSizeZ=0.25), (108, 250), ""),
     "positions, and a step of a pixel": (
         positions(10, 10.25, 10.5, PhysicalSizeZ=1, PhysicalSizeZUnit="pixel"), (108, 250), ""),
+    "a negative step": (positions(10, 10, 10, PhysicalSizeZ=-0.25), (108, 250), "states a negative plane spacing"),
     "one position": (positions(10, 10, 10, PhysicalSizeZ=0.25), (108, 250), ""),
     "positions that are no numbers": (positions("a", "b", "c", PhysicalSizeZ=0.25), (108, 250), ""),
     "imagej, micrometres": (resolved(1 / 0.108, "NONE", unit="um", spacing=0.25), (108, 250), ""),

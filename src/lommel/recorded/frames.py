@@ -134,6 +134,7 @@ def ome_metadata(file: TiffFile, place: int) -> Metadata:
         return length(pixels.get(name), pixels.get(f"{name}Unit"), "µm")
 
     metadata: Metadata = {"pixel": side("X"), "down": side("Y"), "step": side("Z"), "notes": []}
+    metadata["is_step_negative"] = pixels.get("PhysicalSizeZ", "").startswith("-")
     with suppress(ValueError):  # positions that are no numbers
         _read_positions(pixels, metadata)
     channels = pixels.findall("{*}Channel")
@@ -172,7 +173,7 @@ def _read_positions(pixels: Element, metadata: Metadata) -> None:
     least, most = np.abs(steps).min(), np.abs(steps).max()
     if not steps.any():  # one position for all planes, such as that of the other stage
         return
-    metadata["is_step_negative"] = mean < 0.0
+    metadata["is_step_negative"] |= mean < 0.0
     if np.abs(steps - mean).max() > _IRREGULAR * abs(mean):
         metadata["notes"].append(
             f"The positions of the planes (PositionZ) are not regular, {least:g} to {most:g} {unit} apart."

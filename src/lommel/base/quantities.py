@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -120,11 +121,11 @@ def plain(name: str, value: Any, unit: str = "") -> Any:
 
 def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
     """Return what a labelled array holds, its axes in order: rows before columns, and these behind all others."""
-    ranks = [_RANKS.get(str(dim).lower(), -1) for dim in dims]
+    ranks = [_rank(dim) for dim in dims]
     if len(dims) > 1 and max(ranks) >= 0:
         if [ranks.count(rank) for rank in (3, 4)] != [1, 1]:
             raise ValueError(f"{name} must have one axis of rows and one of columns, got the axes {_listed(dims)}")
-        value = value.transpose(*(dims[k] for k in sorted(range(len(dims)), key=ranks.__getitem__)))
+        value = value.transpose(*in_order(dims))
     elif len(dims) > 1 and not all(str(dim).startswith("dim_") for dim in dims):
         raise ValueError(
             f"{name} must have axes named y and x, or row and column, behind all others, got {_listed(dims)}; "
@@ -133,6 +134,15 @@ def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
     stated = value.attrs.get("units", value.attrs.get("unit"))
     held = value.data
     return plain(name, held, unit) if stated is None else _converted(name, held, stated, unit)
+
+
+def _rank(dim: Any) -> int:
+    return _RANKS.get(str(dim).lower(), -1)
+
+
+def in_order(dims: Sequence[Any]) -> list[Any]:
+    """Return names of axes in the order of those of arrays: others, time, channel, z, y, x."""
+    return sorted(dims, key=_rank)
 
 
 def _listed(names: Any) -> str:

@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Json, Values
 from lommel.base.encoding import named
-from lommel.base.quantities import ROWS_AND_COLUMNS, metres_of, plain
+from lommel.base.quantities import ROWS_AND_COLUMNS, in_order, metres_of, plain
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, icc, photos, registry, zarr_folders
@@ -849,8 +849,10 @@ def _letters_of(name: str, images: object) -> str:
     dims = [str(dim).lower() for dim in stated] if isinstance(stated, tuple | list) else []
     if not set(dims) & set(ROWS_AND_COLUMNS):
         return ""
+    if hasattr(images, "transpose"):  # those of xarray are put in order
+        dims = in_order(dims)
     sides = [ROWS_AND_COLUMNS.get(dim) for dim in dims]
-    if not hasattr(images, "transpose") and sides[-2:] != ["row", "column"]:  # those of xarray are put in order
+    if sides[-2:] != ["row", "column"]:
         raise ValueError(f"{name} must have rows and columns as its last axes, got the axes {', '.join(dims)}")
     return "".join(_LETTERS.get(dim, UNKNOWN) for dim, side in zip(dims, sides, strict=True) if side is None)
 

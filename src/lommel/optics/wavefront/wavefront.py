@@ -34,7 +34,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import display, validation
 from lommel.base.arrays import Array, Index, Json
 from lommel.base.cached import EqualByContent, cached_property, made
-from lommel.base.units import LENGTHS
+from lommel.base.quantities import LENGTHS
 from lommel.special import zernike
 
 if TYPE_CHECKING:

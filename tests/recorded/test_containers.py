@@ -240,6 +240,7 @@ TIFFS = {
     "tifffile's description": (
         {"resolution": (1 / 0.108,) * 2, "metadata": {"axes": "ZYX", "spacing": 0.25, "unit": "um"}}, (108, 250),
         "state pixels of 2.743 mm; the TIFF metadata state 108 nm"),
+    "a unit and no resolution": ({"metadata": {"axes": "ZYX", "spacing": 0.25, "unit": "um"}}, (None, 250), ""),
     "sizes as of OME elsewhere": (
         {"metadata": {"axes": "ZYX", **{f"PhysicalSize{n}": 1.08e3 for n in "XYZ"}, "PhysicalSizeXUnit": "Å"}},
         (None, None), "a plane spacing of 1080.0 without a unit"),

@@ -96,11 +96,13 @@ def ome_image(folder: Path, group: Any, part: str | None) -> OMEImage:
             raise ValueError(
                 f"it is a {kind} of several images: give the folder of one, such as {folder.name}/{place}"
             )
-    # Converters put folders that are no groups beside those of images.
-    places = [p.name for p in folder.iterdir() if (p / ".zgroup").exists() or (p / META).exists()]
-    groups = {name: group[name] for name in sorted(places, key=lambda name: (len(name), name))}
+    places = [""]
+    if "multiscales" not in _ome(group):
+        # Converters put folders that are no groups beside those of images.
+        places = [p.name for p in folder.iterdir() if (p / ".zgroup").exists() or (p / META).exists()]
     images, names = [], []
-    for path, member in ({"": group} if "multiscales" in _ome(group) else groups).items():
+    for path in sorted(places, key=lambda name: (len(name), name)):
+        member = group[path] if path else group
         listed = _ome(member).get("multiscales", [])
         for k, scales in enumerate(listed):
             images.append((member, scales))

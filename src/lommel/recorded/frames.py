@@ -205,7 +205,8 @@ def described_metadata(entries: Mapping[str, Any], page: Any) -> Metadata:
         name = f"PhysicalSize{tag[0]}"  # as of OME, in other files
         if name in entries:
             metadata[key] = length(entries[name], entries.get(f"{name}Unit"))
-        elif axis_unit and (side := _side_of(page, tag)) is not None:
+        elif axis_unit and (side := _side_of(page, tag)) is not None and (side != 1.0 or "ImageJ" in entries):
+            # Others than ImageJ write 1 for an unknown scale.
             metadata[key] = length(side, axis_unit)
     return metadata
 

@@ -61,10 +61,11 @@ _UNITS = {word: (symbol, 1.0) for word, symbol in _SYMBOLS.items()} | {"": ("", 
 _UNITS |= {unit: ("m", size) for unit, size in LENGTHS.items()}
 _COUNTS = ("electron", "electrons", "adu", "ct", "count", "counts", "ph", "photon", "dn", "")
 # The order of labelled axes: those that are named otherwise, times, channels, planes, rows, columns.
-_NAMES = (("t", "time"), ("c", "channel"), ("z", "plane"), ("y", "row", "rows", "height"))
-_NAMES += (("x", "col", "column", "columns", "width"),)
+_ROWS, _COLUMNS = ("y", "row", "rows", "height"), ("x", "col", "column", "columns", "width")
+_NAMES: tuple[tuple[str, ...], ...] = (("t", "time"), ("c", "channel"), ("z", "plane"), _ROWS, _COLUMNS)
 _RANKS = {name: rank for rank, names in enumerate(_NAMES) for name in names}
-ROWS_AND_COLUMNS = dict.fromkeys(_NAMES[3], "row") | dict.fromkeys(_NAMES[4], "column")
+ROWS_AND_COLUMNS = dict.fromkeys(_ROWS, "row") | dict.fromkeys(_COLUMNS, "column")
+"""What each name of an axis of images means."""
 _PLAIN = (float, int, np.ndarray, np.float64, str, bool, type(None))  # tested first because they are frequent
 
 

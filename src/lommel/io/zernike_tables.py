@@ -17,7 +17,8 @@ from typing import Any, TypeAlias
 from lommel.base import atomic, display, reading, validation
 from lommel.base.arrays import Json
 from lommel.base.options import near
-from lommel.base.units import LENGTHS, parse_length
+from lommel.base.quantities import LENGTHS
+from lommel.base.units import parse_length
 from lommel.io import registry, text_files
 from lommel.io.registry import Format
 from lommel.optics.wavefront.wavefront import NORMALIZATIONS, UNITS, Wavefront, same_path

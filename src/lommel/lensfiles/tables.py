@@ -15,7 +15,8 @@ import numpy as np
 
 from lommel.base import reading, validation
 from lommel.base.arrays import Array
-from lommel.base.units import LENGTHS, parse_length
+from lommel.base.quantities import LENGTHS
+from lommel.base.units import parse_length
 from lommel.field.maps import FieldMap
 from lommel.io import fits_images, text_files
 from lommel.optics.colour.spectrum import Channels, checked_paths

@@ -332,8 +332,8 @@ class Channels:
         TypeError, ValueError
             If a wavelength is invalid, or the width not above 0.
         """
-        waves = validation.real_array("centers", centers, unit="metres").ravel()
-        middle = [validation.wavelength(w, "centers") for w in waves]
+        metres = validation.real_array("centers", centers, unit="metres").ravel()
+        middle = [validation.wavelength(w, "centers") for w in metres]
         if not middle:
             raise ValueError("centers must not be empty")
         half_width = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")

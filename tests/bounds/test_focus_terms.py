@@ -14,7 +14,6 @@ from lommel.imaging import (
     defocus_depth,
     defocus_verdict,
     field_blur,
-    focal_engine,
     focal_tables,
     live,
     sensor_light,
@@ -184,24 +183,6 @@ def test_psfs_over_the_field_have_a_thousandth_of_the_tolerance_or_a_millionth(t
     assert asked[1:] == [asked[0].tol]
 
 
-@pytest.mark.parametrize(("half_range", "curvature"), [(3.0, 0.0), (40.0, 0.7)])
-def test_chebyshev_nodes_over_defocus_are_as_many_as_the_least_bound_takes(half_range, curvature):
-    """4 M rho^(1 - n) / (rho - 1) <= 1e-9, of ellipses whose larger semi-axis is up to 1 or 20 radians beyond 1."""
-    shape, asked = sensor_light.Parabola(curvature, 2.0, 1.5), []
-    sensor_light.DefocusNodes.of(
-        lambda nodes: asked.append(nodes.size) or np.ones((nodes.size, 1)), 5.0 - half_range, 5.0 + half_range, shape,
-        rate=lambda reach: 1.0 + 0.01 * reach, bound=0.3,
-    )  # fmt: skip
-    counts = []
-    for beyond in np.geomspace(1e-3, max(1.0, 20.0 / half_range), 200):
-        rho = 1.0 + beyond + math.sqrt((1.0 + beyond) ** 2 - 1.0)
-        extent = half_range * (1.0 + max(1.0, 20.0 / half_range))
-        most = 0.3 * math.exp((1.0 + 0.01 * (5.0 + extent)) * half_range * (rho - 1.0 / rho) / 2.0)
-        most *= curvature * (3.0 + extent) ** 2 + 1.5
-        counts.append(1.0 + math.log(4.0 * most / (1e-9 * (rho - 1.0))) / math.log(rho))
-    assert asked == [math.ceil(min(counts))]
-
-
 @pytest.mark.parametrize("wavelengths", [(550e-9,), (400e-9, 600e-9)])
 def test_no_pixel_has_more_light_than_its_area_in_v_over_four_pi(wavelengths, monkeypatch):
     """The peak of I is at most 1 / (4 pi) of the light for a unit of v^2, at the shortest wavelength."""
@@ -253,23 +234,6 @@ def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(ma
         assert found == pytest.approx([error, misfit[at], 1.0 / depth[at]])
 
 
-@pytest.mark.parametrize(("refocus", "vergences"), [(False, 0), (True, focal_engine._FOCI)])
-def test_sharp_images_allow_for_the_error_of_depth_in_a_window(refocus, vergences, monkeypatch):
-    """Those of a binned pixel over the root of the number in a window; foci are equal steps of 1 / distance."""
-    foci = []
-    lens = SimpleNamespace(focused=foci.append)
-    task = SimpleNamespace(
-        between=(0.5, 4.0), spectra=[1], lenses=[lens], model=lambda *_: SimpleNamespace(uncertain=np.asarray)
-    )
-    tables = SimpleNamespace(taps=1, degree=2, errors=np.array([2.0, 3.0]))
-    engine = SimpleNamespace(task=task, channels=[tables], light=None, binning=2, _pixels=49.0, images=[])
-    engine._target = lambda *_: None
-    monkeypatch.setattr(focal_engine, "SharpTables", lambda model, *_: model)
-    focal_engine.FocalEngine.sharpen(engine, refocus=refocus)
-    assert engine.images[0] == pytest.approx([4.0 / 7.0, 6.0 / 7.0])
-    assert foci == pytest.approx(1.0 / np.linspace(0.25, 2.0, vergences))
-
-
 @pytest.mark.parametrize("stated", [{}, {"f_number_error": 0.02}, {"focus_error": 0.1}])
 def test_depth_and_its_error_follow_from_those_of_a_candidate(stated, monkeypatch):
     """Candidates are equal steps of v = 1 / z, so that dz = z^2 dv; frames have the exposure of the first."""
@@ -304,15 +268,3 @@ def test_depth_and_its_error_follow_from_those_of_a_candidate(stated, monkeypatc
     assert seen.images.mean(axis=(0, 2, 3)) == pytest.approx([2000.0, 2000.0], rel=1e-5)
     assert (seen.window, seen.limit) == (defocus_depth.WINDOW, pytest.approx(0.15 / step))
     assert found.verdict[-1] == (0.77 if stated else 0.0)
-
-
-@pytest.mark.parametrize(("second", "fits"), [(56.0, True), (204.0, True), (206.0, False), (54.0, False)])
-def test_live_exposures_are_ratios_of_means_above_the_offset_within_a_factor_of_two(second, fits):
-    sums = np.array([[[200.0, 220.0]], [[2.0 * second, 2.0 * second]], [[1.5, 2.5]]])  # over 4 pixels
-    made = SimpleNamespace(_sums=sums, _offset=5.0, _form=SimpleNamespace(white=0.5, offset=5.0))
-    if fits:
-        ratios, light = LiveDepth._measure_exposures(made)
-        assert (ratios, light) == (pytest.approx((1.0, (second - 5.0) / 100.0)), pytest.approx(50.0))
-    else:
-        with pytest.raises(ValueError, match="factor of 2"):
-            LiveDepth._measure_exposures(made)

@@ -16,13 +16,13 @@ from lommel.base.units import with_error
 from lommel.core.answers import ToleranceError
 from lommel.deconvolve.algorithms import MISFIT, STEPS, Restoration, RichardsonLucy, TotalVariation
 from lommel.deconvolve.linear import LinearBlur
-from lommel.imaging import photograph, restoration
+from lommel.imaging import restoration
 from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions
 from lommel.imaging.field_blur import FieldPhotographOptions
 from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.live import LiveDepth
 from lommel.imaging.settings import TableOptions
-from lommel.microscopy import chunks, depth_model, light_checks, modalities, preparation, stack_blur
+from lommel.microscopy import chunks, light_checks, modalities, preparation, stack_blur
 from lommel.recorded import camera_noise, counts
 from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels
 from lommel.recorded.noise import Noise
@@ -154,17 +154,6 @@ def test_a_photograph_has_light_below_saturation(value, limit, fits, recwarn):
     assert bool(recwarn.list) == math.isfinite(limit)
 
 
-@pytest.mark.parametrize(("shape", "largest"), [((1, 900), 1), ((9, 40), 4), ((5000, 4100), 2048)])
-def test_windows_of_tiles_are_at_most_half_of_the_photograph(shape, largest, monkeypatch):
-    asked = []
-    monkeypatch.setattr(photograph, "DepthBlur", lambda *_, largest, **others: asked.append(largest) or 1 / 0)
-    values, depth = np.broadcast_to(np.float32(0.5), shape), np.broadcast_to(2.0, shape)
-    lens, options = SimpleNamespace(wavelength=5e-7), SimpleNamespace(energy=0.9, tol=1e-3)
-    with pytest.raises(ZeroDivisionError):
-        photograph._render_tiles(values, depth, lens, 1e-6, "linear", 64, options, None, None)
-    assert asked == [largest]
-
-
 def test_the_design_error_is_the_largest_bias_in_standard_errors_of_a_window():
     """Between the candidates of the range, of either channel and level."""
     bias, errors = np.array([[9.0, -0.3, 0.2, 0.1, 9.0], [0.0, 0.1, 0.2, -0.5, 0.0]]), np.array([[1, 2, 1, 1, 1]] * 2)
@@ -220,14 +209,6 @@ def test_progress_of_what_may_be_a_misfit_stays_below_three_tenths_until_that_is
     assert [chunks._reason(one, STEPS) for one in (None, other, misfit)] == [STEPS, STEPS, chunks.MISFIT]
 
 
-@pytest.mark.parametrize(("misfits", "round"), [((0.9, 0.99), True), ((0.9, 1.01), False), ((1.01, 0.9), False)])
-def test_psfs_are_tables_over_the_radius_where_each_is_round(misfits, round, monkeypatch):  # noqa: A002
-    made = SimpleNamespace(aberrations=None, window=(3, 9), spreads=True, splines=(1, 2))
-    table = lambda *_, **__: SimpleNamespace(misfit=lambda part: part * depth_model._MAX_MISFIT)  # noqa: E731
-    monkeypatch.setattr(depth_model, "RadialTransfer", table)
-    assert bool(depth_model.DepthModel._radial(made, misfits)) == round
-
-
 @pytest.mark.parametrize(("missing", "said"), [(True, "must be finite, or NaN"), (False, "must be finite, got")])
 def test_light_that_is_not_finite_is_refused_in_words_of_what_may_be(missing, said):
     with pytest.raises(ValueError, match=said):
@@ -249,22 +230,3 @@ def test_depletion_is_relative_to_the_crest_of_the_doughnut_and_a_sheet_needs_a_
     assert asked[-1] == pytest.approx(0.099 - 1.1 * (6.0 * 2.0**-53 + 2.0**-24), rel=1e-12)
     with pytest.raises(ValueError, match="tol"):
         modalities.light_sheet(emission, 1e-6, 3, 6.5e-6, tol=0.101)
-
-
-def test_noise_that_was_estimated_is_told_with_its_error(monkeypatch):
-    stack, remarks = np.ones((1, 4, 4)), SimpleNamespace(notes=[])
-    monkeypatch.setattr(preparation, "measured_noise", lambda _: (Noise(white=0.5, read=1.6, offset=99.0), 0.04))
-    monkeypatch.setattr(preparation, "_without_hot", lambda context, _: context)
-    assert preparation.prepared(stack, None, None, remarks).camera.white == 0.5
-    assert f"{' +- '.join(with_error(0.5, 0.02))} electrons per count and an offset of 99 counts" in remarks.notes[0]
-
-
-@pytest.mark.parametrize(("second", "told"), [(65535.0, True), (900.0, False)])
-def test_a_full_scale_is_remarked_where_no_image_has_a_stated_saturation(second, told):
-    values = RNG.poisson(300.0, (9, 9)).astype(np.uint16)
-    values[4, 4] = 1023
-    images = [
-        SimpleNamespace(values=values, known=np.ones((9, 9), bool), saturation=one) for one in (65535.0, second)
-    ]
-    remark = counts.flat_tops(images, Noise(white=1.0, read=1.0), "image")
-    assert remark.startswith("2 pixels have the value 1023 = 2^10 - 1") == told

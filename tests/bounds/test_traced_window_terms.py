@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import math
-from contextlib import nullcontext
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-import lommel as lm
 from lommel.imaging import traced_windows
-from lommel.imaging.traced_blur import TracedBlur, _measured_error, _optics
 from lommel.special.chebyshev import chebyshev, chebyshev_nodes
 
 TOL = 1e-3
@@ -81,55 +78,3 @@ def test_a_layer_has_the_degrees_from_which_on_coefficients_sum_to_a_tenth_of_th
     x, windows = series(given)
     layer = traced_windows._layer(-1.0, 1.0, x, windows, TOL)
     assert (layer and layer.weights.shape[1]) == degrees
-
-
-def test_a_layer_keeps_the_fewest_windows_whose_combinations_are_within_half_of_the_tolerance():
-    for tol in np.geomspace(3e-2, 1e-6, 5):
-        x, windows = series({n: 0.9 * 0.2**n for n in range(1, 14)})
-        layer, rows = traced_windows._layer(-1.0, 1.0, x, windows, tol), windows[:, 0]
-        degrees, (_, transform) = layer.weights.shape[1], chebyshev_nodes(20)
-        basis = chebyshev(np.cos(np.linspace(0.0, math.pi, 41)), degrees)
-        chosen, left, sizes, off = [], rows.copy(), [], []
-        for _ in range(20):  # the row that is the least explained by those before
-            sizes.append(float(np.sqrt((left**2).sum(axis=1)).max()))
-            chosen.append(int((left**2).sum(axis=1).argmax()))
-            mix = np.linalg.lstsq(rows[chosen].T, rows.T, rcond=None)[0].T
-            left = rows - mix @ rows[chosen]
-            off.append(np.abs(basis @ (transform @ (mix @ rows[chosen] - rows))[:degrees]).max())
-        least = max(1, sum(size > tol * sizes[0] for size in sizes))
-        rank = next(k for k in range(least, 21) if off[k - 1] <= 0.5 * tol)
-        assert layer.nodes == pytest.approx(x[chosen[:rank]])
-
-
-@pytest.mark.parametrize(("size", "fits"), [(1.0 + 0.9e-5, True), (1.0 + 1.1e-5, False), (-1.1, False)])
-def test_coefficients_may_exceed_their_range_by_what_rounds_to_single(size, fits):
-    optics = SimpleNamespace(focus=None, stops=None, defocus=0.0, zernike=(((2, 2), 1.0), ((3, 1), 2.0)))
-    kind = SimpleNamespace(concrete=lambda _: True, to_numpy=np.asarray)
-    made = SimpleNamespace(_static=SimpleNamespace(optics=optics, namespace=kind))
-    lens = dict.fromkeys(("focus_distance", "f_number", "defocus")) | {"zernike": np.array([0.1, 2.0 * size])}
-    with nullcontext() if fits else pytest.raises(ValueError, match="must be at most 2 rad"):
-        TracedBlur._require_optics(made, lens, (8, 8))
-
-
-def test_the_measured_error_is_the_largest_of_any_window_over_its_own_peak():
-    draw, rng = np.random.default_rng(3), np.random.default_rng(0)
-    c = np.sort(np.random.default_rng(3).uniform(-2.0, 5.0, 12))
-    windows, weights = rng.uniform(0.1, 1.0, (2, 4, 1, 6)), rng.uniform(0.1, 1.0, (4, 12))
-    size = np.array([0.3, 0.7])[:, None, None, None]
-    exact = np.einsum("kc,kpx->cpx", weights, (windows * size).sum(axis=0))
-    exact[5, 0, 2] += 0.3 * exact[5].max()
-    blur = SimpleNamespace(
-        _static=SimpleNamespace(edges=(-2.0, 1.0, 5.0)), tables={"windows": windows, "given lens": size},
-        _weights=lambda at: [weights[:1], weights[1:]] if np.array_equal(at, c) else None,
-    )  # fmt: skip
-    found = _measured_error(blur, lambda at, log: exact, draw)
-    made = np.einsum("kc,kpx->cpx", weights, (windows * size).sum(axis=0))
-    assert found == pytest.approx(max(np.abs(m - e).max() / e.max() for m, e in zip(made, exact, strict=True)))
-
-
-def test_coefficients_may_range_up_to_a_hundred_radians():
-    lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.25, wavelength=540e-9)
-    assert _optics(lens, None, None, 0.5, {(2, 2): 99.9, (3, 1): 0.1}).zernike == (((2, 2), 99.9), ((3, 1), 0.1))
-    for most in (100.1, 0.0):
-        with pytest.raises(ValueError, match="zernike"):
-            _optics(lens, None, None, 0.5, {(2, 2): most})

@@ -204,21 +204,6 @@ def test_beads_are_left_out_that_fit_far_worse_than_most(chi2, used):
     assert Search.fit_all(self)[1] == [bool(one) for one in used]
 
 
-@pytest.mark.parametrize(("earlier", "chi2", "tried"), [([5.0, 7.0], [9.0, 7.1, 7.0, 6.0], 3), ([5.0], [9.0, 7.0,
-    6.0, 5.0], 4), ([5.0, 7.0], [7.1, 8.0, 9.0, 10.0], 4)])  # fmt: skip
-def test_more_starts_do_not_help_where_several_beads_fit_as_badly(earlier, chi2, tried, monkeypatch):
-    def ended(k, one):
-        return Made(quality=(one, 0.1), log_posterior=10.0 * k, settled=False, fits=lambda _: False,
-            state=Made(waves=None))  # fmt: skip
-
-    monkeypatch.setattr(bead_search, "start_of", lambda *_: None)
-    calls = iter([ended(k, one) for k, one in enumerate(chi2)])
-    self = Made(waves=None, starts=4, setup=None, climb=lambda *_: next(calls))
-    model = Made(stacks=[None], depths=[Prior(0.0, 0.0)])
-    Search.fit_one(self, model, [ended(-9, one) for one in earlier])
-    assert 4 - len(list(calls)) == tried
-
-
 @pytest.mark.parametrize("side", [0.999, 1.0])
 def test_light_is_told_from_noise_and_a_held_out_bead_from_others_at_the_limit_of_chi2(side, monkeypatch):
     stack, part = Made(background_fit=lambda: (LIMIT * side, 0.1, {})), Made(flux_sigmas=0.0)
@@ -274,47 +259,3 @@ def test_priors_are_told_that_beads_do_not_test_better(monkeypatch):
     fit = model.evaluate(State(SETUP, np.zeros(1), (PLACE, PLACE)))
     bead_checks.missing_tests(model, fit)
     assert told == ["sample", "pixel", "depth"]
-
-
-def test_results_of_tests_are_told_in_the_units_of_their_constants():
-    model = Made(depths=(Prior(1e-7, 0.0), Prior(2e-7, 0.0)), images=Made(estimated_terms=((2, 2),)))
-    for test, refit, text in ((score("depth", 1.0, (1e-8, -3e-8), (1e-9, 2e-9)), None,
-        "of each bead = 0.1100 +- 0.0010, 0.1700 +- 0.0020 um"), (score("drift", 1.0, (0.5, -0.2), (0.01, 0.02)),
-        None, "= 0.500 +- 0.010, -0.200 +- 0.020 pixels"), (score("noll 11", 1.0, (0.5,), (0.01,)),
-        Made(state=Made(waves=[0.1, 0.7])), "= 0.700 +- 0.010 rad"), (score("diameter", 1.0, (2e-8,), (1e-9,)), None,
-        "= 0.1200 +- 0.0010 um, stated 0.1")):  # fmt: skip
-        assert bead_checks._in_words(test, model, SETUP, refit) == f"{test.name} {text} (9 sigma)"
-
-
-def test_a_neighbor_is_tested_at_its_most_likely_place_with_a_penalty_for_the_others():
-    psf = np.exp(-0.5 * (np.arange(8)[:, None] - 3.0) ** 2 - 0.4 * (np.arange(8) - 4.0) ** 2)[None]
-    light, read = np.array([[90.0], [4.0]]), np.full((1, 8, 8), 2.0)
-    counted = 90.0 * psf + 4.0 + RNG.normal(size=psf.shape) * 2.0
-    counted[0, 5, 1] += 25.0
-    valid = np.ones((1, 8, 8), dtype=bool)
-    valid[0, 2] = False
-    setup = Made(
-        wavelength=1.0, pixel=0.61, objective=Made(magnification=1.1, NA=1.0)
-    )  # two distances are 2.2 pixels
-    stacks = [Made(planes=(counted, read, valid), shape=(8, 8))]
-    fit = Made(state=Made(setup=setup, light=[light]), values=[psf])
-    (found,) = bead_checks._neighbor_tests(Made(level_stacks=lambda _: stacks), fit)
-    bead, mean = 90.0 * psf[0], 90.0 * psf[0] + 4.0
-    weight, best, allowed = valid[0] / (mean + 2.0), (0.0,), 0
-    for row in range(-4, 5):
-        for column in range(-4, 5):
-            copy = np.zeros((8, 8))
-            for i in range(max(0, -row), min(8, 8 - row)):
-                for j in range(max(0, -column), min(8, 8 - column)):
-                    copy[i + row, j + column] = bead[i, j]
-            slope, square = (weight * (counted[0] - mean) * copy).sum(), (weight * copy**2).sum()
-            if math.hypot(row, column) >= 2.2 and slope > 0.0:
-                allowed += 1
-                best = max(best, (slope / math.sqrt(square), row, column, slope / square, 1.0 / math.sqrt(square)))
-    sigmas, row, column, share, error = best
-    total = error**2 + 0.3**2
-    evidence = 0.5 * (share**2 / error**2 + math.log(error**2)) - 0.5 * (share**2 / total + math.log(total))
-    evidence -= math.log(allowed / (math.pi * 1.1**2) + 1.0)
-    assert found.name.startswith(f"a neighbor of bead 0 by {row} rows and {column} columns")
-    assert (found.size[0], found.errors[0], found.sigmas, found.log_bayes) == pytest.approx((share, error, sigmas,
-        evidence), rel=1e-6)  # fmt: skip

@@ -26,8 +26,7 @@ from lommel.estimation import (
 )
 from lommel.estimation.field_fit import FieldFit
 from lommel.estimation.fisher import Information
-from lommel.estimation.focal_model import FocalModel
-from lommel.fit import Finding, Findings, goodness_of_fit, scoring
+from lommel.fit import Finding
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
 from lommel.fit.score_tests import Marginal
 from lommel.fit.scoring import Scores
@@ -90,16 +89,6 @@ def test_tables_and_plots_of_fields_have_standard_errors_in_waves(monkeypatch, t
     for k, factor in enumerate((TURN, TURN, 1.0, 1.0)):
         assert np.allclose(maps[k][1], across[..., k % 2] / factor)
         assert np.allclose(maps[k][2], down[..., k % 2] / factor)
-
-
-@pytest.mark.parametrize("far", [1.5e-6, 0.75e-6])
-def test_of_twins_the_nearer_is_chosen_and_of_those_as_near_that_of_the_larger_first_term(far):
-    stars = Made(start=np.zeros((3, 1)), first_star=Made(directions=np.ones((1, 1)), even=np.array([True])))
-    search = Made(stars=stars, metric=np.eye(1))
-    fit = Made(model=Made(basis=np.ones((3, 1)), chosen=np.arange(3)))
-    nearer = np.array([[-1.0]])
-    assert field_fit._twin_is_nearer(search, fit, np.array([[math.sqrt(1.0 + far)]]), nearer) == (far > 1e-6)
-    assert field_fit._twin_is_nearer(search, fit, nearer, np.array([[math.sqrt(1.0 + far)]])) == (far < 1e-6)
 
 
 STAR, NOISE = {"shape": 11, "pixel": 0.5}, lm.Noise(read=2.0, excess=2.0)
@@ -312,18 +301,6 @@ def test_cosmic_rays_are_six_deviations_above_a_multiple_of_their_neighbours_or_
     assert mask[0, 10, 9] == (side > 1.0)
 
 
-def test_uncertain_depths_average_transfer_functions_and_add_their_variance_to_the_noise():
-    h, noise, alias, errors = (RNG.uniform(0.5, 1.0, size) for size in ((5, 2, 3), (5, 2, 3), (5, 2, 3), 5))
-    errors[2] = 0.0
-    model = FocalModel(np.arange(5.0), None, RNG.random(3), h, noise, None, alias)
-    found = model.uncertain(errors)
-    for k in range(5):
-        weight = [math.exp(-0.5 * ((j - k) / errors[k]) ** 2) if errors[k] else float(j == k) for j in range(5)]
-        mean, square, of_noise = (np.average(part, axis=0, weights=weight) for part in (h, h**2, noise))
-        assert found.transfer[k] == pytest.approx(mean, rel=1e-9)
-        assert found.noise[k] == pytest.approx(of_noise + model.texture * np.maximum(square - mean**2, 0.0), rel=1e-9)
-
-
 def test_tolerances_of_searches_are_below_the_read_noise_and_masks_symmetric_within_a_millionth():
     for read, tol in ((4.0, 1e-6), (1e4, 1e-6), (1e4, 1e-3), (1e-6, 1e-6)):
         data = np.array([[0.0, 2e4], [1.0, 1.0], [read, 2.0 * read], [1.0, 1.0]])
@@ -361,78 +338,6 @@ def test_squared_widths_fall_to_a_quarter_at_most_and_to_zero_from_below_their_l
     field_stars._StarModel.__init__(model, stars, np.arange(1), 2, 100.0)
     found = model.within(np.array([[5.0, 0.0, 1.0, 1.0, 1.0, 1.0]]), np.array([[1.0, 0.4, 0.0, 0.0, 0.0, 0.0]]))
     assert found == pytest.approx(np.array([[5.0, 0.1, 0.1, 0.1, 0.1, 0.1]]))
-
-
-def test_what_is_not_tested_is_told_last_and_limits_of_chi2_belong_to_what_is_beyond():
-    note, last, first = (Finding(code, "note", code) for code in ("rejected", "untested", "flat_top"))
-    doubt = Finding("pattern", "doubt", "pattern")
-    assert Findings([last, note]).text == "rejected; untested"
-    assert Findings([doubt, last, note, first]).text == "flat_top; pattern; rejected; untested"
-    for limit, codes in ((LIMIT, ["misfit"]), (float(goodness_of_fit.smallest_plausible_chi2(0.1)), [])):
-        assert [one.code for one in goodness_of_fit.chi2_findings(limit, 0.1, "")] == codes
-
-
-@pytest.mark.parametrize("share", [-0.6, 0.4, 1.5])
-def test_groups_of_pixels_may_differ_by_so_much_in_their_excess_noise(share):
-    """At most 0.3, or 0.3 of a share above 1, and five standard errors, which grow with the share."""
-    read, counts = 1.0, [106, 84, 70, 60, 50, 42, 40, 35]
-    light = np.repeat([40.0, 50.0, 60.0, 70.0, 84.0, 100.0, 105.0, 120.0], counts)
-    variance, m = light + read, light / (light + read)
-
-    def test(size):
-        part = np.where(light < 45.0, share + size, share) * m
-        return goodness_of_fit.excess_test(np.sqrt(variance * (1.0 + part)), light, read)
-
-    low, high = 0.0, 20.0
-    for _ in range(50):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if test(middle).flat else (low, middle)
-    found = test(low)
-    squared, spread = m[:105] ** 2, 2.0 + 1.0 / variance[:105]  # an eighth of the light
-    whole = found.share
-    error = math.sqrt((squared * spread).sum()) / squared.sum()
-    slack = 0.3 * max(whole, 1.0) + 5.0 * (1.0 + max(whole, 0.0)) * error
-    assert share + low - whole == pytest.approx(slack, rel=1e-6)
-
-
-class Rows:
-    """Two parabolas of which one has a low chi2; steps are predicted to gain much and gain little."""
-
-    degrees_of_freedom, alternatives, rms = 100, False, None
-
-    def __init__(self, gain):
-        self.gain = gain
-
-    def step(self, x, scores, rows, damping):
-        return np.ones((rows.size, 1)), np.full(rows.size, 1e3)
-
-    def attempt(self, x, scores, rows, step, factor):
-        return x, scores._replace(deviance=scores.deviance - self.gain)
-
-
-@pytest.mark.parametrize("side", [0.99, 1.01])
-def test_searches_end_after_three_steps_that_gain_a_small_part_of_what_is_missing(side):
-    told, chi2 = [], np.array([3.0, 2.0])
-    scores = Scores(np.zeros(2), np.ones((2, 1)), np.ones((2, 1, 1)), chi2, np.full(2, 0.1))
-    gain = side * 0.01 * 100 * (chi2 - LIMIT)
-    found = scoring.fisher_scoring(Rows(gain), np.zeros((2, 1)), scores, 9, lambda *at: told.append(at), stalled=0.01)
-    assert told[0] == (0, 2.0)
-    assert found.steps == (6 if side < 1.0 else 18)
-
-
-@pytest.mark.parametrize("side", [0.999, 1.001])
-def test_a_distance_without_information_beyond_rounding_has_no_error(side, monkeypatch):
-    h = RNG.uniform(0.1, 1.0, (5, 2, 3))
-    texture, share = RNG.random(3), RNG.random(3)
-    lenses = [lm.Lens(focal_length=0.05, f_number=4.0, focus_distance=one, wavelength=5e-7) for one in (1.0, 2.0)]
-    step = 0.02 * 2.0 * 5e-7 / (math.pi * 0.00625**2)
-    derivative = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
-    limit = 1e-9 * sum(texture[k] * share[k] * derivative[i, k] ** 2 for i in range(2) for k in range(3))
-    model = Made(transfer=h, texture=texture, band=Made(share=share))
-    model.at = lambda _: Made(information=lambda _: np.array([limit * side]))
-    monkeypatch.setattr(depth_precision, "FocalModel", Made(of=lambda *_, **__: model))
-    found = depth_precision._error(lenses, 1.5, 4e-6, Made(light=1e3, read=1.0, contrast=0.3))
-    assert found == (math.inf if side < 1.0 else pytest.approx(2.25 / math.sqrt(limit * side * 4.0 * math.pi * 16.0)))
 
 
 @pytest.mark.parametrize("offsets", [(2.0, 3.0), (0.5, 4.0)])

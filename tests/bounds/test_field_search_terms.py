@@ -141,17 +141,6 @@ def test_a_joint_fit_begins_with_typical_stars_and_ends_where_it_fits_as_well(ch
     assert (asked[1][0], asked[1][1].item()) == (used, width)
 
 
-@pytest.mark.parametrize(("cost", "size", "twin", "rival"), [(7.9, 3.1, None, True), (8.1, 3.1, None, False), (7.9,
-    2.9, None, False), (-3.0, 4.0, 2.9, False), (0.0, 4.0, 3.1, True)])  # fmt: skip
-def test_a_rival_costs_less_than_eight_and_is_three_errors_away_with_its_twin(cost, size, twin, rival):
-    """The largest of distances in errors of 0.5 and 0.1 is that of the second coefficient."""
-    model = made(wave_count=1, basis=np.ones((3, 2)), covariance=lambda _: np.diag([0.25, 0.01, 9.0]))
-    ends = np.array([[[1.0, 2.0]], [[1.4, 2.0 - 0.1 * size]], [[1.0, 2.0 + 0.1 * (twin or 0.0)]]])
-    pair = [made(model=model, scores=made(deviance=[k * cost]), polynomials=lambda k=k: ends[k]) for k in (0, 1)]
-    self = made(stars=made(first_star=made(sign_ambiguous=twin is not None)), twin=lambda _: (ends[2], None))
-    assert Search._rival(self, *pair) == ((cost, pytest.approx(twin or size)) if rival else None)
-
-
 @pytest.mark.parametrize(("costs", "width", "name"), [((100.0, 101.9, 200.0), 1.0, "Gaussian"), ((100.0, 102.0,
     200.0), 1.0, "both"), ((100.0, 200.0, 101.9), 1.0, "seeing"), ((100.0, 101.0, 101.0), 0.07, "both"), ((100.0,
     101.0, 101.0), 0.05, "Gaussian"), ((100.0, 98.0, 103.0), 1.0, "Gaussian")])  # fmt: skip

@@ -15,7 +15,6 @@ from lommel import microscopy
 from lommel.base.units import with_error
 from lommel.core.answers import ToleranceError
 from lommel.deconvolve.algorithms import MISFIT, STEPS, Restoration, RichardsonLucy, TotalVariation
-from lommel.deconvolve.linear import LinearBlur
 from lommel.imaging import restoration
 from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions
 from lommel.imaging.field_blur import FieldPhotographOptions
@@ -194,27 +193,6 @@ def test_defaults_are_those_that_their_pages_state():
     assert {inspect.signature(one).parameters["tol"].default for one in kinds} == {1e-6}
     assert (TableOptions().tol, FieldPhotographOptions().tol) == (1e-4, 1e-3)
     assert (DefocusOptions().f_number_error, DefocusOptions().focus_error) == (0.0, 0.0)
-
-
-@pytest.mark.parametrize(("may", "shown"), [(True, [0.15, 0.3, 1.0]), (False, [1.0, 1.0, 1.0])])
-def test_progress_of_what_may_be_a_misfit_stays_below_three_tenths_until_that_is_known(may, shown):
-    """A misfit is told after 20 steps at the earliest; nothing is left to do here."""
-    told = []
-    progress = chunks._ChunkProgress(lambda fraction, _: told.append(fraction), 0, 1, 100, may)
-    progress._begun -= 1.0
-    for step in (10, 20, 21):
-        progress(step, 2.0, 0.0)
-    assert told == pytest.approx(shown)
-    misfit, other = SimpleNamespace(code="misfit"), SimpleNamespace(code="not_settled")
-    assert [chunks._reason(one, STEPS) for one in (None, other, misfit)] == [STEPS, STEPS, chunks.MISFIT]
-
-
-@pytest.mark.parametrize(("missing", "said"), [(True, "must be finite, or NaN"), (False, "must be finite, got")])
-def test_light_that_is_not_finite_is_refused_in_words_of_what_may_be(missing, said):
-    with pytest.raises(ValueError, match=said):
-        LinearBlur.require(
-            SimpleNamespace(shape=(2, 2), channels=1), np.full((2, 2), np.inf), "light", missing=missing
-        )
 
 
 def test_depletion_is_relative_to_the_crest_of_the_doughnut_and_a_sheet_needs_a_bound(monkeypatch):

@@ -123,23 +123,6 @@ def test_errors_are_aimed_at_nine_tenths_of_the_tolerance_and_half_of_that_of_it
     assert aim == pytest.approx((0.9 if scale else 0.45) * (1e-6 - 1.1 * stored), rel=1e-9, abs=0.0)
 
 
-@pytest.mark.parametrize(("method", "errors", "answered"), [
-    (None, [3e-5, 3e-5], True), (None, [1e-5, 3e-4], False), (LOOSE, [3e-4, 1e-5], True), (LOOSE, None, False),
-    (methods.ChordalGauss(), [1e-5, 3e-4], False), (None, None, False),
-])  # fmt: skip
-def test_every_image_is_within_the_tolerance_where_the_method_keeps_one(method, errors, answered, monkeypatch):
-    """Where samples have no bound, what blur adds to them is within it for any method."""
-    off = np.array(errors or [math.nan] * 2)
-    stack = BlurredStack(np.ones((2, 3, 3)), off, np.array([0.0, 0.0 if errors else 3e-4]), np.zeros(2), LOOSE)
-    for name, made in (("summed", lambda *_: stack), ("of_transfer", lambda *_: None), ("_refined_request", stop)):
-        monkeypatch.setattr(recorded, name, made)
-    given = recorded.recorded_images, method, 1e-4, LENS, Grid(3, 0.5), (lm.Jitter(1.0),), Wanted(1.0)
-    if answered:
-        assert given[0](*given[1:])[1].bound == pytest.approx(off / (1.0 - off), rel=1e-6, abs=0.0)
-    else:
-        asked(*given)
-
-
 @pytest.mark.parametrize("tol", [1e-9, 1e-3])
 def test_beside_the_axis_errors_are_relative_to_at_least_the_brightest_pixel_on_it(tol, monkeypatch):
     requests, values = [], np.array([[[0.2, 0.7]], [[0.4, 0.1]], [[0.01, 0.02]]])
@@ -148,24 +131,6 @@ def test_beside_the_axis_errors_are_relative_to_at_least_the_brightest_pixel_on_
     request, beside = Request(None, 1, tol, tol / 100.0, 0.0), Grid(3, 0.5, center=(9.0, 1.0))
     assert recorded._axis_level(request, LENS, beside, ()) == pytest.approx([0.64, 0.35, 0.0])
     assert requests == [request._replace(tol=max(tol, 1e-6), error=max(tol / 100.0, 1e-9))]
-
-
-@pytest.mark.parametrize("used", [TransferIntegral(1e-6), methods.ChordalGauss(1e-9)])
-@pytest.mark.parametrize("given", [None, methods.Polychromatic([500e-9], [1.0])])
-def test_the_method_that_is_told_is_the_last_of_those_that_could_be(used, given, monkeypatch):
-    places, images = [], Samples(np.ones((1, 4, 5)), np.ones(1), None if given else np.array([3e-5]))
-    last = methods.NijboerZernike(1e-3)
-    monkeypatch.setattr(recorded, "candidates", lambda *of: places.append(of) or (None, None, last))
-    monkeypatch.setattr(recorded, "output_spec", lambda grid, pupil, method, *_: places.append(method) or Wanted(1.0))
-    monkeypatch.setattr(recorded, "recorded_images", lambda *_: (used, images))
-    pupil = lm.Pupil(lm.Wavefront(1.0), wavelength=500e-9, f_number=4.0)
-    found = recorded.recorded(pupil, Grid((4, 5), (3e-6, 2e-6)), (), (given, 1e-5, "peak", np.float64, 1))
-    if given:
-        assert (found["error_bound"], found["method"], places) == (None, given, [given])
-    else:
-        assert (places[0][1].pitch, places[0][2], places[1]) == ((2e-6, 2e-6), 1e-5, last)
-        assert found["method"] == (last if isinstance(used, TransferIntegral) else used).with_tol(1e-5)
-        assert found["error_bound"] == 3e-5
 
 
 @pytest.mark.parametrize(("x", "radius"), [(0.5 + 0.05j, 0.02), (0.9 + 0.1j, 0.05)])
@@ -181,38 +146,6 @@ def test_an_outer_scale_is_bounded_on_discs_of_cube_roots_of_frequencies(x, radi
     assert float(fading.log_bound(np.array(x), np.array(radius), end)) == pytest.approx(bound, rel=1e-9, abs=0.0)
     stack = lm.Pupil(lm.Wavefront([1.0, -3.0, 2.0], [2.0, 0.1, -0.5]))
     assert Slopes.of(stack).terms[1:] == tuple(np.abs(stack.radial_terms()).T.max(axis=-1))
-
-
-def test_biases_are_of_molecules_that_fit_with_all_that_was_fitted_eliminated():
-    n, camera, ramp = 9, lm.Noise(white=0.5, read=1.2, offset=10.0, excess=1.5), np.mgrid[:5, :5] - 2.0
-    values, changed, slopes = (
-        RNG.uniform(0.1, 0.9, (n, 5, 5)),
-        RNG.uniform(size=(n, 2, 5, 5)),
-        RNG.random((3, n, 5, 5)),
-    )
-    errors, photons = RNG.uniform(0.5, 2.0, (4, n)), RNG.uniform(200.0, 900.0, n)
-    by_name = SimpleNamespace(**dict(zip(("row", "column", "z", "photons"), errors, strict=True)))
-    row, above = np.where(np.arange(n) == 3, 6.01, 5.0), 0.3 + checks.DOUBTFUL  # the fourth is beyond the reach
-    molecules = SimpleNamespace(
-        row=row, column=np.full(n, 6.0), z=np.zeros(n), photons=photons, background=np.full(n, 4.5),
-        discrepancy=np.array([0.1, 0.2, 0.3, 9.0, 0.25, above, above + 0.1, 0.0, above - 0.01]),
-        converged=np.arange(n) != 7, errors=by_name,
-    )  # fmt: skip
-    picked = [0, 1, 2, 4, 8]  # the median of those that are usable is 0.3
-    by = dict(zip(("row", "column", "z"), slopes[:, picked], strict=True))
-    table = type(
-        "Made", (), {"shape": (5, 5), "reach": 1.0, "__call__": lambda *_, derivatives: (values[picked], by)}
-    )()
-    spots = SimpleNamespace(images=RNG.uniform(200.0, 900.0, (n, 5, 5)), corners=np.array([[3, 4]] * n))
-    found = checks.scored(spots, molecules, table, camera, lambda *_: changed[picked])
-    for k, one in enumerate(picked):
-        light = photons[one] / 1.5
-        root = 1.0 / np.sqrt(light * values[one] + 3.0 + 0.64)
-        parts = [*(light * slopes[:, one] * np.array([1.0, 1.0, 1e-6])[:, None, None]), values[one], np.ones((5, 5))]
-        fitted, others = (np.reshape(root * many, (-1, 25)).T for many in (parts, [*ramp, *(light * changed[one])]))
-        scale = errors[:, one] / np.array([1.0, 1.0, 1e-6, 1.5])
-        expected = np.linalg.lstsq(fitted, others, rcond=None)[0][:4, 2:] / scale[:, None]
-        assert found.bias[k] == pytest.approx(expected, rel=1e-5)
 
 
 @pytest.mark.parametrize(("error", "bias", "stated"), [

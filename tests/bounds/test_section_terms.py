@@ -187,50 +187,6 @@ def test_quadratics_of_the_amplitude_are_as_close_as_their_ratio_is_said_to_make
         assert np.abs(fitted - j0(x)).max() <= 1.1 * 0.0026 * (ratio - 1.0) ** 3 / math.sqrt(start) + 1e-8
 
 
-@pytest.mark.parametrize("tol", [1e-2, 1e-5])
-def test_a_tuned_closed_form_is_allowed_a_fifth_of_its_tolerance_of_the_peak(tol, monkeypatch):
-    pupil, method = lm.Pupil(lm.Wavefront(6.0, 1.0)), closed_form.TunedClosedForm(tol)
-    asked = []
-    original = type(method)._fields
-
-    def fields(self, pupil, v, error):
-        asked.append((v, error))
-        return original(self, pupil, v, error)
-
-    monkeypatch.setattr(type(method), "_fields", fields)
-    allowed = method._error(pupil)
-    phases = np.abs(pupil.coefficients()).sum()
-    v, rough = asked[0]
-    assert (v.size, v[0]) == (48, 0.0)
-    assert v[-1] == pytest.approx(float(pupil.v(pupil.geometric_radius())) + 4.0)
-    assert rough == pytest.approx(0.05 / (2.0 * phases + 1.0), rel=1e-12)
-    peak = max(np.abs(original(method, pupil, v, rough).values).max(), 1.0 / (2.0 * phases + 1.0))
-    assert allowed == pytest.approx(0.2 * tol * peak, rel=1e-9)
-    asked.clear()
-    many = np.linspace(0.0, 30.0, 4000)
-    values, bound = method._intensities(pupil, many, allowed)
-    width = 4.0 * (0.1 * allowed * math.factorial(24)) ** (1.0 / 24)
-    assert len(asked[0][0]) < 4000
-    own = original(method, pupil, asked[0][0], allowed).error
-    assert bound == pytest.approx(3.03 * own + 2.0 * (0.25 * width) ** 24 / math.factorial(24), rel=1e-9)
-    assert 2.0 * (0.25 * width) ** 24 / math.factorial(24) == pytest.approx(0.2 * allowed, rel=1e-9)
-    few = method._intensities(pupil, many[:5], allowed)
-    assert few[1] == pytest.approx(original(method, pupil, many[:5], allowed).error, rel=1e-12)
-    assert np.abs(values[:, :5] - few[0]).max() <= 2.2 * (bound + few[1]).max() * np.abs(few[0]).max() ** 0.5
-
-
-def test_a_tangent_is_the_one_of_least_squared_error():
-    pupil = lm.Pupil(lm.Wavefront(3.0))
-    best = closed_form.ClosedForm.best(pupil, 32, 0.25)
-    truth = lm.psf(pupil, 32, 0.25, dtype="float64").values
-
-    def error(tangent):
-        one = closed_form.ClosedForm(tangent, best.erf, best.variant)
-        return float(((lm.psf(pupil, 32, 0.25, method=one, dtype="float64").values - truth) ** 2).sum())
-
-    assert all(error(best.tangent) <= 1.05 * error(best.tangent * factor) for factor in (0.5, 0.8, 1.3, 2.0))
-
-
 @pytest.mark.parametrize("divided", [False, True])
 def test_traced_bounds_are_those_of_a_square_over_the_least_peak(divided):
     intensity, error, unit = np.array([[0.2, 1.0], [0.5, 0.3], [0.1, 0.2]]), np.array([1e-3, 2e-3, 1.0]), 2.0**-24

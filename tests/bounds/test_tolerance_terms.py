@@ -94,50 +94,6 @@ def test_filters_are_made_longer_until_error_and_gain_are_within_their_limits(
     assert np.unique(sides).tolist() == list(range(sides[0], (sides[0] if taken else last) + 1))
 
 
-@pytest.mark.parametrize(("step", "error", "s", "kinds"), [
-    (1.0, 1e-12, 2, 2), (3.0, 1e-9, 6, 2), (3.0, 1e-11, 5, 2), (9.0, 1e-11, 15, 2), (30.0, 0.02, 58, 2),
-    (9.0, 1e-12, 16, 2), (30.0, 1e-5, 58, 2), (30.0, 1e-5, 39, 1),
-])  # fmt: skip
-@pytest.mark.parametrize("in_mean", [True, False])
-def test_the_first_length_of_a_filter_is_about_the_shortest_that_serves(step, error, s, kinds, in_mean):
-    if kinds == 1 and not in_mean:
-        return
-    h, side, places, fits = 2.0 * step / s, s // 4, (0.0, 0.5)[: 1 + s % 2], [(1.0, 9.0)]
-    while max(e for e, _ in fits) > error or max(g for _, g in fits) > 1.5:
-        side += 1
-        fits = [
-            fit_taps(sinc(step), np.cos, h * (np.arange(side + (not part)) + part), in_mean=in_mean)[1:]
-            for part in places
-        ]
-    assert abs(averaging._half_length(step, error, s, in_mean=in_mean) - side) <= 2 + side // 8
-
-
-@pytest.mark.parametrize("in_mean", [False, True])
-@pytest.mark.parametrize("step", [0.2, 0.63, 1.0, 1.9, 3.0, 4.9, 6.2, 0.5 * math.pi, math.pi, 1.5 * math.pi])
-@pytest.mark.parametrize(("side", "error"), [(4, 1e-7), (60, 1e-7), (400, 1e-7), (400, 1e-4)])
-def test_pixels_share_as_many_samples_as_are_cheapest(step, side, error, in_mean):
-    """Samples, and a fiftieth for each weight; up to h = pi / 2 for light in the mean, half-way ones up to 1.27."""
-    stride, costs = math.ceil(step / 1.05), {}
-    for count in range(2, 2 * stride + 1):
-        h = 2.0 * step / count
-        if h <= (0.5 * math.pi if in_mean else 1.27) and (count % 2 == 0 or h <= 1.27):
-            taps = 2 * averaging._half_length(step, error, count, in_mean=in_mean)
-            across = 0.5 * count * side + taps
-            costs[count] = across**2 + (0.02 * taps * side * (across + side) if in_mean else 0.0)
-    best = min(costs, key=costs.get)
-    found = averaging.pair_stride(step, error, stride, (side, side), in_mean=in_mean)
-    assert found == (best if costs[best] < (1.0 if in_mean else 0.85) * costs[2 * stride] else 2 * stride)
-
-
-def test_an_even_number_of_shared_samples_is_twice_that_of_a_pixel(swap):
-    for step in (0.4, 1.1, 2.9, 4.7, 6.0, 9.3):
-        for half in range(math.ceil(step / 1.05), 12):
-            swap(averaging, pair_stride=lambda *_, half=half, **__: 2 * half)
-            averaging._cheapest_filter.cache_clear()
-            assert averaging._cheapest_filter(step, 1e-3, (5, 5), in_mean=False).stride == half
-    averaging._cheapest_filter.cache_clear()
-
-
 def test_dark_samples_are_as_bright_as_their_rounding_allows():
     """2 (n + 4) roundings of the squared gain; where all samples are dark enough, no sample is too bright."""
     rounded, taps = 2.0 * (9 + 4) * SINGLE * 1.3**2, Taps(3, np.ones(9), 0.0, 1.3)
@@ -242,17 +198,6 @@ def test_what_storing_adds_to_derivatives_is_of_what_they_may_be():
     found = averaging.to_images(made, Wanted(3.0, np.float32)).slopes
     assert found.values == pytest.approx(-1.8, rel=1e-6)
     assert found.error - 0.5 == pytest.approx((0.3 + 0.5) * STORED[np.float32], rel=1e-6)
-
-
-@pytest.mark.parametrize("pixel", [0.2, 3.0, 40.0])
-@pytest.mark.parametrize("tol", [1e-4, 1e-7])
-def test_far_pixels_begin_where_rings_are_what_they_may_be_off_by(pixel, tol, swap):
-    """Averages of rings 4 / (pi v^3), as light as A(1)^2, against seven tenths of the tolerance."""
-    swap(averaging, largest_far_start=lambda *_: 1.0)
-    pupil, grid = lm.Pupil(obscuration=0.3, apodization=0.5), Grid(9, pixel)
-    v, step = averaging.estimate_far_start(pupil, grid, tol), grid.step(pupil)
-    rings = 4.0 / math.pi * math.exp(-1.0) / v**3 * min(1.0, math.sqrt(2.0) / step)
-    assert rings == pytest.approx(0.7 * tol * min(1.0, 4.0 * math.pi * pupil.transmission / step**2), rel=1e-9)
 
 
 @pytest.mark.parametrize(("side", "wanted"), [
@@ -596,14 +541,3 @@ def test_averages_of_any_aperture_are_off_by_polynomials_and_roundings_of_which_
     assert taken == (single and room < 0.5)
     expected = 2.2 * a + (1.0 + a) * a + (room * tol if taken else 1e-9)
     assert error == pytest.approx(expected, rel=1e-9, abs=0.0)
-
-
-@pytest.mark.parametrize(("count", "terms", "error", "pays"), [
-    (4, (), 1e-6, True), (3, (), 1e-6, False), (2, ((12, 0),), 1e-6, True), (1, ((12, 0),), 1e-6, False),
-    (2, ((13, 1),), 1e-6, False), (4, (), 3.001e-12, True), (4, (), 2.999e-12, False),
-])  # fmt: skip
-def test_moments_are_taken_for_four_fields_of_degrees_to_12_where_rounding_allows(count, terms, error, pays, swap):
-    pupil = aperture(count)
-    swap(nonuniform_fft, _count_nodes=lambda *_: 10**9)
-    found = nonuniform_fft.moment_rule_is_faster(pupil, Grid(5, 0.5), terms, 20, 20, error * pupil.amplitude)
-    assert found == pays

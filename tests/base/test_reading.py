@@ -5,11 +5,9 @@ from __future__ import annotations
 import csv
 import errno
 import io
-import logging
 import os
 import struct
 import zlib
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +18,6 @@ from lommel import imaging
 from lommel.base import reading
 from lommel.io import text_files
 from lommel.io.photos import PhotoError
-from lommel.lensfiles import tables
 from lommel.lensfiles.lens_files import LensFileError
 
 LENS = '[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\nshape = 9\n'
@@ -174,36 +171,6 @@ def test_what_is_at_a_limit_is_read_and_what_is_beyond_it_is_told(tmp_path):
     assert reading.npy((tmp_path / "six.npy").read_bytes(), 6)[0].shape == (2, 3)
     with pytest.raises(ValueError, match="has 2 x 3 values; the limit is 5"):
         reading.npy((tmp_path / "six.npy").read_bytes(), 5)
-    assert reading.reason(ValueError("a " * 120)) == ("a " * 120).strip()
-    assert reading.reason(ValueError("a" * 240)) == "a" * 240
-    assert reading.reason(ValueError("a" * 241)) == f"{'a' * 220}...{'a' * 17}"
-    assert reading.reason(ValueError(" ")) == "ValueError"
-    with reading.quietly() as errors:
-        logging.getLogger("tifffile").error("page 3")
-    assert errors == ["page 3"]
-
-
-@pytest.mark.parametrize(
-    ("count", "ending"),
-    [
-        (1, "e0"),
-        (12, "; e11"),
-        (13, "; e11; and 1 more"),
-        (1000, "; and 988 more"),
-        (1001, "; and at least 989 more"),
-    ],
-)
-def test_of_the_errors_of_a_table_twelve_are_told_and_how_many_there_are(count, ending):
-    errors = [f"e{k}" for k in range(count)]
-    with pytest.raises(ValueError, match="e0") as caught:
-        text_files.refuse(errors)
-    assert str(caught.value).endswith(ending)
-    lines = text_files.joined_errors(Path("a"), errors).splitlines()
-    assert lines == (["a: e0"] if count == 1 else ["a: ", *(f"  {each}" for each in errors[:12]), *lines[13:]])
-    assert lines[13:] == [f"  and {count - 12} more"] * (count > 12)
-    with pytest.raises(ValueError, match="row 1 must have 3 cells") as caught:
-        tables.read_rows(["x", "y", "Z4"], [["0", "0"]] * (count if count < 1000 else 2 * count), "noll")
-    assert str(caught.value).endswith("at least 989 more") == (count >= 1000)
 
 
 def test_a_cell_in_quotes_is_one_and_a_line_may_be_as_long_as_a_cell():

@@ -9,8 +9,6 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.base.options import Field, In, Shown
-from lommel.blur import recorded
 from lommel.core.answers import Declined, Samples, Slopes, ToleranceError, Wanted
 from lommel.estimation import bead_checks, bead_search, fisher
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
@@ -284,44 +282,6 @@ def test_tables_of_live_depth_are_saved_with_the_noise_and_what_saturated_pixels
     made = SimpleNamespace(_levels=[SimpleNamespace(engine=engine)], _form=form, _smooth=False, _registered=False)
     LiveDepth.save(made, tmp_path / "a.lml")
     assert (tmp_path / "a.lml").read_bytes() == b"(0.5, 100.0, 7.0)"
-
-
-@pytest.mark.parametrize("ended", [False, True])
-@pytest.mark.parametrize("aim", [1e-3, 1e-12])
-def test_the_first_request_of_blurred_images_follows_from_the_widths_of_their_parts(aim, ended, monkeypatch):
-    halo = SimpleNamespace(
-        several=True, at=lambda r: np.full(1, 1.0 / 40.0), bound=lambda r: 0.02 * math.exp(-r / 50)
-    )
-    monkeypatch.setattr(recorded, "Halo", SimpleNamespace(of=lambda *_: halo))
-    monkeypatch.setattr(recorded, "Band", SimpleNamespace(of=lambda *_: SimpleNamespace(ended=ended)))
-    pupil, grid = lm.Pupil(lm.Wavefront(3.0), obscuration=0.3), Grid((8, 12), 0.5, integrate=True)
-    blurs = (lm.Jitter(0.4), lm.Motion(1.5, angle=0.0))
-    found = recorded._first_request(None, pupil, grid, blurs, aim, 1)
-    spot, pixel = 4.0 * math.pi * pupil.transmission / pupil.likely_peak, 0.5 * math.pi
-    jitter = 2.0 * math.pi * (0.4 * math.pi) ** 2
-    area = math.sqrt((spot + jitter + (1.5 * math.pi) ** 2 + pixel**2) * (spot + jitter + pixel**2)) + 40.0
-    assert found.tol == pytest.approx(max(0.12 * aim * spot / area, 1e-13), rel=1e-9, abs=0.0)
-    light = 4.0 * math.pi * pupil.transmission / area / pupil.amplitude**2
-    assert found.error == pytest.approx(max(0.009 * aim * light, 1e-15), rel=1e-9, abs=0.0)
-    half = 4 * 0.5 * math.pi
-    margin = next(
-        m for m in np.geomspace(5.0, 1e5, 400)
-        if min(2.0 / 0.7 / math.pi / (half + m), 1.0) * halo.bound(m) <= 0.5 * aim / area
-    )  # fmt: skip
-    blur = float(pupil.v(pupil.geometric_radius()))
-    assert found.margin == pytest.approx(blur + (0.0 if ended else 60.0) + margin, rel=1e-9, abs=0.0)
-    halo.several, area = False, area - 40.0
-    found, light = recorded._first_request(None, pupil, grid, blurs, aim, 1), light * (area + 40.0) / area
-    still = max(0.3 * aim * spot / area, 1e-13), max(0.02 * aim * light, 1e-15), 0.0
-    assert (found.tol, found.error, found.margin) == pytest.approx(still, rel=1e-9, abs=0.0)
-
-
-def test_whole_numbers_without_limits_are_taken_up_to_2_to_the_62():
-    field = Field("a", int, False, In(), Shown(), (), 0)
-    assert [field.check(value) for value in (2**62, -(2**62))] == [2**62, -(2**62)]
-    for value in (2**62 + 1, -(2**62) - 1):
-        with pytest.raises(ValueError, match="a must be"):
-            field.check(value)
 
 
 @pytest.mark.parametrize(("deviance", "taken"), [(6.9, True), (7.0, False), (math.nan, False), (-math.inf, False)])

@@ -24,12 +24,12 @@ from lommel.methods import (
     polychromatic,
 )  # fmt: skip
 from lommel.methods import method as base
-from lommel.methods.averaging import Taps, averaging_filter, fit_pair_weights, fit_taps, slope_filter
+from lommel.methods.averaging import Taps, averaging_filter, fit_taps
 from lommel.methods.method import with_model_error
 from lommel.methods.question import checked_method, output_type
 from lommel.optics.aperture.opening import Opening
 from lommel.optics.grid import Grid
-from lommel.paper import Geometric
+from lommel.paper import Geometric, TunedClosedForm
 
 U, SINGLE = 2.0**-53, 2.0**-24
 STORED = {np.float64: 6.0 * U, np.float32: 6.0 * U + SINGLE}
@@ -62,36 +62,6 @@ def test_the_mean_error_of_a_response_is_that_of_its_weighted_least_squares(scal
     expected = (1.0 + 0.5 * largest) * (math.sqrt((weights * mean**2).sum()) + 2.0 * rounding + 1e-17)
     # What rounding leaves is known no better than a hundredth of the bound.
     assert error == pytest.approx(expected, rel=1e-2 if count > 6 else 1e-6, abs=0.0)
-
-
-@pytest.mark.parametrize(("made", "most", "first", "last"), [
-    (lambda: averaging_filter(3.3, 1e-4), 1.5, 4, 65),
-    (lambda: averaging_filter(3.3, 1e-4, by_pitch=True), 3.0, 4, 65),
-    (lambda: slope_filter(3.3, 1e-4, averages=True), 6.0, 4, 65),
-    (lambda: fit_pair_weights(sinc(3.3), 3.3, 1e-4, 7), 1.5, None, 68),
-])  # fmt: skip
-@pytest.mark.parametrize(("error", "gain", "taken"), [
-    (1e-4, 1.0, True), (1.001e-4, 1.0, False), (1e-4, 1.001, False), (0.5e-4, 0.5, True),
-])  # fmt: skip
-def test_filters_are_made_longer_until_error_and_gain_are_within_their_limits(
-    made, most, first, last, error, gain, taken, swap
-):
-    """From half of the samples of a pixel and two more, to 60 beyond a pixel or two."""
-    sides = []
-
-    def fit(response, wave, x, **_):
-        sides.append(x.size - (x[0] == 0.0))
-        return np.ones(x.size), error, gain * most
-
-    swap(averaging, fit_taps=fit)
-    for cached in (averaging_filter, slope_filter):
-        cached.cache_clear()
-    found = made()
-    for cached in (averaging_filter, slope_filter):
-        cached.cache_clear()
-    assert first in (None, sides[0])
-    assert first is None or found[0::2] == (4, error)
-    assert np.unique(sides).tolist() == list(range(sides[0], (sides[0] if taken else last) + 1))
 
 
 def test_dark_samples_are_as_bright_as_their_rounding_allows():
@@ -210,6 +180,7 @@ def test_far_pixels_are_of_intensities_in_large_windows_that_storing_leaves_room
 @pytest.mark.parametrize(("kind", "default", "least", "most", "kept"), [
     (NijboerZernike, 1e-6, 1e-12, 1e-1, True), (ChordalGauss, 1e-6, 1e-12, 1e-1, True),
     (NonuniformFFT, 1e-6, 1e-12, 1e-1, True), (Hankel, 1e-14, 1e-15, 1e-2, False),
+    (TunedClosedForm, 1e-4, 1e-6, 1e-1, True),
 ])  # fmt: skip
 def test_tolerances_go_from_the_least_to_below_the_largest(kind, default, least, most, kept):
     assert (kind().tol, kind.keeps_tol, kind(least).tol) == (default, kept, least)

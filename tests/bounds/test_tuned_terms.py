@@ -81,18 +81,6 @@ def test_less_error_of_fields_is_allowed_until_profiles_are_within_the_tolerance
     assert asked == pytest.approx(
         [0.2e-3 * max(peak, rough) * 0.2**k for k in range(min(falls + 1, 4))], rel=1e-9, abs=0.0
     )
-    asked.clear()
-    dark = FieldValues(np.zeros((2, 48)), np.zeros(2))
-    monkeypatch.setattr(TunedClosedForm, "_fields", lambda *given: asked.extend(given) or dark)
-    assert way._error(PUPIL) == pytest.approx(0.2e-3 * rough, rel=1e-12, abs=0.0)
-    assert asked[2] == pytest.approx(scan)
-    assert asked[3] == pytest.approx(0.05 * rough, rel=1e-12, abs=0.0)
-
-
-def test_the_tuned_form_has_tolerances_from_a_millionth():
-    assert (TunedClosedForm(1e-6).tol, TunedClosedForm().tol) == (1e-6, 1e-4)
-    with pytest.raises(ValueError, match="tol must be"):
-        TunedClosedForm(0.99e-6)
 
 
 @pytest.mark.parametrize(("defocus", "side", "pixel"), [(3.0, 15, 1.0), (6.0, 5, 2.0), (30.0, 9, 0.5), (1.0, 9, 1.5)])

@@ -12,15 +12,6 @@ import lommel as lm
 from lommel.cli import fit_commands
 
 
-@pytest.mark.parametrize(("given", "radius", "width"), [({}, 3.0, 2.0), ({}, 10.0, 5.0), ({"width": 7.0}, 10.0, 7.0)])
-def test_stars_are_looked_for_eight_deviations_high_after_smoothing_over_half_a_ring(
-    given, radius, width, monkeypatch
-):
-    monkeypatch.setattr(fit_commands.detection, "find_spots", lambda _, **asked: asked)
-    asked = fit_commands.Search(**given).find(None, "star", radius)
-    assert (asked["threshold"], asked["width"]) == (8.0, width)
-
-
 def test_coefficients_blurs_and_rejected_stars_are_told_with_their_errors_in_their_units():
     result = SimpleNamespace(
         extent=((-1.0, 1.0), (-2.0, 2.0)), middle=(0.0, 0.0), distortion=None, focus=None, names=[(3, 1)],

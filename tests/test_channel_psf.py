@@ -132,22 +132,6 @@ def test_blocks_of_a_stack_are_those_of_the_whole(monkeypatch):
     assert whole.part((1, 2))["blue"].values.shape == (9, 9)
 
 
-@pytest.mark.parametrize(("normalize", "times"), [("peak", 2.0), ("energy", 1.0)])
-def test_what_is_aimed_at_leaves_room_for_the_division_and_the_rounding_of_the_values(normalize, times, monkeypatch):
-    aims, together = [], channel_psf.sum_spectra
-
-    def noted(sums, pupil, grid, threads, aim, **more):
-        aims.append(aim)
-        return together(sums, pupil, grid, threads, aim, **more)
-
-    monkeypatch.setattr(channel_psf, "sum_spectra", noted)
-    alone = lm.Channels([550e-9], [[1.0]], ["green"])
-    answer = lm.colour_psf(LENS.pupil(1.98), 5, 3e-6, alone, normalize=normalize, tol=1e-6, dtype="float32")
-    assert 0.94e-6 - 1.2 * 2.0**-24 <= times * aims[0] <= 1e-6 - 2.0**-24
-    assert answer["green"].error_bound <= 1e-6
-    assert lm.colour_psf(LENS.pupil(1.98), 5, 3e-6, alone, method="matrix-fourier")["green"].error_bound is None
-
-
 def test_derivatives_are_those_of_each_channel():
     answer = lm.colour_psf(LENS.pupil(1.98), 9, 3e-6, CHANNELS, derivatives=("defocus",))
     plain = lm.psf(LENS.pupil(1.98), 9, 3e-6, method=Polychromatic(WAVES, (1.0, 4.0, 1.0)), derivatives=("defocus",))

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.core.answers import Declined, Samples, Slopes, ToleranceError, Wanted
+from lommel.core.answers import Samples, Slopes, ToleranceError, Wanted
 from lommel.estimation import bead_checks, bead_search, fisher
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
 from lommel.imaging import defocus_verdict, field_blur
@@ -282,26 +282,3 @@ def test_tables_of_live_depth_are_saved_with_the_noise_and_what_saturated_pixels
     made = SimpleNamespace(_levels=[SimpleNamespace(engine=engine)], _form=form, _smooth=False, _registered=False)
     LiveDepth.save(made, tmp_path / "a.lml")
     assert (tmp_path / "a.lml").read_bytes() == b"(0.5, 100.0, 7.0)"
-
-
-@pytest.mark.parametrize(("deviance", "taken"), [(6.9, True), (7.0, False), (math.nan, False), (-math.inf, False)])
-def test_a_step_of_beads_is_taken_where_the_deviance_is_finite_and_less_with_that_of_its_priors(
-    deviance, taken, monkeypatch
-):
-    likelihood = np.array([[deviance]]), np.zeros(1)
-    monkeypatch.setattr(bead_search.bead_images, "flux_background", lambda *_: np.array([5.0, 1.0]))
-    monkeypatch.setattr(bead_search, "star_likelihood", lambda *_: likelihood)
-    monkeypatch.setattr(bead_search, "replace", lambda state, light: state)
-    prior = SimpleNamespace(score=lambda value: (3.0, 0.0, 0.0))
-    made = SimpleNamespace(
-        names=(), _prior_terms=lambda *_: [(0, prior, 1.0)], chi2_of=lambda parts: (1.0, 0.1),
-        level_stacks=lambda _: [SimpleNamespace(pixel_data=None)],
-        images=SimpleNamespace(values=lambda *_: np.ones(1), threads=1),
-        normal_equations=lambda *_: ([], np.eye(2), np.zeros(2)),
-    )  # fmt: skip
-    state = SimpleNamespace(places=(None,), setup=None, waves=None, light=None)
-    if taken:
-        assert bead_search.BeadModel.evaluate(made, state, 10.0).scores.chi2 == [1.0]
-    else:
-        with pytest.raises(Declined, match="not higher than before"):
-            bead_search.BeadModel.evaluate(made, state, 10.0)

@@ -167,11 +167,6 @@ def test_chi2_of_beads_is_of_a_degree_of_freedom_and_fits_below_its_limit():
         assert BeadModel.chi2_of(model, parts) == pytest.approx(expected, rel=1e-9)
     assert [Evaluation.fits(Made(quality=(LIMIT * side, 0.1)), 1e-4) for side in (0.999, 1.0)] == [True, False]
     assert [model_of(1, error).bead_parameters[3:] for error in (0.0, 1e-8)] == [(), ("depth",)]
-    ended = Made(quality=(101.0, 0.01), log_posterior=0.0, settled=True, fits=lambda _: False)
-    other = Made(quality=(102.0, 0.01), log_posterior=50.0, settled=True, fits=lambda _: False)
-    assert not bead_search._same_maximum(ended, other)
-    assert not bead_search._same_maximum(Made(**vars(ended) | {"fits": lambda _: True}),
-        Made(**vars(ended) | {"log_posterior": 1.0}))  # fmt: skip
 
 
 def test_sloping_backgrounds_fit_by_weighted_squares():

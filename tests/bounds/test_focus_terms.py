@@ -148,28 +148,6 @@ def test_candidates_extend_by_eight_hundredths_up_to_infinity_and_nine_tenths_of
     assert focal_tables.candidates(between, 4, lenses) == pytest.approx(np.linspace(*ends, 4))
 
 
-@pytest.mark.parametrize(
-    ("losses", "binning"), [((1.2, 1.3), 2), ((1.26, 1.24), 4), ((1.24, 1.24), 4), ((1.3, 1.3), 1)]
-)
-@pytest.mark.parametrize(("ratio", "designs"), [(1.07, 1), (1.09, 3)])
-def test_tables_bin_and_filter_as_coarsely_as_the_precision_allows(losses, binning, ratio, designs, monkeypatch):
-    """Binning by a side may cost a quarter at any inner candidate, filters eight hundredths in the median."""
-    own, made, outer = np.linspace(1.0, 2.0, 20), [], np.isin(np.arange(20), [0, 1, 18, 19])
-
-    def bound(model):
-        loss = {1: 1.0, 2: losses[0], 4: losses[1]}[model.side] / model.side
-        return own * np.where(outer, 9.0, np.where(np.arange(20) == 5, loss, 0.5 / model.side))
-
-    def tables(model, taps, degree, discarded, side, *_):
-        made.append(side)
-        return SimpleNamespace(errors=own * np.where(outer, 1e9, ratio), bound=own, binning=side)
-
-    for name, other in (("_bound", bound), ("_tables", tables), ("_overlap", lambda *_: None)):
-        monkeypatch.setattr(focal_tables, name, other)
-    focal_tables.focal_tables(lambda side: SimpleNamespace(side=side, vergence=own), None, (np.ones(1), 4))
-    assert made == [binning] * designs
-
-
 @pytest.mark.parametrize(("tol", "expected"), [(0.1, 1e-6), (1.1e-3, 1e-6), (0.9e-3, 0.9e-6), (1e-6, 1e-9)])
 def test_psfs_over_the_field_have_a_thousandth_of_the_tolerance_or_a_millionth(tol, expected, monkeypatch):
     asked = []

@@ -40,10 +40,6 @@ def swap(monkeypatch):
     return lambda module, **made: [monkeypatch.setattr(module, name, one) for name, one in made.items()]
 
 
-def sinc(step):
-    return lambda w: np.sinc(0.5 * step / math.pi * w)
-
-
 def roots(peak, e):
     """Return what an error of the field makes of the intensity, over its exact peak."""
     return (2.0 * np.sqrt(peak) * e + e * e) / (np.sqrt(peak) - e) ** 2
@@ -52,11 +48,15 @@ def roots(peak, e):
 @pytest.mark.parametrize(("scale", "count"), [(1.0, 3), (1.0, 6), (1.0, 30), (1e-2, 24), (1e-17, 3)])
 def test_the_mean_error_of_a_response_is_that_of_its_weighted_least_squares(scale, count):
     """Of two responses of the mean error m the product is off by m (2 + e) on average, e the largest error."""
+
+    def response(w):
+        return scale * np.sinc(w / math.pi)
+
     x = 0.8 * np.arange(count)
-    c, error, _ = fit_taps(lambda w: scale * sinc(2.0)(w), np.cos, x, in_mean=True)
+    c, error, _ = fit_taps(response, np.cos, x, in_mean=True)
     twice, points = np.where(x > 0.0, 2.0, 1.0), band_points(x[-1])
     nodes, weights = transfer_rule(points.size)
-    off, mean = (np.cos(np.outer(w, x)) @ (twice * c) - scale * sinc(2.0)(w) for w in (points, nodes))
+    off, mean = (np.cos(np.outer(w, x)) @ (twice * c) - response(w) for w in (points, nodes))
     rounding = 2.0 * U * (count + 3) * (twice * np.abs(c)).sum()
     largest = math.sqrt(2.0) * (np.abs(off).max() + rounding) + 1e-17
     expected = (1.0 + 0.5 * largest) * (math.sqrt((weights * mean**2).sum()) + 2.0 * rounding + 1e-17)

@@ -155,22 +155,6 @@ def test_a_root_of_information_is_that_of_derivatives_over_deviations_with_bound
     assert unknown[0] < 1e-9 * bounds[1]
 
 
-@pytest.mark.parametrize(("size", "off", "lost"), [(1e-3, 0.9e-3, False), (1e-3, 1.1e-3, True)])
-def test_a_parameter_is_unidentifiable_where_errors_may_make_its_direction(size, off, lost):
-    """Two columns of norm 1 that differ by `size`: the singular value is about size / sqrt(2)."""
-    a = np.array([1.0, 0.0, 0.0])
-    b = np.array([math.cos(size), math.sin(size), 0.0])
-    third = np.array([0.0, 0.0, 2.0])
-    root = np.stack([a, b, third], axis=1)
-    found = Information.of_root(("p", "q", "r"), dict.fromkeys("pqr", ""), root, np.array([off, 0.0, 0.0]) / 1.0)
-    assert found.unidentifiable == (("p", "q") if lost else ())
-    assert found.errors["r"] == pytest.approx(0.5, rel=1e-9)
-    if not lost:
-        assert found.errors["p"] == pytest.approx(1.0 / math.sin(size), rel=1e-6)
-        assert found.correlation[0, 1] == pytest.approx(-math.cos(size), rel=1e-6)
-    assert found.matrix == pytest.approx(root.T @ root)
-
-
 @pytest.mark.parametrize(("norm", "lost"), [(0.99e-3, True), (1.01e-3, False)])
 def test_a_column_within_its_error_is_nothing(norm, lost):
     found = Information.of_root(("p", "q"), dict.fromkeys("pq", ""), np.diag([norm, 2.0]), np.array([1e-3, 0.0]))

@@ -214,6 +214,7 @@ def is_refused(answer: Answer, command: str, name: str) -> bool:
 def handed(monkeypatch: pytest.MonkeyPatch) -> list[list[Any]]:
     """Have commands end where they would estimate; return what they hand to estimators."""
     calls: list[list[Any]] = []
+    coloured()  # made by what is replaced below
 
     def estimate(*arguments: Any, **options: Any) -> None:
         calls.append([*arguments, options])

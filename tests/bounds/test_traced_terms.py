@@ -175,7 +175,9 @@ def test_without_means_the_largest_integrand_decides_and_makes_the_bound():
 
 
 @BOTH
-@pytest.mark.parametrize("bounds", [[(2e-4, 2e-4), (9e-5, 8.01e-5), (6.01e-5, 6.01e-5), (6e-5, 6e-5)], [(3e-4, 4e-4)] * 40])
+@pytest.mark.parametrize(
+    "bounds", [[(2e-4, 2e-4), (9e-5, 8.01e-5), (6.01e-5, 6.01e-5), (6e-5, 6e-5)], [(3e-4, 4e-4)] * 40]
+)
 def test_a_plan_is_traced_anew_with_a_tenth_of_the_error_until_its_bounds_suffice(pupil, bounds, monkeypatch):
     plan, asked, enough = lm.Plan(3, 0.5, tol=1e-4), [], bounds[-1][0] <= 1e-4
     made = plan.traced(pupil)

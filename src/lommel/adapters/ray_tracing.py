@@ -128,9 +128,12 @@ def _check_phases(trace: Trace, wavelength: float) -> Trace:
     def checked(hx: float, hy: float, x: Array, y: Array) -> TracedField:
         traced = trace(hx, hy, x, y)
         if tilt := tilt_off_rays(traced, wavelength):
+            u, v = _fit_slopes(traced)
+            moved = tilt * wavelength / (2.0 * math.pi * math.sqrt(abs(u * v)))  # the f-number is 1 / (2 slope)
             raise ValueError(
                 f"the lens must have phases that agree with its rays; at the field ({hx:g}, {hy:g}) they differ by "
-                f"a tilt of {tilt:.3g} radians over the radius of the pupil"
+                f"a tilt of {tilt:.3g} radians over the radius of the pupil, which would move the image by "
+                f"{1e6 * moved:.2g} um"
             )
         return traced
 

@@ -196,6 +196,11 @@ def test_entries_that_contradict_each_other_are_named(load, change, what):
     assert what in fault(load, change)
 
 
+def test_a_spider_wider_than_its_aperture_is_refused_and_never_left_out(load):
+    wide = PLAIN + '[aperture.spider]\nwidth = "60 mm"\nvanes = 4\n'  # the aperture has 25 mm
+    assert "aperture.spider.width" in fault(load, text=wide)
+
+
 def test_an_angle_in_degrees_without_a_unit_and_a_key_angle_of_a_spider_are_told_the_way_out(load):
     message = fault(load, text=PLAIN + '[aperture.spider]\nwidth = "1 mm"\nvanes = 4\nfirst = 45\nangle = 45\n')
     assert "aperture.spider.first (line 19): an angle without a unit must be in radians" in message

@@ -31,6 +31,12 @@ def test_quantities_of_astropy_are_in_the_unit_of_the_argument():
     refused("electrons per count", 3 * u.electron, "be in electrons per count, got the unit electron$")
     assert lm.Noise(white=1.2 * u.electron / u.adu, read=3 * u.electron).white == pytest.approx(1.2)
     refused("counts", 3 * u.electron / u.s, "be in counts .*, got the unit electron / s")
+    assert plain("side", 50 * u.cycle / u.mm, "1/metres") == pytest.approx(5e4)
+    gain = lm.Noise(white=0.5, read=3.0)
+    with pytest.raises(ValueError, match=r"^images must be in counts with a noise that states white, got electrons"):
+        lm.retrieve(SQUARE * u.electron, lm.Pupil(), pixel=0.5, noise=gain, defocus=1.0)
+    with pytest.raises(ValueError, match=r"^offset must be in levels of the camera .*, got the unit electron"):
+        lm.Noise(read=3.0, offset=100 * u.electron)
 
 
 def test_columns_and_images_of_astropy_keep_their_mask_in_another_unit():
@@ -50,6 +56,8 @@ def test_quantities_of_pint_and_unyt_are_in_the_unit_of_the_argument(name):
     unit = library.UnitRegistry() if name == "pint" else library
     assert np.array_equal(plain("side", [1.5, 2.0] * unit.mm, "metres"), [1.5e-3, 2.0e-3])
     assert plain("side", 50 / unit.mm, "1/metres") == pytest.approx(5e4)
+    if name == "pint":  # to which a cycle is 2 pi
+        assert plain("side", 50 * unit.cycle / unit.mm, "1/metres") == pytest.approx(5e4)
     assert plain("side", 90 * unit.degree, "radians") == pytest.approx(np.pi / 2)
     refused("metres", 1 * unit.s, "be in metres, got the unit s")
     refused("metres", 20 * unit.degC, "be in metres, got the unit") if name == "unyt" else None

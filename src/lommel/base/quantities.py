@@ -59,7 +59,8 @@ _SYMBOLS = {
 }
 _UNITS = {word: (symbol, 1.0) for word, symbol in _SYMBOLS.items()} | {"": ("", 1.0), "meters": ("m", 1.0)}
 _UNITS |= {unit: ("m", size) for unit, size in LENGTHS.items()}
-_COUNTS = ("electron", "electrons", "adu", "ct", "count", "counts", "ph", "photon", "dn", "")
+_LEVELS = ("adu", "ct", "count", "counts", "dn")
+_COUNTS = {"counts": (*_LEVELS, "electron", "electrons", "ph", "photon"), "levels of the camera": _LEVELS}
 # The order of labelled axes: those that are named otherwise, times, channels, planes, rows, columns.
 _ROWS, _COLUMNS = ("y", "row", "rows", "height"), ("x", "col", "column", "columns", "width")
 _NAMES: tuple[tuple[str, ...], ...] = (("t", "time"), ("c", "channel"), ("z", "plane"), _ROWS, _COLUMNS)
@@ -120,6 +121,16 @@ def plain(name: str, value: Any, unit: str = "") -> Any:
     )
 
 
+def refuse_electrons(name: str, value: Any) -> None:
+    """Raise ValueError for an array in electrons, or a list of such, where a noise states electrons per count."""
+    for part in value if isinstance(value, list | tuple) else [value]:
+        stated = None if type(part) in _PLAIN else getattr(part, "unit", None)
+        if str(stated).lower() in ("electron", "electrons"):
+            raise ValueError(
+                f"{name} must be in counts with a noise that states white, got electrons: leave white out"
+            )
+
+
 def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
     """Return what a labelled array holds, its axes in order: rows before columns, and these behind all others."""
     ranks = [_rank(dim) for dim in dims]
@@ -152,9 +163,9 @@ def _listed(names: Any) -> str:
 
 def _converted(name: str, value: Any, stated: Any, unit: str) -> Any:
     """Return the numbers of a quantity in the unit of the argument."""
-    if unit == "counts":
-        if str(stated).lower().strip() not in _COUNTS:
-            raise ValueError(f"{name} must be in counts (electron, adu, ct, ph), got the unit {stated}")
+    if unit in _COUNTS:
+        if str(stated).lower().strip() not in _COUNTS[unit]:
+            raise ValueError(f"{name} must be in {unit} ({', '.join(_COUNTS[unit])}), got the unit {stated}")
         factor = 1.0
     else:
         try:
@@ -177,6 +188,8 @@ def _factor(stated: Any, symbol: str) -> float:
     """Return what numbers in a unit are multiplied by for another; an error of any kind if there is nothing."""
     if isinstance(stated, str):
         return _TEXTS[symbol][stated.replace(" ", "")] if symbol != "m" else metres_of(stated.strip())
+    if symbol == "1/m" and any(word in str(stated) for word in ("cycle", "turn")):
+        symbol = "cycle/m"  # a cycle is an angle, of 2 pi: cycles per metre are meant here
     if hasattr(stated, "dimensionality"):  # pint
         return float((1.0 * stated).to(symbol or "dimensionless").magnitude)
     if hasattr(stated, "get_conversion_factor"):  # unyt

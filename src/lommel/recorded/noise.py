@@ -78,7 +78,7 @@ class Noise(EqualByContent):
     def __post_init__(self) -> None:
         values = {
             "read": _number("read", self.read, "electrons", 0.0),
-            "offset": _number("offset", self.offset, "counts"),
+            "offset": _number("offset", self.offset, "levels of the camera"),
         }
         values["excess"] = validation.real("excess", self.excess, least=1.0, most=100.0)
         if self.white is not None:

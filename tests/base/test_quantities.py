@@ -93,6 +93,7 @@ def test_lengths_frequencies_and_maps_with_units_are_those_in_metres():
     assert lm.mtf(LENS.pupil(1.9), 50 / u.mm) == pytest.approx(lm.mtf(LENS.pupil(1.9), 5e4))
     sampled = lm.psf(LENS.pupil(1.9), 5, 3.45 * u.um)
     assert sampled.values == pytest.approx(lm.psf(LENS.pupil(1.9), 5, 3.45e-6).values)
+    assert lm.mtf(LENS.pupil(1.9), 5e4, pixel=3 * u.um) == pytest.approx(lm.mtf(LENS.pupil(1.9), 5e4, pixel=3e-6))
     with pytest.raises(ValueError, match=r"^pixel must be in lambda\*N, got the unit um"):
         lm.psf(lm.Pupil(), 5, 3.45 * u.um)
     term = lm.Wavefront.zernike({4: 100.0 * u.nm}, order="noll", unit="um", wavelength=5e-7)

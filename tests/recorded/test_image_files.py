@@ -198,3 +198,26 @@ def test_an_array_in_a_file_stays_on_the_disk_until_it_is_read(tmp_path):
 def test_an_orientation_that_is_not_applied_is_told(tmp_path):
     tifffile.imwrite(tmp_path / "a.tif", MANY[0, 0, 0], extratags=[(274, 3, 1, 4, True)], metadata=None)
     assert read_images([tmp_path / "a.tif"]).notes == ("The file states the orientation 4, which was not applied.",)
+
+
+def test_units_in_comments_of_fits_cards_and_contradictions_are_used_or_named(tmp_path):
+    def read(**cards: object) -> tuple[dict, str]:
+        unit = fits.PrimaryHDU(np.full((9, 9), 7.0, np.float32))
+        unit.header["BUNIT"] = "adu"
+        unit.header.update(cards)
+        unit.writeto(tmp_path / "star.fits", overwrite=True)
+        frames = open_frames(tmp_path / "star.fits")
+        return frames.metadata, " ".join(frames.notes)
+
+    usual = read(EGAIN=(0.5, "[e-/ADU]"), RDNOISE=(3.0, "[electron]"))
+    assert read(EGAIN=(2.0, "[ADU/e-] inverse gain"), RDNOISE=(6.0, "[ADU]")) == usual
+    assert read(EGAIN=0.5, SATURATE=(600.0, "[e-] full well"))[0]["saturation"] == pytest.approx(1200.0)
+    assert "600" in read(SATURATE=(600.0, "[e-] full well"))[0]["saturation"].words
+    assert read(EGAIN=0.5, SATURATE=600.0)[0]["saturation"] == 600.0
+    assert read(EGAIN=0.5, GAIN=(1.5, "[e-/ADU]"))[0]["gain"].words == "0.5 by EGAIN and 1.5 by GAIN"
+    found = read(XPIXSZ=(0.0044, "[mm]"), FOCALLEN=(0.6, "[m]"), YPIXSZ=8.8)
+    assert (found[0]["sensor_pixel"], found[0]["focal_length"]) == pytest.approx((4.4e-6, 0.6))
+    assert "YPIXSZ = 8.8" in found[1]
+    electrons = read(BUNIT="electron", EGAIN=0.5)
+    assert electrons[0]["gain"] == 1.0
+    assert "EGAIN = 0.5, not used: the values are electrons by BUNIT" in electrons[1]

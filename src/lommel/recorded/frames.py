@@ -55,7 +55,7 @@ _IGNORED_CARDS = {
     "FLIPSTAT": _ORDER,
 }
 _BINNING = ("XBINNING", "YBINNING", "CCDSUM")
-_UNUSED_CARDS = (*_PIXELS, *_BINNING, "PIXSCALE", "SECPIX", "FOCALLEN", "FOCRATIO", "FILTER")
+_UNUSED_CARDS = (*_PIXELS, "YPIXSZ", *_BINNING, "PIXSCALE", "SECPIX", "FOCALLEN", "FOCRATIO", "FILTER", "WAVELEN")
 _COUNT = r"(?:adu|dn|counts?|cts?)\b"  # names of counts, also in units of gain and read noise
 _COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?", re.IGNORECASE)
 _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
@@ -257,22 +257,31 @@ def zarr_metadata(attributes: Mapping[str, Any], sides: Metadata) -> Metadata:
 def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -> Metadata:
     """Return the metadata of the camera in a FITS header: electrons per count, read noise, saturation, lengths.
 
-    The comments of cards state units: of read noise in counts, and of a `GAIN` that is in electrons per count.
+    The comments of cards state units: of read noise, saturation, pixels, focal length, and gains, so that a `GAIN` in
+    electrons per count is known as such.
     """
+    said = {name: text.lower() for name, text in comments.items()}
 
-    def first(names: tuple[str, ...], least: float = 0.0) -> float | Unusable | None:
+    def first(names: Sequence[str], least: float = 0.0) -> float | Unusable | None:
         return next((number(header[name], least=least) for name in names if name in header), None)
 
     # A read noise of 0 is a valid value, unlike a gain of 0.
-    is_gain = re.search(rf"\be(?:lectrons?)?-?\s*(?:/|per)\s*{_COUNT}", comments.get(_AMBIGUOUS_GAIN, "").lower())
-    gains = _GAIN + (_AMBIGUOUS_GAIN,) * bool(is_gain)
+    is_gain = re.search(rf"\be(?:lectrons?)?-?\s*(?:/|per)\s*{_COUNT}", said.get(_AMBIGUOUS_GAIN, ""))
+    gains = [name for name in _GAIN + (_AMBIGUOUS_GAIN,) * bool(is_gain) if name in header]
     metadata: Metadata = {"gain": first(gains), "read": first(_READ, -1e-300), "saturation": first(_SATURATION)}
+    inverse = rf"{_COUNT}\s*(?:/|per)\s*e"
+    if gains and isinstance(metadata["gain"], float) and re.search(inverse, said.get(gains[0], "")):
+        metadata["gain"] = 1.0 / metadata["gain"]  # counts per electron
+    if len({header[name] for name in gains}) > 1:
+        metadata["gain"] = Unusable(" and ".join(f"{header[name]} by {name}" for name in gains))
     if order := header.get("ROWORDER"):
         metadata["rows"] = order
     gain = metadata["gain"]
     for key, names, scale in (("sensor_pixel", _PIXELS, 1e-6), ("focal_length", ("FOCALLEN",), 1e-3)):
         if isinstance(size := first(names), float):
-            metadata[key] = scale * size
+            length_unit = re.match(r"\[(\w+)\]", next(said.get(name, "") for name in names if name in header))
+            with suppress(KeyError):  # of a unit that is none of length
+                metadata[key] = size * (metres_of(length_unit[1]) if length_unit else scale)
     if isinstance(times := first(_EM_GAIN), float) and times > 1.0:
         metadata |= {"excess": EXCESS, "em_gain": times}
     unit = str(header.get("BUNIT", "")).strip()
@@ -282,7 +291,12 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
         metadata["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in counts or electrons")
     elif metadata["gain"] is None and header.get(_AMBIGUOUS_GAIN) not in (None, ""):
         metadata["unsure"] = f"{_AMBIGUOUS_GAIN} = {validation.brief(str(header[_AMBIGUOUS_GAIN]), 60)}"
-    comment = next((comments.get(name, "").lower() for name in _READ if name in header), "")
+    full = next((said.get(name, "") for name in _SATURATION if name in header), "")
+    in_counts = not unit or re.match(_COUNT, unit.lower())
+    if in_counts and isinstance(limit := metadata["saturation"], float) and re.match(r"\[e(?:-|lec)", full):
+        words = f"{limit:g} electrons, without a gain"
+        metadata["saturation"] = limit / gain if isinstance(gain, float) else Unusable(words)
+    comment = next((said.get(name, "") for name in _READ if name in header), "")
     if (
         isinstance(read := metadata["read"], float)
         and re.search(rf"\b{_COUNT}", comment)
@@ -300,10 +314,13 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
         if header.get(name) not in (None, "", 0)
         and (name not in _BINNING or str(header[name]).strip() not in ("1", "1.0", "1 1"))
     }
+    if str(header.get("BUNIT", "")).strip().lower().rstrip("s") in ("electron", "e", "e-"):
+        stated |= {name: f"{name} = {header[name]}" for name in _GAIN if header.get(name) not in (None, "", 1, 1.0)}
     endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
     if unused := [stated[name] for name in _UNUSED_CARDS if name in stated]:
         given = "not used: pixel, focal length and wavelength are those given"
         endings.append((", ".join(unused), given))
+    endings += [(stated[name], "not used: the values are electrons by BUNIT") for name in _GAIN if name in stated]
     if "BUNIT" in stated and not _COUNTS.fullmatch(str(header["BUNIT"]).strip()):
         endings.append(
             (stated["BUNIT"], "not counts: photon noise is right only if the gain is in electrons per unit")

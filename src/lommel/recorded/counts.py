@@ -351,7 +351,7 @@ def _counts(
 ) -> Counts:
     """Return counts of an array, which is kept as it is unless `is_read`; the mask of a container applies."""
     values, hidden = validation.parted(name, images, "counts") if is_read else (images, None)
-    if noise is not None and np.any(np.asarray(1.0 if noise.white is None else noise.white) != 1.0):
+    if isinstance(noise, Noise) and np.any(np.asarray(1.0 if noise.white is None else noise.white) != 1.0):
         refuse_electrons(name, images)
     if is_read:
         _require_within(name, values)

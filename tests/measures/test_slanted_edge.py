@@ -70,12 +70,12 @@ def test_an_edge_that_a_lens_renders_has_the_mtf_of_the_lens(distance, f_number)
     lens = lm.Lens(focal_length=50e-3, f_number=f_number, focus_distance=2.0, wavelength=550e-9)
     edge = lm.imaging.slanted_edge((96, 160), angle=5.0, supersample=8)
     photo = lm.imaging.depth_of_field(
-        edge, np.full(edge.shape, distance), lens, PIXEL, encoding="linear", supersample=8, energy=0.9999, tol=1e-2
+        edge, np.full(edge.shape, distance), lens, PIXEL, encoding="linear", supersample=8, energy=0.995, tol=1e-2
     )
     found = lm.sfr(photo.values, PIXEL)
     across = found.frequencies * np.cos(found.angle), found.frequencies * np.sin(found.angle)
     expected = lm.mtf(lens.pupil(distance), *across, pixel=PIXEL) * np.sinc(found.frequencies * PIXEL / 8)
-    np.testing.assert_allclose(found.values, expected, atol=3e-3)
+    np.testing.assert_allclose(found.values, expected, atol=6e-3)  # 0.005 of the light lies beyond the windows
     assert found(31250.0) == pytest.approx(np.interp(31250.0, found.frequencies, found.values))
 
 

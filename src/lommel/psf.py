@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import measures
 from lommel.base import display, validation
 from lommel.base.arrays import Array, Numbers, Values, largest
-from lommel.base.quantities import plain
+from lommel.base.quantities import in_unit
 from lommel.base.units import pitch_in_words
 from lommel.core.answers import Declined, ToleranceError
 from lommel.measures.psf_like import PSFLike
@@ -136,7 +136,7 @@ def psf(
     """
     imaged(pupil)  # checked first, in case the caller passes arguments in the wrong order
     if type(pixel) is not float:
-        pixel = plain("pixel", pixel, pupil.unit)
+        pixel = in_unit("pixel", pixel, pupil.unit)
     # Recent plans are cached, so that calls with the same options check them and build tables only once.
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}

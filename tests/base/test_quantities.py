@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.base.quantities import plain
+from lommel.base.quantities import in_unit
 
 LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
 SQUARE = np.arange(12.0).reshape(3, 4)
@@ -14,24 +14,24 @@ SQUARE = np.arange(12.0).reshape(3, 4)
 
 def refused(unit: str, value: object, words: str) -> None:
     with pytest.raises(ValueError, match=rf"^side must {words}"):
-        plain("side", value, unit)
+        in_unit("side", value, unit)
 
 
 def test_quantities_of_astropy_are_in_the_unit_of_the_argument():
     u = pytest.importorskip("astropy.units")
-    assert np.array_equal(plain("side", [1.5, 2.0] * u.mm, "metres"), [1.5e-3, 2.0e-3])
-    assert plain("side", 50 / u.mm, "1/metres") == pytest.approx(5e4)
-    assert plain("side", 90 * u.deg, "radians") == pytest.approx(np.pi / 2)
-    assert plain("side", 3 * u.mm, "nm") == pytest.approx(3e6)
-    assert plain("side", [1 * u.mm, 2.0 * u.m], "metres") == pytest.approx([1e-3, 2.0])
-    assert plain("side", 25 * u.percent, "") == pytest.approx(0.25)
+    assert np.array_equal(in_unit("side", [1.5, 2.0] * u.mm, "metres"), [1.5e-3, 2.0e-3])
+    assert in_unit("side", 50 / u.mm, "1/metres") == pytest.approx(5e4)
+    assert in_unit("side", 90 * u.deg, "radians") == pytest.approx(np.pi / 2)
+    assert in_unit("side", 3 * u.mm, "nm") == pytest.approx(3e6)
+    assert in_unit("side", [1 * u.mm, 2.0 * u.m], "metres") == pytest.approx([1e-3, 2.0])
+    assert in_unit("side", 25 * u.percent, "") == pytest.approx(0.25)
     for value, got in ((1 * u.s, "s"), (2 * u.one, "none"), (3 * u.percent, "%"), (1 / u.m, "1 / m")):
         refused("metres", value, f"be in metres, got the unit {got}$")
     refused("lambda*N", 3 * u.um, r"be in lambda\*N, got the unit um")
     refused("electrons per count", 3 * u.electron, "be in electrons per count, got the unit electron$")
     assert lm.Noise(white=1.2 * u.electron / u.adu, read=3 * u.electron).white == pytest.approx(1.2)
     refused("counts", 3 * u.electron / u.s, "be in counts .*, got the unit electron / s")
-    assert plain("side", 50 * u.cycle / u.mm, "1/metres") == pytest.approx(5e4)
+    assert in_unit("side", 50 * u.cycle / u.mm, "1/metres") == pytest.approx(5e4)
     gain = lm.Noise(white=0.5, read=3.0)
     with pytest.raises(ValueError, match=r"^images must be in counts with a noise that states white, got electrons"):
         lm.retrieve(SQUARE * u.electron, lm.Pupil(), pixel=0.5, noise=gain, defocus=1.0)
@@ -45,8 +45,8 @@ def test_columns_and_images_of_astropy_keep_their_mask_in_another_unit():
     values = lm.OPDMap(image, spacing=1e-3).values
     assert values[0] == pytest.approx(1e-9 * SQUARE[0])
     assert np.isnan(values[2, 3])
-    assert np.array_equal(plain("side", table.Column([1.0, 2.0], unit="mm"), "metres"), [1e-3, 2e-3])
-    hidden = plain("side", table.MaskedColumn([1.0, 2.0], mask=[0, 1], unit="mm"), "metres")
+    assert np.array_equal(in_unit("side", table.Column([1.0, 2.0], unit="mm"), "metres"), [1e-3, 2e-3])
+    hidden = in_unit("side", table.MaskedColumn([1.0, 2.0], mask=[0, 1], unit="mm"), "metres")
     assert hidden.mask.tolist() == [False, True]
 
 
@@ -54,11 +54,11 @@ def test_columns_and_images_of_astropy_keep_their_mask_in_another_unit():
 def test_quantities_of_pint_and_unyt_are_in_the_unit_of_the_argument(name):
     library = pytest.importorskip(name)
     unit = library.UnitRegistry() if name == "pint" else library
-    assert np.array_equal(plain("side", [1.5, 2.0] * unit.mm, "metres"), [1.5e-3, 2.0e-3])
-    assert plain("side", 50 / unit.mm, "1/metres") == pytest.approx(5e4)
+    assert np.array_equal(in_unit("side", [1.5, 2.0] * unit.mm, "metres"), [1.5e-3, 2.0e-3])
+    assert in_unit("side", 50 / unit.mm, "1/metres") == pytest.approx(5e4)
     if name == "pint":  # to which a cycle is 2 pi
-        assert plain("side", 50 * unit.cycle / unit.mm, "1/metres") == pytest.approx(5e4)
-    assert plain("side", 90 * unit.degree, "radians") == pytest.approx(np.pi / 2)
+        assert in_unit("side", 50 * unit.cycle / unit.mm, "1/metres") == pytest.approx(5e4)
+    assert in_unit("side", 90 * unit.degree, "radians") == pytest.approx(np.pi / 2)
     refused("metres", 1 * unit.s, "be in metres, got the unit s")
     refused("metres", 20 * unit.degC, "be in metres, got the unit") if name == "unyt" else None
 
@@ -68,22 +68,22 @@ def test_rows_and_columns_of_labelled_arrays_are_put_in_order():
     image = xr.DataArray(SQUARE, dims=("y", "x"))
     stack = xr.DataArray(SQUARE.reshape(1, 3, 4), dims=("z", "row", "column"))
     for given, right in ((image, SQUARE), (image.T, SQUARE), (stack.transpose("column", "z", "row"), SQUARE[None])):
-        assert np.array_equal(plain("side", given), right)
+        assert np.array_equal(in_unit("side", given), right)
     movie = xr.DataArray(np.arange(24.0).reshape(2, 3, 1, 4), dims=("z", "channel", "y", "x"))
-    assert np.array_equal(plain("side", movie), movie.values.swapaxes(0, 1))  # channels before planes
-    assert np.array_equal(plain("side", xr.DataArray(SQUARE)), SQUARE)  # names by default
+    assert np.array_equal(in_unit("side", movie), movie.values.swapaxes(0, 1))  # channels before planes
+    assert np.array_equal(in_unit("side", xr.DataArray(SQUARE)), SQUARE)  # names by default
     refused("", xr.DataArray(SQUARE, dims=("z", "x")), "have one axis of rows and one of columns, got the axes z, x")
     refused("", xr.DataArray(SQUARE, dims=("a", "b")), "have axes named y and x")
     lines = xr.DataArray([550.0, 600.0], dims="line", attrs={"units": "nanometers"})
-    assert plain("side", lines, "metres") == pytest.approx([550e-9, 600e-9])
+    assert in_unit("side", lines, "metres") == pytest.approx([550e-9, 600e-9])
     refused("metres", xr.DataArray(1.0, attrs={"units": "furlong"}), "be in metres, got the unit furlong")
 
 
 def test_columns_with_names_are_no_axes():
     pandas = pytest.importorskip("pandas")
     with pytest.raises(ValueError, match=r"^places has columns named x, y"):
-        plain("places", pandas.DataFrame({"x": [1.0], "y": [2.0]}))
-    assert plain("places", pandas.DataFrame([[1.0, 2.0]])).shape == (1, 2)
+        in_unit("places", pandas.DataFrame({"x": [1.0], "y": [2.0]}))
+    assert in_unit("places", pandas.DataFrame([[1.0, 2.0]])).shape == (1, 2)
 
 
 def test_lengths_frequencies_and_maps_with_units_are_those_in_metres():

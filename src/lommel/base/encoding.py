@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
@@ -10,11 +11,13 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.base.cached import cached_property
 
 CLOSE = 5e-4
 """Largest difference in light, relative to white, up to which two encodings count as one."""
 
-_NODES = np.linspace(0.0, 1.0, 65536)  # every level of 8 and of 16 bits
+LEVELS = np.linspace(0.0, 1.0, 65536)
+"""Stored values at which curves are tabulated: every level of 8 and of 16 bits."""
 _MAX_LIGHT = 10.0  # times white; larger values are probably integer levels that were converted to floats
 
 _BLOCK = 2**16  # number of values encoded together, so that intermediate arrays stay in the cache of a processor
@@ -39,27 +42,32 @@ class ToneCurves:
         """Return light from stored values; ValueError beyond 0 and 1, for which a profile states no light."""
         if (beyond := values[(values < 0.0) | (values > 1.0)]).size:
             raise ValueError(f"{name} must be from 0 to 1 for the curves of an ICC profile, got {beyond[0]}")
-        return self._each(values, lambda part, light: np.interp(part, _NODES, light))
+        return _by_channel(values, list(self.light), lambda part, light: np.interp(part, LEVELS, light))
 
     def encoded(self, light: Values) -> Values:
         """Return stored values from light, clipped to 0 and 1."""
 
-        def stored(part: Values, curve: Array) -> Array:
-            # Nodes even in the root of light, along which stored values of common curves are nearly straight.
-            rising, first = np.unique(curve, return_index=True)  # a curve may have level parts
-            inverse = np.interp(np.append(_NODES, 1.0) ** 2, rising, _NODES[first])
-            place = np.sqrt(np.clip(part, 0.0, 1.0)) * (_NODES.size - 1)
+        def stored(part: Values, inverse: Array) -> Array:
+            place = np.sqrt(np.clip(part, 0.0, 1.0)) * (LEVELS.size - 1)
             node = place.astype(np.intp)
             return np.asarray(inverse[node] + (place - node) * (inverse[node + 1] - inverse[node]))
 
-        return self._each(light, stored)
+        return _by_channel(light, self._inverses, stored)
 
-    def _each(self, values: Values, convert: Any) -> Values:
-        if len(self.light) == 1:
-            return np.asarray(convert(values, self.light[0]))
-        if values.shape[-1:] != (3,):
-            raise ValueError(f"encoding has curves of red, green and blue, got values of the shape {values.shape}")
-        return np.stack([convert(values[..., k], curve) for k, curve in enumerate(self.light)], axis=-1)
+    @cached_property
+    def _inverses(self) -> list[Array]:
+        """Stored values at nodes even in the root of light, along which common ones are nearly straight."""
+        rising = (np.unique(curve, return_index=True) for curve in self.light)  # a curve may have level parts
+        return [np.interp(np.append(LEVELS, 1.0) ** 2, light, LEVELS[first]) for light, first in rising]
+
+
+def _by_channel(values: Values, tables: Sequence[Array], convert: Callable[[Values, Array], Array]) -> Values:
+    """Return values converted by the table of all channels, or each channel by its own."""
+    if len(tables) == 1:
+        return np.asarray(convert(values, tables[0]))
+    if values.shape[-1:] != (3,):
+        raise ValueError(f"encoding has curves of red, green and blue, got values of the shape {values.shape}")
+    return np.stack([convert(values[..., k], table) for k, table in enumerate(tables)], axis=-1)
 
 
 Encoding: TypeAlias = str | float | ToneCurves
@@ -96,14 +104,14 @@ def named(encoding: Encoding) -> str:
     return f"light = value ** {encoding:.4g}"
 
 
-def plain(encoding: Encoding) -> str | float:
+def as_json(encoding: Encoding) -> str | float:
     """Return an encoding for JSON: a name or number, "icc" for curves."""
     return "icc" if isinstance(encoding, ToneCurves) else encoding
 
 
 def agree(first: Encoding, second: Encoding) -> bool:
     """Return True if two encodings differ by at most :data:`CLOSE` of white."""
-    levels = np.repeat(_NODES[::257, None], 3, axis=1)
+    levels = np.repeat(LEVELS[::257, None], 3, axis=1)
     lights = [to_light("levels", levels, encoding, np.float64) for encoding in (first, second)]
     return float(np.abs(lights[0] - lights[1]).max()) <= CLOSE
 

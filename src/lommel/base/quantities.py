@@ -61,13 +61,13 @@ _UNITS = {word: (symbol, 1.0) for word, symbol in _SYMBOLS.items()} | {"": ("", 
 _UNITS |= {unit: ("m", size) for unit, size in LENGTHS.items()}
 _LEVELS = ("adu", "ct", "count", "counts", "dn")
 _COUNTS = {"counts": (*_LEVELS, "electron", "electrons", "ph", "photon"), "levels of the camera": _LEVELS}
-# The order of labelled axes: those that are named otherwise, times, channels, planes, rows, columns.
-_ROWS, _COLUMNS = ("y", "row", "rows", "height"), ("x", "col", "column", "columns", "width")
-_NAMES: tuple[tuple[str, ...], ...] = (("t", "time"), ("c", "channel"), ("z", "plane"), _ROWS, _COLUMNS)
-_RANKS = {name: rank for rank, names in enumerate(_NAMES) for name in names}
-ROWS_AND_COLUMNS = dict.fromkeys(_ROWS, "row") | dict.fromkeys(_COLUMNS, "column")
-"""What each name of an axis of images means."""
-_PLAIN = (float, int, np.ndarray, np.float64, str, bool, type(None))  # tested first because they are frequent
+AXES = {"T": ("t", "time", "frame"), "C": ("c", "channel"), "Z": ("z", "plane"), "Y": ("y", "row", "rows", "height")}
+AXES |= {"X": ("x", "col", "column", "columns", "width")}
+"""Names of the axes of images by their letter, in the order of arrays; axes of other names come first."""
+LETTERS = {name: letter for letter, names in AXES.items() for name in names}
+"""The letter of each name of an axis."""
+BARE = (float, int, np.ndarray, np.float64, str, bool, type(None))
+"""Types without unit, labels or mask, tested first because they are frequent."""
 
 
 def metres_of(unit: str) -> float:
@@ -76,7 +76,7 @@ def metres_of(unit: str) -> float:
     return _METRES[unit.lower() if unit not in _METRES and len(unit) > 3 else unit]
 
 
-def plain(name: str, value: Any, unit: str = "") -> Any:
+def in_unit(name: str, value: Any, unit: str = "") -> Any:
     """Return a number, array or list without units and labels, in the unit of an argument.
 
     Parameters
@@ -95,12 +95,12 @@ def plain(name: str, value: Any, unit: str = "") -> Any:
     ValueError
         If the unit cannot be converted, or if labels contradict the order of axes: rows before columns.
     """
-    if type(value) in _PLAIN:
+    if type(value) in BARE:
         return value
     if isinstance(value, list | tuple):
-        if all(type(part) in _PLAIN for part in value):
+        if all(type(part) in BARE for part in value):
             return value
-        parts = [plain(f"{name}[{k}]", part, unit) for k, part in enumerate(value)]
+        parts = [in_unit(f"{name}[{k}]", part, unit) for k, part in enumerate(value)]
         same = all(new is old for new, old in zip(parts, value, strict=True))
         return value if same else parts if isinstance(value, list) else tuple(parts)
     if type(value).__module__.partition(".")[0] in ("builtins", "lommel"):
@@ -113,18 +113,15 @@ def plain(name: str, value: Any, unit: str = "") -> Any:
             f"{name} has columns named {_listed(columns)}, which no argument has; give {name}.to_numpy()"
         )
     stated = next((u for u in (getattr(value, key, None) for key in ("unit", "units")) if u is not None), None)
-    # Other libraries have functions and pairs of this name.
-    return (
-        value
-        if stated is None or callable(stated) or isinstance(stated, tuple)
-        else _converted(name, value, stated, unit)
-    )
+    if stated is None or callable(stated) or isinstance(stated, tuple):  # functions and pairs of other libraries
+        return value
+    return _converted(name, value, stated, unit)
 
 
 def refuse_electrons(name: str, value: Any) -> None:
     """Raise ValueError for an array in electrons, or a list of such, where a noise states electrons per count."""
     for part in value if isinstance(value, list | tuple) else [value]:
-        stated = None if type(part) in _PLAIN else getattr(part, "unit", None)
+        stated = None if type(part) in BARE else getattr(part, "unit", None)
         if str(stated).lower() in ("electron", "electrons"):
             raise ValueError(
                 f"{name} must be in counts with a noise that states white, got electrons: leave white out"
@@ -133,9 +130,9 @@ def refuse_electrons(name: str, value: Any) -> None:
 
 def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
     """Return what a labelled array holds, its axes in order: rows before columns, and these behind all others."""
-    ranks = [_rank(dim) for dim in dims]
-    if len(dims) > 1 and max(ranks) >= 0:
-        if [ranks.count(rank) for rank in (3, 4)] != [1, 1]:
+    letters = [LETTERS.get(str(dim).lower(), "") for dim in dims]
+    if len(dims) > 1 and any(letters):
+        if letters.count("Y") != 1 or letters.count("X") != 1:
             raise ValueError(f"{name} must have one axis of rows and one of columns, got the axes {_listed(dims)}")
         value = value.transpose(*in_order(dims))
     elif len(dims) > 1 and not all(str(dim).startswith("dim_") for dim in dims):
@@ -145,16 +142,12 @@ def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
         )
     stated = value.attrs.get("units", value.attrs.get("unit"))
     held = value.data
-    return plain(name, held, unit) if stated is None else _converted(name, held, stated, unit)
-
-
-def _rank(dim: Any) -> int:
-    return _RANKS.get(str(dim).lower(), -1)
+    return in_unit(name, held, unit) if stated is None else _converted(name, held, stated, unit)
 
 
 def in_order(dims: Sequence[Any]) -> list[Any]:
     """Return names of axes in the order of those of arrays: others, time, channel, z, y, x."""
-    return sorted(dims, key=_rank)
+    return sorted(dims, key=lambda dim: "TCZYX".find(LETTERS.get(str(dim).lower(), "?")))
 
 
 def _listed(names: Any) -> str:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base.arrays import Array, Values
-from lommel.base.quantities import plain
+from lommel.base.quantities import BARE, in_unit
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -47,7 +47,6 @@ _brief.maxstring = _brief.maxother = _brief.maxlong = _MAX_CHARACTERS
 _brief.maxlevel = 3
 
 _Value = TypeVar("_Value")
-_NUMBERS = (float, int, np.ndarray, np.float64, str)  # types without a mask, tested first because they are frequent
 
 
 def shown(value: object) -> str:
@@ -131,8 +130,8 @@ def real(
 ) -> float:
     """Return `value` as a finite float, ``> above``, ``>= least``, ``< below`` and ``<= most``; or raise an error."""
     # The common case is tested first, since isinstance with an abstract class such as numbers.Real is slow.
-    if type(value) not in _NUMBERS:
-        value = plain(name, value, unit)
+    if type(value) not in BARE:
+        value = in_unit(name, value, unit)
     if isinstance(value, float):
         number = float(value)
     elif isinstance(value, numbers.Real | np.ndarray | np.generic) and _is_real_scalar(value):
@@ -217,8 +216,8 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
 def array(name: str, value: ArrayLike, unit: str = "") -> Values:
     """Return `value` in `unit` as an array; TypeError if some are masked, since plain arrays would lose the mask."""
     values: Any = value
-    if type(value) not in _NUMBERS:
-        values = computed(plain(name, value, unit))
+    if type(value) not in BARE:
+        values = computed(in_unit(name, value, unit))
         refuse_masked(name, values)
     try:
         return np.asarray(values)
@@ -237,8 +236,8 @@ def parted(name: str, value: object, unit: str = "") -> tuple[Values, NDArray[np
 
     TypeError if it does not hold numbers, ValueError if masked containers in a list have different shapes.
     """
-    if type(value) not in _NUMBERS:
-        value = computed(plain(name, value, unit))
+    if type(value) not in BARE:
+        value = computed(in_unit(name, value, unit))
     if not _is_masked(value):
         return number_array(name, cast(ArrayLike, value), unit), None
     if isinstance(value, list | tuple):
@@ -254,10 +253,10 @@ def parted(name: str, value: object, unit: str = "") -> tuple[Values, NDArray[np
 
 def computed(value: object) -> Any:
     """Return the array of a container, dask and xarray of dask computed, or any other value unchanged."""
-    if type(value) in _NUMBERS or isinstance(value, np.ndarray):
+    if type(value) in BARE or isinstance(value, np.ndarray):
         return value
     if isinstance(value, list | tuple):
-        return value if all(type(part) in _NUMBERS for part in value) else [computed(part) for part in value]
+        return value if all(type(part) in BARE for part in value) else [computed(part) for part in value]
     if getattr(value, "mask", None) is not None or type(value).__module__.partition(".")[0] == "lommel":
         return value
     data = getattr(value, "data", None)
@@ -269,10 +268,10 @@ def computed(value: object) -> Any:
 
 
 def _is_masked(value: object) -> bool:
-    if type(value) in _NUMBERS:
+    if type(value) in BARE:
         return False
     if isinstance(value, list | tuple):
-        return any(_is_masked(part) for part in value if type(part) not in _NUMBERS)
+        return any(_is_masked(part) for part in value if type(part) not in BARE)
     if type(value).__module__.partition(".")[0] == "lommel":  # the `mask` of an aperture is an optical element
         return False
     mask = getattr(value, "mask", None)
@@ -379,7 +378,7 @@ def stack_shape(shape: object, stack: tuple[int, ...]) -> tuple[int, ...]:
 
 def position(name: str, value: object) -> tuple[float, float]:
     """Return ``(row, column)`` from a pair of numbers with absolute values below 1e6 pixels."""
-    value = plain(name, value, "pixels")
+    value = in_unit(name, value, "pixels")
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         raise ValueError(f"{name} must be (row, column), got {shown(value)}")
     row, column = (real(name, part, above=-1e6, below=1e6, unit="pixels") for part in value)
@@ -388,7 +387,7 @@ def position(name: str, value: object) -> tuple[float, float]:
 
 def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
     """Return ``(row, column)``, or read-only arrays ``(rows, columns)`` of a common shape if `value` has arrays."""
-    value = plain(name, value, "pixels")
+    value = in_unit(name, value, "pixels")
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         hint = f": give tuple({name}.T)" if isinstance(value, np.ndarray) and value.shape[1:] == (2,) else ""
         raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{hint}")

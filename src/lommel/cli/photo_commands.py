@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from lommel import imaging
 from lommel.base.arrays import Values, plain
-from lommel.base.encoding import Encoding, named, parsed, to_light
-from lommel.base.encoding import plain as plain_encoding
+from lommel.base.encoding import Encoding, as_json, named, parsed, to_light
 from lommel.base.options import In, Shown, filled
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import (
@@ -471,7 +470,7 @@ def read_as(dtype: np.dtype[np.generic], bits: int, encoding: Encoding, stated: 
 
 
 def _encodings(photograph: imaging.Photograph, stored_as: Encoding) -> Facts:
-    return {"photo": plain_encoding(photograph.encoding), "output": plain_encoding(stored_as)}
+    return {"photo": as_json(photograph.encoding), "output": as_json(stored_as)}
 
 
 def _read_as(photograph: imaging.Photograph) -> str:

@@ -14,7 +14,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.options import listed
-from lommel.base.quantities import plain
+from lommel.base.quantities import in_unit
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.detection.targets import Targets
@@ -348,7 +348,7 @@ def fit_stars(
     electrons, read = poisson.electrons(values), poisson.variance(np.zeros_like(values))
     defoci = known_defocus(options.defocus, len(values), "images")
     draw = random_numbers(options.seed)
-    pixel = plain("pixel", pixel, pupil.unit)
+    pixel = in_unit("pixel", pixel, pupil.unit)
     plan = Plan(values.shape[1:], pixel, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
     if options.blur is not False:
         if {*unknowns.places} != {*SHIFTS} or unknowns.pupil:

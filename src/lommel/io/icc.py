@@ -8,11 +8,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.base.encoding import CLOSE, Encoding, ToneCurves, agree
+from lommel.base.encoding import CLOSE, LEVELS, Encoding, ToneCurves, agree
 
 _PARAMETERS = (1, 3, 4, 5, 7)  # number of parameters of each type of parametric curve
 _MAX_TAGS = 256
-_LEVELS = np.linspace(0.0, 1.0, 65536)
 # Red, green and blue (XYZ of the illuminant D50) of sRGB and of Adobe RGB.
 SRGB = ((0.4361, 0.2225, 0.0139), (0.3851, 0.7169, 0.0971), (0.1431, 0.0606, 0.7141))
 ADOBE_RGB = ((0.6097, 0.3111, 0.0195), (0.2053, 0.6257, 0.0609), (0.1492, 0.0632, 0.7446))
@@ -67,12 +66,12 @@ def encoding_of(profile: bytes, *, grey: bool) -> Encoding:
 
 
 def _curve(tag: bytes) -> tuple[Array, float | None]:
-    """Return (1) the light of a curve at `_LEVELS`, 0 to 1, (2) its exponent if it is a power."""
+    """Return (1) the light of a curve at `LEVELS`, 0 to 1, (2) its exponent if it is a power."""
     if tag[:4] == b"curv":
         (count,) = struct.unpack_from(">I", tag, 8)
         if count > 1:
             table = np.array(struct.unpack_from(f">{min(count, len(tag))}H", tag, 12)) / 65535.0
-            return np.interp(_LEVELS, np.linspace(0.0, 1.0, count), table), None
+            return np.interp(LEVELS, np.linspace(0.0, 1.0, count), table), None
         kind, given = 0, [struct.unpack_from(">H", tag, 12)[0] / 256.0 if count else 1.0]
     else:
         kind = struct.unpack_from(">H", tag, 8)[0] if tag[:4] == b"para" else len(_PARAMETERS)
@@ -84,7 +83,7 @@ def _curve(tag: bytes) -> tuple[Array, float | None]:
     if kind in (1, 2):
         c, d, e, f = 0.0, -b / a, c, c
     with np.errstate(all="ignore"):  # powers of 0 and of large numbers, which the caller refuses
-        light = np.where(d <= _LEVELS, np.maximum(a * _LEVELS + b, 0.0) ** g + e, c * _LEVELS + f)
+        light = np.where(d <= LEVELS, np.maximum(a * LEVELS + b, 0.0) ** g + e, c * LEVELS + f)
     return np.clip(light, 0.0, 1.0), g if kind == 0 else None
 
 

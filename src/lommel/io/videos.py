@@ -700,13 +700,16 @@ class _ImageReader:
         self._files = sorted((int(match[1]), file) for match, file in matches if match)
         if not self._files:
             raise VideoError(f"{self.name} has no numbered images")
-        values, first = self._read(self._files[0][1]), photos.read_photo(self._files[0][1])
-        self.encoding = first.encoding if first.stated else None
+        first = photos.read_photo(self._files[0][1])
+        values, self.encoding = self._frame(self._files[0][1], first.values), first.encoding if first.stated else None
         self.levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
         self.grey = values.ndim == 2
 
     def _read(self, path: Path) -> Values:
-        values = photos.read_raster(path)[0]
+        return self._frame(path, photos.read_raster(path)[0])
+
+    def _frame(self, path: Path, values: Values) -> Values:
+        """Return the values of an image as those of a frame."""
         _require_frame_size(validation.line(path), *values.shape[1::-1])
         if self._grey and values.ndim == 3:
             luma = values @ np.array([0.299, 0.587, 0.114])

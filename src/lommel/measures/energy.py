@@ -90,10 +90,8 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     TypeError, ValueError
         On the conditions of :func:`lommel.measures.energy.encircled_energy`, with `half_width` in place of `radius`.
     """
-    model, half_widths = (
-        ImageModel.of(psf, of),
-        validation.real_array("half_width", half_width, least=0.0, unit=psf.pupil.unit),
-    )
+    model = ImageModel.of(psf, of)
+    half_widths = validation.real_array("half_width", half_width, least=0.0, unit=psf.pupil.unit)
     centers = energy_centers(psf, about) / psf.pupil.scale
     if model.radial_method is not None:
         return radial_square_energy(model.radial_method, psf.pupil, half_widths)

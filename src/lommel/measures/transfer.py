@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
-from lommel.base.quantities import plain
+from lommel.base.quantities import in_unit
 from lommel.blur.blurs import Blur, blurs, frequencies, require_unit
 from lommel.measures.continuous_image import ImageModel, sampled_transfer
 from lommel.measures.overlap import autocorrelation
@@ -174,7 +174,7 @@ def _pixel_transfer(pupil: Pupil, x_f: Array, y_f: Array, pixel: Pitch | None, f
         if validation.fill("fill", fill) != (1.0, 1.0):
             raise ValueError(f"fill must be omitted without pixel=, which it modifies, got {validation.shown(fill)}")
         return np.ones(x_f.shape)
-    pixel = plain("pixel", pixel, pupil.unit)
+    pixel = in_unit("pixel", pixel, pupil.unit)
     metric, sensor = pupil.wavelength is not None, Grid(1, pixel, integrate=True, fill=fill)
     for side in sensor.pitch:
         validation.pixel(side, metric=metric)

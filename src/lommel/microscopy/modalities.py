@@ -14,7 +14,7 @@ from lommel.core.answers import ToleranceError
 from lommel.methods.layers.scanning import Bead, Confocal, Sted, TwoPhoton, crest
 from lommel.methods.method import Method, storing
 from lommel.methods.question import output_type
-from lommel.optics.layers.objective import best_foci
+from lommel.optics.layers.objective import out_of_focus
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF, psf
 
@@ -206,7 +206,7 @@ def light_sheet(
     """
     pupil = validation.instance("emission", emission, ObjectivePupil)
     width = validation.real("thickness", thickness, above=0.0, unit="metres")
-    distance = pupil.focus - best_foci(pupil.layers, pupil.depth) if offset is None else offset
+    distance = out_of_focus(pupil) if offset is None else offset
     distance = validation.real_array("offset", distance, unit="metres")
     distance = validation.broadcast("offset and the stack", distance, pupil.z)[0]
     if distance.shape != pupil.shape:

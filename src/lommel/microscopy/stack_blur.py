@@ -17,7 +17,7 @@ from lommel.base.threads import product, side_by_side
 from lommel.core import engine
 from lommel.deconvolve.linear import UNSEEN, LinearBlur, PartConsumer, Plane, PlaneOperator, Result, overlap
 from lommel.measures.spot import stage
-from lommel.optics.layers.objective import best_foci
+from lommel.optics.layers.objective import out_of_focus
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF
 
@@ -81,7 +81,7 @@ def kernel_of(psf: PSF) -> Kernel:
     if z.ndim != 1 or np.ptp(steps) > 1e-6 * np.abs(steps).max():
         raise ValueError(f"psf must be one stack over even steps of z, got steps {np.unique(steps)[:3]} metres")
     # The plane of the point: its brightest focus, z = 0 of that origin only.
-    distances = pupil.focus - best_foci(pupil.layers, pupil.depth)
+    distances = out_of_focus(pupil)
     origin = int(np.abs(distances).argmin())
     if abs(distances[origin]) > 1e-6 * abs(steps[0]):
         raise ValueError(f"psf must have a plane at the brightest focus, the nearest is {distances[origin]:g} m off")

@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Json, Values
 from lommel.base.encoding import named
-from lommel.base.quantities import ROWS_AND_COLUMNS, in_order, metres_of, plain
+from lommel.base.quantities import LETTERS, in_order, in_unit, metres_of
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, icc, photos, registry, zarr_folders
@@ -285,7 +285,7 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
     if isinstance(times := first(_EM_GAIN), float) and times > 1.0:
         metadata |= {"excess": EXCESS, "em_gain": times}
     unit = str(header.get("BUNIT", "")).strip()
-    if unit.lower().rstrip("s") in ("electron", "e", "e-"):
+    if _are_electrons(header):
         metadata["gain"] = 1.0
     elif unit and not _COUNTS.fullmatch(unit):
         metadata["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in counts or electrons")
@@ -306,6 +306,10 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
     return metadata
 
 
+def _are_electrons(header: Mapping[str, object]) -> bool:
+    return str(header.get("BUNIT", "")).strip().lower().rstrip("s") in ("electron", "e", "e-")
+
+
 def fits_notes(header: Mapping[str, object]) -> list[str]:
     """Return a sentence on each card of a FITS header that matters but is not applied."""
     stated = {
@@ -314,7 +318,7 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
         if header.get(name) not in (None, "", 0)
         and (name not in _BINNING or str(header[name]).strip() not in ("1", "1.0", "1 1"))
     }
-    if str(header.get("BUNIT", "")).strip().lower().rstrip("s") in ("electron", "e", "e-"):
+    if _are_electrons(header):
         stated |= {name: f"{name} = {header[name]}" for name in _GAIN if header.get(name) not in (None, "", 1, 1.0)}
     endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
     if unused := [stated[name] for name in _UNUSED_CARDS if name in stated]:
@@ -354,7 +358,6 @@ _SIDES = 1e-12, 1e-4  # metres, range of voxel sides in the sample
 _WAVES = 1e-7, 1e-4  # metres, range of wavelengths: 0.52 nm is a wavelength in micrometres with a wrong unit
 BLOCK = 2**22
 """Default number of pixels of a block of frames: 32 MB in float64."""
-_LETTERS = {"t": "T", "time": "T", "frame": "T", "c": "C", "channel": "C", "z": "Z", "plane": "Z"}
 UNKNOWN = "Q"
 """Letter of an axis whose meaning the file does not state."""
 
@@ -836,7 +839,7 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
     if isinstance(images, Frames):
         return images
     if not isinstance(images, str | PathLike):
-        letters, given = _letters_of(name, images), plain(name, images, "counts")
+        letters, given = _letters_of(name, images), in_unit(name, images, "counts")
         is_array = hasattr(given, "shape") and hasattr(given, "dtype")
         values = cast(ArrayLikeImages, given) if is_array else validation.array(name, given, "counts")
         validation.refuse_masked(name, values)
@@ -865,14 +868,14 @@ def _letters_of(name: str, images: object) -> str:
     if type(images).__module__.startswith("h5py"):
         stated = [dim.label for dim in stated or ()]
     dims = [str(dim).lower() for dim in stated] if isinstance(stated, tuple | list) else []
-    if not set(dims) & set(ROWS_AND_COLUMNS):
+    if not any(LETTERS.get(dim, "") in ("Y", "X") for dim in dims):
         return ""
     if hasattr(images, "transpose"):  # those of xarray are put in order
         dims = in_order(dims)
-    sides = [ROWS_AND_COLUMNS.get(dim) for dim in dims]
-    if sides[-2:] != ["row", "column"]:
+    letters = "".join(LETTERS.get(dim, UNKNOWN) for dim in dims)
+    if not letters.endswith("YX"):
         raise ValueError(f"{name} must have rows and columns as its last axes, got the axes {', '.join(dims)}")
-    return "".join(_LETTERS.get(dim, UNKNOWN) for dim, side in zip(dims, sides, strict=True) if side is None)
+    return "".join(letter for letter in letters[:-2] if letter not in "YX")
 
 
 @contextmanager

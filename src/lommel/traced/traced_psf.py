@@ -420,13 +420,12 @@ def traced(
     # The peak of a defocused radial pupil is about proportional to 1 / phase: its allowed error is smaller.
     largest_phase = float(np.abs(c).sum(axis=1).max())
     error = tol * pupil.amplitude * (0.04 / (2.0 * largest_phase + 1.0) if pupil.radial else 0.35)
-    distances = _defocus_by_distance(pupil)
+    distances, goal = _defocus_by_distance(pupil), (0.6 if pupil.radial else 0.8) * tol
     while True:
         parts, image, tables = _fields(pupil, grid, components, error, precision)
         static = Static(ns, terms, columns, ranges, parts, image, scale, tol, precision, dtype, distances)
         # Add nodes until all bounds, for members of the stack and other pupils of the valid range, are below `tol`.
         member_bound, largest_bound = _largest_bounds(static, tables, c)
-        goal = (0.6 if pupil.radial else 0.8) * tol
         if largest_bound <= goal or error <= _MIN_ERROR:
             break
         reduction = _ERROR_REDUCTION if pupil.radial else max(_ERROR_REDUCTION, 0.9 * goal / largest_bound)

@@ -556,6 +556,11 @@ def best_foci(layers: Layers, depth: Array) -> Array:
     return np.asarray(foci[index].reshape(depth.shape))
 
 
+def out_of_focus(pupil: ObjectivePupil) -> Array:
+    """Return the stage position relative to the brightest focus: z, whatever the origin of the pupil."""
+    return np.asarray(pupil.focus - best_foci(pupil.layers, pupil.depth))
+
+
 def _maximum(axis: _Axis, start: float, step: float) -> float:
     """Return the position of the maximum within a step of `start`, by Newton's method for negative curvature."""
     position = start

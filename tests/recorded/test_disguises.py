@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import logging
+import math
 import re
 import subprocess
 from collections.abc import Callable, Iterator, Sequence
@@ -23,6 +24,7 @@ from lommel.base.encoding import to_light
 from lommel.base.options import Options
 from lommel.cli import deconvolve_command, localize_command
 from lommel.estimation import beads, field_fit, phase_retrieval
+from lommel.lensfiles.lens_files import load_instrument
 from objectives import OIL_FILE
 from small_recordings import DEPTH, bead, coloured, grey, movie, sky, stack, stars
 
@@ -315,6 +317,8 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
     without = [word for k, word in enumerate(words) if "--gain" not in (word, words[k - 1])]
     expected, said = asked(words)
     assert "header" not in said
+    assert "No gain is stated" not in said
+    assert "No gain is stated: 1 electron per count was assumed" in asked(without, BUNIT="adu")[1]
     taken, said = asked(without, EGAIN=gain, RDNOISE=9.5, SATURATE=60000)
     assert f"Taken from the header of the images: a gain of {gain:g} electrons per count." in said
     assert "The header of the images states a read noise of 9.5 electrons; " in said
@@ -332,14 +336,24 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
     equal(named.facts, expected.facts, 1e-12)
     _, said = asked(words, EGAIN=-2.0)
     assert "The header of the images states gain -2.0, which cannot be used." in said
-    for cards in ({"EGAIN": -2.0}, {"BUNIT": "electron/s"}):
+    for stated, cards in (("gain -2.0", {"EGAIN": -2.0}), ("values in adu/s, neither counts ", {"BUNIT": "adu/s"})):
         result = call_lommel(command, with_header(command, folder, **cards), *without, "--json", folder=folder)
-        assert re.search(r"header of the images states gain .*: state --gain", result.stderr), result.stderr
+        assert re.search(rf"header of the images states {stated}.*: state --gain", result.stderr), result.stderr
     _, said = asked(words, BAYERPAT="RGGB")
     assert "states BAYERPAT = RGGB, a mosaic of colours" in said
     _, said = asked(words, XPIXSZ=99.0, FOCALLEN=7e5)
     assert "The header of the images states pixels of 99 um; " in said
     assert ("states a focal length of 700 m; " in said) is (command in ("retrieve", "fit-field"))
+    if command in ("retrieve", "fit-field"):
+        instrument = load_instrument(folder / words[0])
+        lens, scale = instrument.lens, instrument.side / instrument.lens.focal_length * 648000 / math.pi
+        sizes = {"FOCALLEN": 1e3 * lens.focal_length, "APTDIA": 1e3 * lens.aperture_diameter}
+        cards = {**sizes, "FOCRATIO": lens.f_number, "PIXSCALE": scale}
+        assert "was used" not in asked(words, **cards)[1]
+        assert f"states {1.1 * scale:.3g} arcsec per pixel; {scale:.3g} was" in asked(words, PIXSCALE=1.1 * scale)[1]
+        assert f"f/{1.1 * lens.f_number:.3g}; {lens.f_number:.3g}" in asked(words, FRATIO=1.1 * lens.f_number)[1]
+        assert "an aperture of " in asked(words, APTDIA=1.1 * sizes["APTDIA"])[1]
+        assert "500 nm in its coordinates; " in asked(words, CDELT1=5e-4, CUNIT1="mm")[1]
     _, said = asked(without, GAIN=120)
     assert "states GAIN = 120, which was not used" in said
 

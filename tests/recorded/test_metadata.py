@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from astropy.io import fits
 
 from lommel.recorded import frames
 from lommel.recorded.frames import Unusable, open_frames
@@ -88,8 +89,6 @@ def test_files_that_state_electron_multiplication_state_its_excess_noise():
 
 
 def fits_file(path, values, *, unit=None, **cards):
-    from astropy.io import fits
-
     image = fits.PrimaryHDU(np.asarray(values))
     for name, card in cards.items():
         image.header[name] = card
@@ -127,6 +126,25 @@ def test_cards_that_turn_or_scale_images_are_named_with_what_they_change(tmp_pat
     ordinary = {"XBINNING": 1, "CCDSUM": "1 1", "FILTER": "", "BUNIT": "ADU / pixel"}
     with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **ordinary)) as images:
         assert images.notes == ()
+
+
+def test_the_width_of_a_pixel_on_the_sky_is_that_of_astropy(tmp_path):
+    from astropy.wcs import WCS, utils
+
+    for cards in (
+        {"CTYPE1": "RA---TAN", "CTYPE2": "DEC--TAN", "CDELT1": -2.7e-4, "CDELT2": 3.1e-4},
+        {"CTYPE1": "RA---TAN", "CTYPE2": "DEC--TAN", "CD1_1": 1e-4, "CD1_2": 3e-4, "CD2_1": -2e-4, "CD2_2": 1e-4},
+        {"CTYPE1": "GLON-CAR", "CTYPE2": "GLAT-CAR", "CUNIT1": "arcsec", "CUNIT2": "arcsec", "CDELT1": 0.97},
+    ):
+        world = WCS(header := fits.Header(cards))
+        expected = np.deg2rad(utils.proj_plane_pixel_scales(world)[0])
+        for given in (header, world.to_header()):  # the latter has PC, and degrees
+            with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **given)) as images:
+                assert images.metadata["scale"] == pytest.approx(expected)
+                assert re.search(r"states pixels of \S+ (deg|arcsec) by CDELT1 or CD1_1", " ".join(images.notes))
+    for cards in ({"CDELT1": 2.0, "CTYPE1": "LINEAR"}, {"CDELT1": 0.1, "CUNIT1": "s"}, {"PIXSCALE": (9.0, "[um]")}):
+        with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **cards)) as images:
+            assert "scale" not in images.metadata
 
 
 def test_files_of_two_orders_of_rows_are_refused(tmp_path):

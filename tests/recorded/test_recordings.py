@@ -223,6 +223,19 @@ def test_of_several_images_the_largest_is_taken_or_that_which_is_asked_for(tmp_p
         open_frames(f"{path}[2]").as_channels()
 
 
+@pytest.mark.parametrize("sides", [(5, 8, 9), (4, 8, 9), (2, 12, 12)])
+def test_of_images_of_about_one_size_none_is_taken(tmp_path, sides):
+    path = tmp_path / "two.ome.tif"
+    with tifffile.TiffWriter(path, ome=True) as file:
+        for name, values in (("first", STACK[0]), ("second", np.ones(sides, np.uint16))):
+            file.write(values, photometric="minisblack", metadata={"axes": "ZYX", "Name": name})
+    with pytest.raises(
+        RecordingError, match=r"it holds 2 images, \[first\] of .*, \[second\].* two.ome.tif\[first\]"
+    ):
+        open_frames(path)
+    assert open_frames(f"{path}[second]").shape == sides
+
+
 def test_pages_that_imagej_does_not_count_are_told(tmp_path):
     path = tmp_path / "less.tif"
     text = "ImageJ=1.53t\nimages=3\nslices=3\nunit=um\nspacing=0.3\n"

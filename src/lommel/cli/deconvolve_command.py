@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import numpy as np
 from rich.text import Text
 
+from lommel.base import validation
 from lommel.base.options import HIDDEN, In, Shown
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraMaps, require_microscope, require_order
@@ -48,7 +49,10 @@ class StackCamera(CameraMaps):
             if self.white is self.offset is None:
                 return None
             raise ValueError("--read must be given with --gain or --offset: electrons of read noise, 0 for none")
-        return self.resolve({}, self.camera)[0]
+        noise, _, notes = self.resolve({}, self.camera)
+        for note in notes:
+            validation.tell(note)
+        return noise
 
 
 @command

@@ -109,7 +109,7 @@ def retrieve(
     instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
     with progress("reading") as status:
         read = read_images(_files(images))
-        sizes = float(np.min(instrument.side)), instrument.lens.focal_length
+        sizes = float(np.min(instrument.side)), instrument.lens
         noise, saturation, header = camera.resolve(read.metadata, instrument.camera, *sizes)
         stars = read[...]
         if not options.defocus and len(stars) > 1:
@@ -273,7 +273,7 @@ def fit_field(
         blur = Seeing.from_fwhm(seeing * ARCSEC, focal_length)
     with progress("reading") as status:
         read = read_images(images)
-        sizes = float(np.min(instrument.side)), instrument.lens.focal_length
+        sizes = float(np.min(instrument.side)), instrument.lens
         noise, saturation, header = camera.resolve(read.metadata, instrument.camera, *sizes)
         values = read[...]
         exposures = Counts.of(values, noise=noise, mask=camera.mask_of(values), saturation=saturation)

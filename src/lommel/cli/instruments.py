@@ -13,7 +13,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import format_length
+from lommel.base.units import ARCSEC, format_length
 from lommel.cli.command import is_number, length
 from lommel.cli.messages import flag_of
 from lommel.lensfiles.instrument import Camera, Instrument
@@ -304,6 +304,29 @@ _HEADER_VALUES = {
 }
 _EXCESS_NOTE = "; gain and read noise must refer to electrons before multiplication, divided by the EM gain"
 _TOLERANCE = 0.02  # relative difference up to which values count as equal
+_NOMINAL = 0.05  # the same of nominal values: f-numbers, plate scales and the data of EXIF
+
+
+def optics_notes(source: str, stated: Facts, pixel: float | None, lens: Lens | None = None) -> list[str]:
+    """Return a note on each number of the optics that a file states and that differs from the number in use."""
+    from lommel.recorded.frames import OPTICS
+
+    in_use: dict[str, float | None] = {"sensor_pixel": pixel}
+    if lens is not None:
+        in_use |= {"focal_length": lens.focal_length, "f_number": lens.f_number, "aperture": lens.aperture_diameter}
+        in_use |= {"plane_pixel": pixel, "scale": pixel and pixel / lens.focal_length}
+    notes = []
+    for key, used in in_use.items():
+        values = stated.get(key) or ()
+        is_exact = stated.get("format") == "FITS" and key in ("sensor_pixel", "focal_length", "plane_pixel")
+        for value in values if isinstance(values, tuple) else (values,):
+            rounding = 0.5e-3 if key == "focal_length" and math.isclose(1e3 * value, round(1e3 * value)) else 0.0
+            if used is None or abs(value - used) <= max((_TOLERANCE if is_exact else _NOMINAL) * used, rounding):
+                continue
+            unit = {"f_number": 1.0, "scale": ARCSEC}.get(key)
+            texts = [format_length(v, digits=4) if unit is None else f"{v / unit:.3g}" for v in (value, used)]
+            notes.append(f"{source} states {OPTICS[key].format(texts[0])}; {texts[1]} was used.")
+    return list(dict.fromkeys(notes))
 
 
 def take_header(options: Facts, header: Metadata, camera: Camera | None = None) -> list[str]:
@@ -317,9 +340,10 @@ def take_header(options: Facts, header: Metadata, camera: Camera | None = None) 
     for name, (key, phrase) in _HEADER_VALUES.items():
         value = header.get(key)
         if isinstance(value, Unusable):
+            words = value.words if value.words.startswith("values in ") else f"{key} {value.words}"
             if key != "saturation" and options.get(name) is None and camera_values.get(name) is None:
-                raise ValueError(f"the header of the images states {key} {value.words}: state {name}=")
-            notes.append(f"The header of the images states {key} {value.words}, which cannot be used.")
+                raise ValueError(f"the header of the images states {words}: state {name}=")
+            notes.append(f"The header of the images states {words}, which cannot be used.")
         if not isinstance(value, float):
             continue
         used_value = camera_values.get(name) if options.get(name) is None else options[name]
@@ -400,21 +424,19 @@ class CameraNoise(Sensor):
         return {name: getattr(self, name) for name in ("white", "read", "offset")} | {"excess": None}
 
     def resolve(
-        self, header: Metadata, camera: Camera | None, pixel: float | None = None, focal_length: float | None = None
+        self, header: Metadata, camera: Camera | None, pixel: float | None = None, lens: Lens | None = None
     ) -> tuple[Noise, float | None, list[str]]:
         """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header.
 
-        Notes state a pixel and a focal length (metres) in the header that differ from those in use.
+        Notes state an assumed gain, and the optics in the header that differ from the pixel (metres) and the lens.
         """
         options = self.values() | {"saturation": self.saturation}
         notes = take_header(options, header, camera)
-        lengths = (("sensor_pixel", "pixels of {}", pixel), ("focal_length", "a focal length of {}", focal_length))
-        for key, phrase, used in lengths:
-            stated = header.get(key)
-            if used is not None and stated is not None and abs(stated - used) > _TOLERANCE * used:
-                text = phrase.format(format_length(stated, digits=4))
-                notes.append(f"The header of the images states {text}; {format_length(used, digits=4)} was used.")
+        notes += optics_notes("The header of the images", header, pixel, lens)
         noise = noise_of(options, camera)
+        if options["white"] is None and (camera is None or camera.gain is None):
+            way = f"{flag_of('white')} states it, or a camera by {flag_of('camera')}"
+            notes.append(f"No gain is stated: 1 electron per count was assumed; {way}.")
         # The files of such cameras do not state whether the electron multiplication was on.
         if camera is not None and "EMCCD" in camera.name and noise.excess == 1.0:
             notes.append(

@@ -25,8 +25,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Json, Values
 from lommel.base.encoding import named
-from lommel.base.quantities import LETTERS, in_order, in_unit, metres_of
-from lommel.base.units import format_length
+from lommel.base.quantities import ANGLES, LENGTHS, LETTERS, in_order, in_unit, metres_of
+from lommel.base.units import ARCSEC, format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, icc, photos, registry, zarr_folders
 from lommel.io.registry import Format
@@ -55,12 +55,17 @@ _IGNORED_CARDS = {
     "FLIPSTAT": _ORDER,
 }
 _BINNING = ("XBINNING", "YBINNING", "CCDSUM")
-_UNUSED_CARDS = (*_PIXELS, "YPIXSZ", *_BINNING, "PIXSCALE", "SECPIX", "FOCALLEN", "FOCRATIO", "FILTER", "WAVELEN")
+_SCALES = ("PIXSCALE", "SECPIX", "PIXSCAL1", "SECPIX1", "PIXELSCL")  # arcseconds per pixel
+_RATIOS = ("FOCRATIO", "FRATIO")
+_UNUSED_CARDS = (*_PIXELS, "YPIXSZ", *_BINNING, *_SCALES, "WCS", "FOCALLEN", *_RATIOS, "APTDIA", "FILTER", "WAVELEN")
 _COUNT = r"(?:adu|dn|counts?|cts?)\b"  # names of counts, also in units of gain and read noise
 _COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?", re.IGNORECASE)
 _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
 
 
+OPTICS = {"sensor_pixel": "pixels of {}", "plane_pixel": "pixels of {} in its coordinates", "f_number": "f/{}"}
+OPTICS |= {"focal_length": "a focal length of {}", "aperture": "an aperture of {}", "scale": "{} arcsec per pixel"}
+"""Metadata of the optics, in words: lengths in metres, the f-number, and radians per pixel on the sky."""
 _RESOLUTION_UNITS = {2: 25.4e-3, 3: 1e-2}  # metres of values of the tag ResolutionUnit of TIFF: inch, centimetre
 _FINEST_PRINT = 1e-5  # metres: pixels of prints are larger (2540 per inch)
 _IRREGULAR = 0.1  # deviation of steps between planes, relative to their mean, above which they are not regular
@@ -277,18 +282,25 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
     if order := header.get("ROWORDER"):
         metadata["rows"] = order
     gain = metadata["gain"]
-    for key, names, scale in (("sensor_pixel", _PIXELS, 1e-6), ("focal_length", ("FOCALLEN",), 1e-3)):
+    lengths = ("sensor_pixel", _PIXELS, 1e-6), ("focal_length", ("FOCALLEN",), 1e-3), ("aperture", ("APTDIA",), 1e-3)
+    for key, names, scale in (*lengths, ("scale", _SCALES, ARCSEC), ("f_number", _RATIOS, 1.0)):
         if isinstance(size := first(names), float):
-            length_unit = re.match(r"\[(\w+)\]", next(said.get(name, "") for name in names if name in header))
+            stated_unit = re.match(r"\[([a-zµ]+)", next(said.get(name, "") for name in names if name in header))
             with suppress(KeyError):  # of a unit that is none of length
-                metadata[key] = size * (metres_of(length_unit[1]) if length_unit else scale)
+                unit_of = ANGLES.__getitem__ if key == "scale" else metres_of
+                metadata[key] = size * (unit_of(stated_unit[1]) if stated_unit else scale)
+    step, step_unit = _coordinate_step(header)
+    if step_unit in LENGTHS:
+        metadata["plane_pixel"] = step * LENGTHS[step_unit]
+    elif step_unit:
+        metadata.setdefault("scale", step * ANGLES[step_unit])
     if isinstance(times := first(_EM_GAIN), float) and times > 1.0:
         metadata |= {"excess": EXCESS, "em_gain": times}
     unit = str(header.get("BUNIT", "")).strip()
     if _are_electrons(header):
         metadata["gain"] = 1.0
     elif unit and not _COUNTS.fullmatch(unit):
-        metadata["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in counts or electrons")
+        metadata["gain"] = Unusable(f"values in {validation.brief(unit, 60)}, neither counts nor electrons")
     elif metadata["gain"] is None and header.get(_AMBIGUOUS_GAIN) not in (None, ""):
         metadata["unsure"] = f"{_AMBIGUOUS_GAIN} = {validation.brief(str(header[_AMBIGUOUS_GAIN]), 60)}"
     full = next((said.get(name, "") for name in _SATURATION if name in header), "")
@@ -306,6 +318,19 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
     return metadata
 
 
+def _coordinate_step(header: Mapping[str, object]) -> tuple[float, str]:
+    """Return a pixel's width in the world coordinates of a FITS header, and its unit of length or angle or ""."""
+
+    def card(name: str, default: float = 0.0) -> float:
+        return value if isinstance(value := number(str(header.get(name, "")), least=-math.inf), float) else default
+
+    is_sky = re.match(r"(RA|DEC|.LON|.LAT)-", str(header.get("CTYPE1", "")))
+    unit = str(header.get("CUNIT1") or ("deg" if is_sky else "")).strip()
+    step = math.hypot(card("CDELT1") * card("PC1_1", 1.0), card("CDELT2") * card("PC2_1"))
+    step = math.hypot(card("CD1_1"), card("CD2_1")) or step
+    return step, unit if step and unit in LENGTHS | ANGLES else ""
+
+
 def _are_electrons(header: Mapping[str, object]) -> bool:
     return str(header.get("BUNIT", "")).strip().lower().rstrip("s") in ("electron", "e", "e-")
 
@@ -318,6 +343,9 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
         if header.get(name) not in (None, "", 0)
         and (name not in _BINNING or str(header[name]).strip() not in ("1", "1.0", "1 1"))
     }
+    step, step_unit = _coordinate_step(header)
+    if step_unit:
+        stated["WCS"] = f"pixels of {step:.3g} {step_unit} by CDELT1 or CD1_1"
     if _are_electrons(header):
         stated |= {name: f"{name} = {header[name]}" for name in _GAIN if header.get(name) not in (None, "", 1, 1.0)}
     endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
@@ -333,8 +361,13 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
 
 
 def combined_metadata(files: Sequence[Metadata]) -> Metadata:
-    """Return the camera metadata of several files; values that differ between files are :class:`Unusable`."""
+    """Return the camera metadata of several files; values that differ between files are :class:`Unusable`.
+
+    Numbers of the optics are tuples of those of all files.
+    """
     combined = dict(files[0])
+    for key in OPTICS:
+        combined[key] = tuple(metadata[key] for metadata in files if key in metadata)
     for key in ("gain", "read", "saturation", "excess"):
         values = [metadata.get(key) for metadata in files]
         if any(value != values[0] for value in values):
@@ -807,9 +840,9 @@ def open_frames(*paths: str | PathLike[str] | ArrayLike) -> Frames:
     ----------
     *paths : path, array_like or Frames
         A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content;
-        ``file.fits[SCI]``, ``file.tif[1]`` or ``file.zarr[0]`` selects one of several images, by default, in
-        OME-TIFF, the one with most values. Or an array of NumPy, dask, Zarr or xarray. Several files, of images of
-        one size and type, are one stack, and are read at once.
+        ``file.fits[SCI]``, ``file.tif[1]`` or ``file.zarr[0]`` selects one of several images; by default, in
+        OME-TIFF, the one of which the others are at most half as large. Or an array of NumPy, dask, Zarr or xarray.
+        Several files, of images of one size and type, are one stack, and are read at once.
 
     Returns
     -------
@@ -988,7 +1021,10 @@ def _tiff_frames(path: Path, file: TiffFile, part: str | None) -> Frames:
 
 
 def _series_of(path: Path, file: TiffFile, part: str | None, notes: list[str]) -> tuple[Any, int]:
-    """Return the series of a file to read, in OME-TIFF by default the largest, and its number."""
+    """Return the series of a file to read, and its number.
+
+    In OME-TIFF this is by default the full-size image, if labels and thumbnails are at most half as large.
+    """
     # A smaller image is the level of a pyramid only where it is marked as one.
     every = [
         level
@@ -998,7 +1034,9 @@ def _series_of(path: Path, file: TiffFile, part: str | None, notes: list[str]) -
     ]
     names = [[str(item.name), str(k)] if file.is_ome else [str(k)] for k, item in enumerate(every)]
     sizes = [" x ".join(map(str, item.shape)) for item in every]
-    if len(every) > 1 and part is None and file.is_ome:
+    *others, full = sorted((item.shape for item in every), key=math.prod)
+    smaller = (2 * math.prod(other[k:]) <= math.prod(full[k:]) for other in others for k in (0, -2))
+    if len(every) > 1 and part is None and file.is_ome and all(smaller):
         place = max(range(len(every)), key=lambda k: math.prod(every[k].shape))
         notes.append(
             f"The file holds {len(every)} images, {reading.listing(names, sizes)[0]}; image {place}, counted from 0, "

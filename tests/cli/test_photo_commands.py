@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import re
+import shutil
 import subprocess
 from types import SimpleNamespace
 
@@ -15,6 +17,7 @@ from PIL import Image
 import lommel as lm
 from lommel import imaging
 from lommel.base.encoding import from_light, to_light
+from lommel.cli import video_commands
 from lommel.imaging import depth_of_field
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.io.depth_maps import fill_missing
@@ -32,8 +35,10 @@ W040 = 3.0
 pixel = "40 um"
 shape = 33
 """
+FIELD = '[field]\nsensor = ["2 mm", "2 mm"]\nW131 = 0.1\n'
 PLAIN = LENS.replace("550", "540").replace("W040 = 3.0", "")
 GIVEN = ("plain.toml",)
+PAIR = "--focus 1m --focus 2m --between 1m 3m"
 RNG = np.random.default_rng(7)
 # Noise of one colour: formats for pictures keep light better than colour.
 PHOTO = (RNG.integers(40, 200, (30, 36, 1)) * [1.0, 0.8, 0.6]).astype(np.uint8)
@@ -275,15 +280,67 @@ def test_depth_its_error_and_the_test_of_the_lenses_are_written_and_told(misfit,
     assert told.endswith("wrote d.npy wrote e.npy")
 
 
-def test_an_f_number_may_differ_from_that_of_the_exif_by_its_rounding(call_lommel, folder, monkeypatch):
-    words = ["blur", "camera.png", "depth.npy", "--focus", "2m", "--pixel", "40um", "-o", "a.png", "--f-number"]
+def test_what_the_exif_states_otherwise_than_options_or_the_lens_file_is_named(call_lommel, folder, monkeypatch):
+    def notes(words: str) -> str:
+        return " ".join(json.loads(ran(call_lommel(*words.split(), "--json", folder=folder))).get("notes", []))
+
     monkeypatch.setattr(
         imaging,
         "depth_of_field",
         lambda light, *_, **__: SimpleNamespace(values=light, window=9, lost=0.0, error=0.0),
     )
-    assert call_lommel(*words, "2.039", folder=folder).returncode == 0
-    assert "contradicts the EXIF" in call_lommel(*words, "2.042", folder=folder).stderr
+    tags = Image.Exif()  # 800 pixels per centimetre, of a picture that was twice as large
+    sizes = {0xA20E: 800.0, 0xA20F: 800.0, 0xA210: 3, 0xA002: 72, 0xA003: 60}
+    for name, lens, turned in (
+        ("zoom.jpg", {0x920A: 35.0, 0x829D: 5.6}, 1),
+        ("own.jpg", {0x920A: 50.4, 0x829D: 2.05}, 6),
+    ):
+        tags[0x8769], tags[0x0112] = lens | sizes, turned
+        stored = PHOTO if turned == 1 else np.rot90(PHOTO)
+        Image.fromarray(np.ascontiguousarray(stored)).save(folder / name, exif=tags.tobytes())
+    blur = "blur {} depth.npy {} -o out.png"
+    said = notes(blur.format("zoom.jpg", "plain.toml --pixel 40um"))
+    assert "The EXIF of zoom.jpg states f/5.6; 2 was used." in said
+    assert "The EXIF of zoom.jpg states a focal length of 35 mm; 50 mm was used." in said
+    assert "states pixels of 25 um; 40 um was used, right if the picture was reduced by 1.6." in said
+    for words in (
+        "plain.toml --pixel 25um",
+        "plain.toml --pixel 25.7um --f-number 2.1",
+        "plain.toml --pixel 50um --supersample 2",
+    ):
+        assert "EXIF" not in notes(blur.format("own.jpg", words))
+    assert "EXIF" not in notes(blur.format("photo.png", "plain.toml"))
+    said = notes(blur.format("camera.png", "--focus 2m --pixel 40um --f-number 4"))
+    assert said == "The EXIF of camera.png states f/2; 4 was used."
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "blur camera.png field.toml --over-field -o out.png",
+        "restore camera.png depth.npy plain.toml --white 5000 --read 3 -o out.png --f-number 4",
+        f"depth photo.png camera.png plain.toml {PAIR} --white 5e3 --read 3 --f-number 4",
+        "sharpen camera.png plain.toml --at 1.5m --f-number 4 -o out.png",
+        "sharpen seq plain.toml --at 1.5m --f-number 4 -o out.mkv",
+        f"watch plain.toml --source plain --source seq {PAIR} --f-number 4 --table t.csv",
+    ],
+)
+def test_every_command_compares_the_exif_of_its_photos(words, call_lommel, folder, monkeypatch):
+    def stop(*_: object, **__: object) -> None:
+        raise ValueError("stopped")
+
+    for name in ("field_photograph", "restore", "depth_from_defocus"):
+        monkeypatch.setattr(imaging, name, stop)
+    monkeypatch.setattr(video_commands, "LiveDepth", stop)
+    monkeypatch.setattr(video_commands, "LiveSharpen", stop)
+    (folder / "field.toml").write_text(PLAIN.replace("f_number = 2", "f_number = 4") + FIELD)
+    for place, photo in (("plain", "photo.png"), ("seq", "camera.png")):
+        (folder / place).mkdir()
+        for k in range(3):
+            shutil.copy(folder / photo, folder / place / f"{k}.png")
+    said = call_lommel(*words.split(), folder=folder).stderr
+    assert re.search(r"Note: The EXIF of (\S*seq|camera.png) states f/2; 4 was used\.\n", said), said
+    assert "Error: stopped" in said
 
 
 def test_notes_of_the_library_are_told_with_the_answer(call_lommel, folder):

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 from astropy.io import fits
 
+import lommel as lm
+from lommel.cli.instruments import optics_notes
 from lommel.recorded import frames
 from lommel.recorded.frames import Unusable, open_frames
 
@@ -145,6 +147,25 @@ def test_the_width_of_a_pixel_on_the_sky_is_that_of_astropy(tmp_path):
     for cards in ({"CDELT1": 2.0, "CTYPE1": "LINEAR"}, {"CDELT1": 0.1, "CUNIT1": "s"}, {"PIXSCALE": (9.0, "[um]")}):
         with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **cards)) as images:
             assert "scale" not in images.metadata
+
+
+def test_images_of_counts_have_the_lens_of_their_exif_and_several_files_that_of_each(tmp_path):
+    from PIL import Image
+
+    for name, focal, resolution in (("0.tif", 50.0, 2500.0), ("1.png", 85.0, 2500.0), ("2.tif", 50.0, 0.0)):
+        tags = Image.Exif()
+        tags[0x8769] = {0x920A: focal, 0x829D: 2.8, 0xA20E: resolution, 0xA210: 3}
+        Image.fromarray(COUNTS.astype(np.uint16)).save(tmp_path / name, exif=tags.tobytes())
+    paths = [tmp_path / name for name in ("0.tif", "1.png", "2.tif")]
+    with open_frames(paths[0]) as images:
+        assert images.metadata["focal_length"] == pytest.approx(0.05)
+        assert (images.metadata["f_number"], images.metadata["sensor_pixel"]) == pytest.approx((2.8, 4e-6))
+    metadata = open_frames(*paths).metadata
+    assert metadata["focal_length"] == pytest.approx((0.05, 0.085, 0.05))
+    assert metadata["sensor_pixel"] == pytest.approx((4e-6, 4e-6))
+    lens = lm.Lens(focal_length=0.05, f_number=2.8, wavelength=550e-9)
+    (note,) = optics_notes("It", metadata, 4e-6, lens)
+    assert note == "It states a focal length of 85 mm; 50 mm was used."
 
 
 def test_files_of_two_orders_of_rows_are_refused(tmp_path):

@@ -16,6 +16,7 @@ from lommel.base.options import In, Options, Shown
 from lommel.base.units import ARCSEC, format_length
 from lommel.cli.command import is_number, length
 from lommel.cli.messages import flag_of
+from lommel.io.photos import Exif, optics_of
 from lommel.lensfiles.instrument import Camera, Instrument
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
@@ -325,8 +326,16 @@ def optics_notes(source: str, stated: Facts, pixel: float | None, lens: Lens | N
                 continue
             unit = {"f_number": 1.0, "scale": ARCSEC}.get(key)
             texts = [format_length(v, digits=4) if unit is None else f"{v / unit:.3g}" for v in (value, used)]
-            notes.append(f"{source} states {OPTICS[key].format(texts[0])}; {texts[1]} was used.")
+            reduced = f", right if the picture was reduced by {used / value:.3g}" if used > value else ""
+            reduced = reduced if key == "sensor_pixel" and not is_exact else ""
+            notes.append(f"{source} states {OPTICS[key].format(texts[0])}; {texts[1]} was used{reduced}.")
     return list(dict.fromkeys(notes))
+
+
+def tell_optics(name: object, exif: Exif, pixel: float, lens: Lens) -> None:
+    """Issue a note on each number in the EXIF of a photograph that contradicts the pixel or the lens in use."""
+    for note in optics_notes(f"The EXIF of {validation.line(name)}", optics_of(exif), pixel, lens):
+        validation.tell(note)
 
 
 def take_header(options: Facts, header: Metadata, camera: Camera | None = None) -> list[str]:

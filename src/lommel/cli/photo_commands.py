@@ -26,6 +26,7 @@ from lommel.cli.instruments import (
     mask_of,
     noise_of,
     radial_instrument,
+    tell_optics,
 )
 from lommel.cli.interrupts import Stop
 from lommel.cli.messages import given_flags, with_options
@@ -45,7 +46,6 @@ if TYPE_CHECKING:
     from lommel.imaging.defocus_verdict import DefocusVerdict
     from lommel.imaging.photograph import Pixels
 
-_TOLERANCE = 0.02  # largest relative difference from the EXIF, which has rounded nominal values
 _READ = 3.0  # default read noise, rms electrons, without a camera
 _ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
 
@@ -113,8 +113,8 @@ def blur(
 
     PHOTO is a PNG, JPEG, TIFF, EXR or HEIC, grey or RGB. DEPTH is a depth map of the same size, the
     distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without
-    a lens file LENS, focal length and f-number come from the photo's EXIF; an option that contradicts the EXIF is
-    rejected.
+    a lens file LENS, focal length and f-number come from the photo's EXIF; a lens file or an option that contradicts
+    the EXIF is named.
 
     The aberrations of the lens must be radially symmetric (defocus, spherical), and its aperture round: leave out
     coma, astigmatism and other terms with a direction.
@@ -156,7 +156,7 @@ def blur(
     _refuse(vars(DataSet()).keys() & given_flags(), "is an option for data sets, and needs --batch")
     photo_files.find(output, "--output")
     with Stop().signals(), progress("reading") as status:
-        job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
+        job = Job((photo, depth, lens), output, encoding, camera_options, depth_map, blurring.supersample)
         status("computing PSFs")
         start = time.perf_counter()
         rendered = imaging.depth_of_field(
@@ -170,7 +170,7 @@ def blur(
         )
         seconds = time.perf_counter() - start
         clipped = job.write(rendered.values)
-    return job.report(_errors(rendered, clipped) | {"seconds": seconds}, blurring.supersample)
+    return job.report(_errors(rendered, clipped) | {"seconds": seconds})
 
 
 def _refuse(names: Iterable[str], reason: str) -> None:
@@ -272,6 +272,7 @@ def _through_field(
             )
         camera = camera_options.camera or instrument.camera
         pitch = camera_options.pixel or (instrument.side if camera is None else camera.side)
+        tell_optics(photo.name, photograph.exif, pitch, instrument.lens)
         dtype, stored_as = output_type(photograph, output)
         status("computing PSFs and blurring")
         start = time.perf_counter()
@@ -397,7 +398,9 @@ class Job:
         encoding: Encoding | None,
         stated: PhotoCamera,
         depth_map: imaging.DepthMapOptions,
+        points: int = 1,
     ) -> None:
+        """Read the files; `points` is the number of points of the photo along each side of a pixel of the result."""
         self._photo, depth, lens = files
         self._output = output
         self.photograph = imaging.read_photo(self._photo, encoding)
@@ -416,6 +419,8 @@ class Job:
                 raise ValueError("without a lens file give --focus")
             self.lens = self.lens.focused(stated.focus_distance)
             self.pixel = pixel
+        tell_optics(self._photo.name, self.photograph.exif, self.pixel / points, self.lens)
+        self._points = points
         self._dtype, self._stored_as = output_type(self.photograph, output)
         photo_files.find(output, "--output", holding=f"of {self._dtype}")
 
@@ -426,11 +431,6 @@ class Job:
         if exif.focal_length is None or number is None:
             missing = "focal length" if exif.focal_length is None else "f-number"
             raise ValueError(f"give a lens file: the EXIF of {self._photo} has no {missing}")
-        if exif.f_number is not None and not math.isclose(number, exif.f_number, rel_tol=_TOLERANCE):
-            raise ValueError(
-                f"--f-number f/{number:g} contradicts the EXIF of {self._photo}, f/{exif.f_number:g}; give a lens "
-                "file"
-            )
         wavelength = 540e-9 if self.photograph.values.ndim == 3 else 550e-9
         return Lens(focal_length=exif.focal_length, f_number=number, wavelength=wavelength)
 
@@ -440,15 +440,12 @@ class Job:
             self._output, light, encoding=self._stored_as, dtype=self._dtype, like=self.photograph
         )
 
-    def report(self, facts: Facts, points: int = 1) -> Report:
-        """Return the report: facts of the command, after those common to all commands.
-
-        `points` is the number of points of the photograph along each side of a pixel of the result.
-        """
+    def report(self, facts: Facts) -> Report:
+        """Return the report: facts of the command, after those common to all commands."""
         photograph, lens = self.photograph, self.lens
         height, width, *channels = photograph.values.shape
         common = {
-            "shape": [height // points, width // points, *channels],
+            "shape": [height // self._points, width // self._points, *channels],
             "encoding": _encodings(photograph, self._stored_as),
             "read": _read_as(photograph),
             "bits": "float" if self._dtype.kind == "f" else str(8 * self._dtype.itemsize),
@@ -596,6 +593,8 @@ def depth(
         pictures = [imaging.read_photo(path, encoding) for path in photos]
         if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
+        for path, picture, used in zip(photos, pictures, lenses, strict=True):
+            tell_optics(path.name, picture.exif, instrument.side, used)
         images = apply_mask([picture.values for picture in pictures], photo_noise.mask)
         status("computing the PSFs of every distance")
         start = time.perf_counter()

@@ -26,7 +26,7 @@ from lommel.base.encoding import Encoding, from_light, to_light, warn_if_bright
 from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import percent
 from lommel.cli.command import OUTPUT, command
-from lommel.cli.instruments import FrameNoise, PhotoCamera, noise_of, radial_instrument
+from lommel.cli.instruments import FrameNoise, PhotoCamera, noise_of, radial_instrument, tell_optics
 from lommel.cli.interrupts import Stop
 from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_file, require_folder, written
@@ -183,6 +183,8 @@ def watch(
         tally = Tally()
         with progress("opening the sources", endless=True) as status, ExitStack() as stack:
             pairs = stack.enter_context(videos.frame_pairs(*sources, tell=status.tell))
+            for source, used in zip(pairs.sources, lenses, strict=False):
+                tell_optics(source.name, source.exif, instrument.side, used)
             coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, encoding)
             if coding.guess:
                 status.tell(coding.guess)
@@ -515,6 +517,7 @@ class Clip(NamedTuple):
     frames: Iterator[videos.VideoFrame]
     write: Callable[[Values, float], object]
     video: videos.VideoFrames | None
+    exif: photos.Exif
 
 
 @command
@@ -565,7 +568,8 @@ def sharpen(
     count = 0
     with Stop().signals() as stop, progress("reading", endless=True) as status, ExitStack() as stack:
         coder = partial(coding_of, video_noise=video_noise, camera=instrument.camera, encoding=encoding)
-        shape, coding, frames, write, video = _clip(clip, output, coder, encoding, status, stack)
+        shape, coding, frames, write, video, exif = _clip(clip, output, coder, encoding, status, stack)
+        tell_optics(clip.name, exif, instrument.side, lens_in_use)
         metres = np.array([[at]]) if map_ is None else _map(map_, depth_map, shape[:2])
         distance: float | Array = fill_missing(metres, depth_map.missing or "nearest") if at is None else at
         if map_ is not None:
@@ -664,7 +668,7 @@ def _clip(
         def save(light: Values, _: float) -> None:
             imaging.write_photo(output, light, encoding=stored_as, dtype=dtype, like=picture)
 
-        return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None)
+        return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None, picture.exif)
     form = videos.find(output, "--output")
     video = stack.enter_context(videos.video_frames(str(clip), tell=status.tell))
     coding = coder(video.levels, video.dtype, video.encoding)
@@ -676,7 +680,7 @@ def _clip(
         stored = from_light(light, coding.encoding, np.uint16) if is_16_bit else from_light(light, "srgb", np.uint8)
         write(stored, seconds)
 
-    return Clip(video.shape, coding, video, store, video)
+    return Clip(video.shape, coding, video, store, video, video.exif)
 
 
 class Coding(NamedTuple):

@@ -8,7 +8,7 @@ import re
 import struct
 import warnings
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -40,13 +40,15 @@ _TYPE_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 
 # Types of more than one byte, whose byte order matters.
 _WORD_TYPES = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}
 _MAX_ENTRY_BYTES, _MAX_ENTRIES, _MAX_EXIF_BYTES = 2**12, 256, 2**16 - 256  # limits of EXIF
-_EXPOSURE_TAG, _GPS_TAG = 0x8769, 0x8825  # tags of the subdirectories with exposure and GPS data
+EXPOSURE_TAG, _GPS_TAG = 0x8769, 0x8825  # tags of the subdirectories with exposure and GPS data
+_SENSOR_UNITS = {2: 25.4e-3, 3: 1e-2, 4: 1e-3, 5: 1e-6}  # metres of values of the tag FocalPlaneResolutionUnit
+_SAME_ASPECT = 0.01  # relative difference of the aspect ratios of a picture and of its reduction, by rounding
 _GAMMA_TAG, _INTEROPERABILITY_TAG = 0xA500, 0xA005
 COLOUR_SPACE_TAG = 0xA001
 """Tag of EXIF whose value 1 states sRGB."""
 _COPIED_TAGS = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
 # Tags that are not copied: maker's notes contain offsets into the old file, the other tags describe the old pixels.
-_OMITTED_TAGS = {_EXPOSURE_TAG: (0x927C, 0xA001, 0xA002, 0xA003, 0xA005), _GPS_TAG: ()}
+_OMITTED_TAGS = {EXPOSURE_TAG: (0x927C, *range(0xA001, 0xA006), 0xA20E, 0xA20F, 0xA210), _GPS_TAG: ()}
 
 
 @dataclass(frozen=True)
@@ -61,24 +63,47 @@ class Exif:
     block : bytes or None
         EXIF that :func:`lommel.imaging.write_photo` stores: camera, lens, exposure, dates, place, artist and
         copyright, without orientation, thumbnail and maker's notes.
+    pixel : float or None
+        Pixel pitch on the sensor, metres. If the EXIF has the size of a larger picture of the same aspect ratio, of
+        which this one is a reduction, it is the pitch after the reduction.
     """
 
     focal_length: float | None = None
     f_number: float | None = None
     block: bytes | None = field(default=None, repr=False, compare=False)
+    pixel: float | None = None
 
 
-def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
-    """Return the lens data of a photograph from the tags of its exposure directory and from its `stored` EXIF."""
+def parsed(tags: Mapping[Any, Any], stored: bytes | None, shape: tuple[int, ...]) -> Exif:
+    """Return the lens data of a photograph of a `shape` from the `tags` of exposure and from its `stored` EXIF.
 
-    def positive_value(tag: int) -> float | None:
-        value = tags.get(tag)
-        number = math.nan if value is None else float(value)
+    The keys of `tags` are numbers, as of Pillow, or names, as of tifffile, where rational numbers are pairs.
+    """
+
+    def positive_value(tag: int, name: str) -> float | None:
+        value = tags.get(tag, tags.get(name))
+        try:
+            number = value[0] / value[1] if isinstance(value, tuple) else float(value)
+        except (TypeError, ValueError, ArithmeticError, IndexError):  # None, or damaged
+            return None
         return number if 0.0 < number < math.inf else None
 
-    # FocalLength (millimetres) and FNumber of EXIF 2.32.
-    focal = positive_value(0x920A)
-    return Exif(focal and 1e-3 * focal, positive_value(0x829D), stored and _copy_tags(stored))
+    # Millimetres, and pixels per unit, of EXIF 2.32.
+    focal, resolution = positive_value(0x920A, "FocalLength"), positive_value(0xA20E, "FocalPlaneXResolution")
+    unit = _SENSOR_UNITS.get(tags.get(0xA210, tags.get("FocalPlaneResolutionUnit", 2)), 0.0)
+    pixel = (resolution and unit / resolution) or None
+    columns, rows = positive_value(0xA002, "PixelXDimension"), positive_value(0xA003, "PixelYDimension")
+    if pixel and columns and rows:
+        long, short = (end(columns, rows) / end(shape[:2]) for end in (max, min))
+        pixel *= long if math.isclose(long, short, rel_tol=_SAME_ASPECT) else 1.0
+    number = positive_value(0x829D, "FNumber")
+    return Exif(focal and 1e-3 * focal, number, stored and _copy_tags(stored), pixel)
+
+
+def optics_of(exif: Exif) -> dict[str, float]:
+    """Return the lens data of EXIF as metadata of images."""
+    stated = {"focal_length": exif.focal_length, "f_number": exif.f_number, "sensor_pixel": exif.pixel}
+    return {name: value for name, value in stated.items() if value is not None}
 
 
 def _copy_tags(stored: bytes) -> bytes | None:
@@ -422,8 +447,8 @@ def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None, bool
             raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
         row_step, column_step, transposed = _ORIENTATIONS[int(orientation) - 1]
         values = values[::row_step, ::column_step].swapaxes(0, transposed)
-        exposure = tags.get_ifd(_EXPOSURE_TAG)
-        exif = parsed(exposure, *block or [None])
+        exposure = tags.get_ifd(EXPOSURE_TAG)
+        exif = parsed(exposure, *block or [None], values.shape)
         is_srgb = 1 in (tags.get(COLOUR_SPACE_TAG), exposure.get(COLOUR_SPACE_TAG))
         gamma, colours = float(exposure.get(_GAMMA_TAG, 0.0)), icc.SRGB
         if tags.get_ifd(_INTEROPERABILITY_TAG).get(1) == "R03":  # Adobe RGB, of DCF 2.0

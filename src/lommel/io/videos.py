@@ -144,6 +144,8 @@ class VideoFrames(_ClosingIterator):
         Number of levels that the source can store: 256 for 8 bits; 0 for floats.
     encoding : {"srgb", "linear"}, float or ToneCurves
         Encoding that numbered images state; otherwise linear for floats and for grey of more than 8 bits, else sRGB.
+    exif : Exif
+        Lens data of the first of numbered images.
     number : int
         Number of the latest frame, from 0; missing frames are counted.
     dropped : int
@@ -179,6 +181,7 @@ class VideoFrames(_ClosingIterator):
         high_depth = reader.grey and reader.levels > 256
         assumed = "linear" if high_depth or self.dtype.kind == "f" else "srgb"
         self.encoding: Encoding = getattr(reader, "encoding", None) or assumed
+        self.exif = getattr(reader, "exif", photos.Exif())
         self._latest = _LatestFrames(self._frames, self.name) if self.live else None
 
     def __repr__(self) -> str:
@@ -701,6 +704,7 @@ class _ImageReader:
         if not self._files:
             raise VideoError(f"{self.name} has no numbered images")
         first = photos.read_photo(self._files[0][1])
+        self.exif = first.exif
         values, self.encoding = self._frame(self._files[0][1], first.values), first.encoding if first.stated else None
         self.levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
         self.grey = values.ndim == 2

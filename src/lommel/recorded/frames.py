@@ -1003,6 +1003,8 @@ def _tiff_frames(path: Path, file: TiffFile, part: str | None) -> Frames:
     elif series.kind not in ("generic", "uniform", "shaped"):  # LSM, STK and others, as tifffile names them
         notes.append(f"The metadata of the format {series.kind} are not read: state pixel and step.")
     _with_resolution(metadata, page)
+    if (exposure := page.tags.get(photos.EXPOSURE_TAG)) is not None and isinstance(exposure.value, dict):
+        metadata |= photos.optics_of(photos.parsed(exposure.value, None, series.shape[-2:]))
     notes += metadata.pop("notes", [])
     planes = _TiffPlanes(path, file, series) if mapped is None else _ArrayPlanes(mapped, "it", path)
     notes += _encoding_notes(page.iccprofile)
@@ -1100,7 +1102,8 @@ def _png(data: bytes, _part: str | None) -> tuple[Values, Metadata, list[str]]:
     values, tags, profile, _ = photos.read_png(data)
     if values.ndim != 2:
         raise ValueError(f"it has {values.shape[2]} channels: save the counts of the sensor in grey, of 16 bits")
-    return values, {}, _encoding_notes(profile, is_srgb=photos.COLOUR_SPACE_TAG in tags)
+    stated = photos.optics_of(photos.parsed(tags.get_ifd(photos.EXPOSURE_TAG), None, values.shape))
+    return values, stated, _encoding_notes(profile, is_srgb=photos.COLOUR_SPACE_TAG in tags)
 
 
 def _encoding_notes(profile: bytes | None, *, is_srgb: bool = False) -> list[str]:

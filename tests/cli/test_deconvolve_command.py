@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import tifffile
 
+from lommel.cli.deconvolve_command import StackCamera
 from lommel.microscopy import refinement
 
 OBJECTIVE = """
@@ -66,6 +67,11 @@ def test_a_stack_is_restored_from_file_to_file(run, files, monkeypatch):
     with tifffile.TiffFile(there) as file:
         assert file.asarray().shape == (9, 24, 24)
         assert 'PhysicalSizeZ="0.25"' in file.ome_metadata
+
+
+def test_a_gain_of_1_beside_a_known_read_noise_is_an_assumption():
+    with pytest.warns(UserWarning, match="No gain is known: 1 electron per count was assumed"):
+        assert StackCamera(read=1.6).noise().white is None
 
 
 def test_json_and_zarr(run, files):

@@ -302,7 +302,7 @@ def test_what_the_exif_states_otherwise_than_options_or_the_lens_file_is_named(c
     said = notes(blur.format("zoom.jpg", "plain.toml --pixel 40um"))
     assert "The EXIF of zoom.jpg states f/5.6; 2 was used." in said
     assert "The EXIF of zoom.jpg states a focal length of 35 mm; 50 mm was used." in said
-    assert "states pixels of 25 um; 40 um was used, right if the picture was reduced by 1.6." in said
+    assert "states pixels of 25 um; 40 um, right if the picture was reduced by 1.6, was used." in said
     for words in (
         "plain.toml --pixel 25um",
         "plain.toml --pixel 25.7um --f-number 2.1",

@@ -317,8 +317,8 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
     without = [word for k, word in enumerate(words) if "--gain" not in (word, words[k - 1])]
     expected, said = asked(words)
     assert "header" not in said
-    assert "No gain is stated" not in said
-    assert "No gain is stated: 1 electron per count was assumed" in asked(without, BUNIT="adu")[1]
+    assert "No gain is known" not in said
+    assert "No gain is known: 1 electron per count was assumed" in asked(without, BUNIT="adu")[1]
     taken, said = asked(without, EGAIN=gain, RDNOISE=9.5, SATURATE=60000)
     assert f"Taken from the header of the images: a gain of {gain:g} electrons per count." in said
     assert "The header of the images states a read noise of 9.5 electrons; " in said
@@ -355,7 +355,9 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
         assert "an aperture of " in asked(words, APTDIA=1.1 * sizes["APTDIA"])[1]
         assert "500 nm in its coordinates; " in asked(words, CDELT1=5e-4, CUNIT1="mm")[1]
     _, said = asked(without, GAIN=120)
-    assert "states GAIN = 120, which was not used" in said
+    assert (
+        "No gain is known: 1 electron per count was assumed; --gain states it. The header states GAIN = 120" in said
+    )
 
 
 def test_files_whose_headers_contradict_each_other_are_refused(folder, call_lommel, caplog):

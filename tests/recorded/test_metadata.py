@@ -144,9 +144,14 @@ def test_the_width_of_a_pixel_on_the_sky_is_that_of_astropy(tmp_path):
             with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **given)) as images:
                 assert images.metadata["scale"] == pytest.approx(expected)
                 assert re.search(r"states pixels of \S+ (deg|arcsec) by CDELT1 or CD1_1", " ".join(images.notes))
-    for cards in ({"CDELT1": 2.0, "CTYPE1": "LINEAR"}, {"CDELT1": 0.1, "CUNIT1": "s"}, {"PIXSCALE": (9.0, "[um]")}):
+    for cards in (
+        {"CDELT1": 2.0, "CTYPE1": "LINEAR"},
+        {"CDELT1": 0.1, "CUNIT1": "s"},
+        {"CDELT1": 1e-9, "CUNIT1": "m", "CTYPE1": "WAVE"},
+        {"PIXSCALE": (9.0, "[um]")},
+    ):
         with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **cards)) as images:
-            assert "scale" not in images.metadata
+            assert not images.metadata.keys() & {"scale", "plane_pixel"}
 
 
 def test_images_of_counts_have_the_lens_of_their_exif_and_several_files_that_of_each(tmp_path):

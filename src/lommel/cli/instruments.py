@@ -326,9 +326,9 @@ def optics_notes(source: str, stated: Facts, pixel: float | None, lens: Lens | N
                 continue
             unit = {"f_number": 1.0, "scale": ARCSEC}.get(key)
             texts = [format_length(v, digits=4) if unit is None else f"{v / unit:.3g}" for v in (value, used)]
-            reduced = f", right if the picture was reduced by {used / value:.3g}" if used > value else ""
-            reduced = reduced if key == "sensor_pixel" and not is_exact else ""
-            notes.append(f"{source} states {OPTICS[key].format(texts[0])}; {texts[1]} was used{reduced}.")
+            if key == "sensor_pixel" and used > value and not is_exact:
+                texts[1] += f", right if the picture was reduced by {used / value:.3g},"
+            notes.append(f"{source} states {OPTICS[key].format(texts[0])}; {texts[1]} was used.")
     return list(dict.fromkeys(notes))
 
 
@@ -341,7 +341,8 @@ def tell_optics(name: object, exif: Exif, pixel: float, lens: Lens) -> None:
 def take_header(options: Facts, header: Metadata, camera: Camera | None = None) -> list[str]:
     """Complete gain, read noise, saturation and excess in `options` by the header of images; return notes.
 
-    Options have priority over the camera, and the camera over the header. Notes state header values that differ.
+    Options have priority over the camera, and the camera over the header. Notes state header values that differ, and
+    an assumed gain.
     """
     from lommel.recorded.frames import Unusable
 
@@ -362,11 +363,10 @@ def take_header(options: Facts, header: Metadata, camera: Camera | None = None) 
             notes.append(f"Taken from the header of the images: {phrase.format(value)}{addition}.")
         elif isinstance(used_value, float | int) and abs(used_value - value) > _TOLERANCE * abs(value):
             notes.append(f"The header of the images states {phrase.format(value)}; {used_value:g} was used.")
-    if "unsure" in header and options["white"] is None and camera_values.get("white") is None:
-        notes.append(
-            f"The header of the images states {header['unsure']}, which was not used: it may be electrons per count, "
-            "or a setting of the camera; set the gain by its option."
-        )
+    if options["white"] is None and camera_values.get("white") is None:
+        setting = " The header states {}, not used: it may be a setting." if "unsure" in header else ""
+        way = f"1 electron per count was assumed; {flag_of('white')} states it."
+        notes.append(f"No gain is known: {way}{setting.format(header.get('unsure'))}")
     return notes
 
 
@@ -437,15 +437,12 @@ class CameraNoise(Sensor):
     ) -> tuple[Noise, float | None, list[str]]:
         """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header.
 
-        Notes state an assumed gain, and the optics in the header that differ from the pixel (metres) and the lens.
+        Notes state the optics in the header that differ from the pixel (metres) and the lens.
         """
         options = self.values() | {"saturation": self.saturation}
         notes = take_header(options, header, camera)
         notes += optics_notes("The header of the images", header, pixel, lens)
         noise = noise_of(options, camera)
-        if options["white"] is None and (camera is None or camera.gain is None):
-            way = f"{flag_of('white')} states it, or a camera by {flag_of('camera')}"
-            notes.append(f"No gain is stated: 1 electron per count was assumed; {way}.")
         # The files of such cameras do not state whether the electron multiplication was on.
         if camera is not None and "EMCCD" in camera.name and noise.excess == 1.0:
             notes.append(

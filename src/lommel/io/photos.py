@@ -448,7 +448,7 @@ def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None, bool
         row_step, column_step, transposed = _ORIENTATIONS[int(orientation) - 1]
         values = values[::row_step, ::column_step].swapaxes(0, transposed)
         exposure = tags.get_ifd(EXPOSURE_TAG)
-        exif = parsed(exposure, *block or [None], values.shape)
+        exif = parsed(exposure, block[0] if block else None, values.shape)
         is_srgb = 1 in (tags.get(COLOUR_SPACE_TAG), exposure.get(COLOUR_SPACE_TAG))
         gamma, colours = float(exposure.get(_GAMMA_TAG, 0.0)), icc.SRGB
         if tags.get_ifd(_INTEROPERABILITY_TAG).get(1) == "R03":  # Adobe RGB, of DCF 2.0

@@ -324,11 +324,11 @@ def _coordinate_step(header: Mapping[str, object]) -> tuple[float, str]:
     def card(name: str, default: float = 0.0) -> float:
         return value if isinstance(value := number(str(header.get(name, "")), least=-math.inf), float) else default
 
-    is_sky = re.match(r"(RA|DEC|.LON|.LAT)-", str(header.get("CTYPE1", "")))
-    unit = str(header.get("CUNIT1") or ("deg" if is_sky else "")).strip()
+    kind = str(header.get("CTYPE1", ""))
+    unit = str(header.get("CUNIT1") or ("deg" if re.match(r"(RA|DEC|.LON|.LAT)-", kind) else "")).strip()
     step = math.hypot(card("CDELT1") * card("PC1_1", 1.0), card("CDELT2") * card("PC2_1"))
     step = math.hypot(card("CD1_1"), card("CD2_1")) or step
-    return step, unit if step and unit in LENGTHS | ANGLES else ""
+    return step, unit if step and unit in LENGTHS | ANGLES and "WAV" not in kind else ""
 
 
 def _are_electrons(header: Mapping[str, object]) -> bool:

@@ -253,7 +253,7 @@ def restore(
     return Restoration(
         values, restored, discrepancy, tuple(map(float, after)), before, result.steps,
         stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,
-        findings=_findings(stopped, discrepancy),
+        findings=_findings(stopped, discrepancy, 1.0 + observed.slack),
     )  # fmt: skip
 
 
@@ -288,13 +288,13 @@ def full_light(photo: Pixels, encoding: Encoding, saturation: float | None) -> f
     return float(to_light("photo", np.full((1, 3), full, dtype=photo.dtype), encoding, np.float64).min())
 
 
-def _findings(stopped: str, discrepancy: float) -> Findings:
-    """Return the findings on the restoration of a photograph."""
+def _findings(stopped: str, discrepancy: float, limit: float) -> Findings:
+    """Return the findings on a restored photograph; `limit`: the largest discrepancy that noise explains."""
     numbers = {"discrepancy": discrepancy}
     if stopped == MISFIT:
         text = "depth, lens or noise do not fit the photograph, which is returned unchanged"
         return Findings([Finding("misfit", "error", text, numbers)])
     if stopped == STEPS:
         text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more steps fit better"
-        return Findings([Finding("not_settled", "doubt", text, numbers)])
+        return Findings([Finding("not_settled", "error" if discrepancy > limit else "doubt", text, numbers)])
     return Findings()

@@ -191,7 +191,7 @@ def _finding(
     # More steps would fit a wrong PSF by artefacts.
     advice = "correct the PSF first" if "psf_doubtful" in doubts else "allow more steps"
     text = f"the residual exceeds the noise after the {steps} steps of the method; {advice}"
-    return Finding("not_settled", "doubt", text, {"discrepancy": discrepancy, "steps": steps})
+    return Finding("not_settled", "error", text, {"discrepancy": discrepancy, "steps": steps})
 
 
 def _reason(finding: Finding | None, stopped: str) -> str:

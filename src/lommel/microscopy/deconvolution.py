@@ -472,7 +472,7 @@ def _conclude(
         )
         findings.append(Finding("untested", "note", text, {"rim": model.rim, "most": MAX_RIM}))
     if outcome.stopped == INTERRUPTED:
-        findings.append(Finding("interrupted", "doubt", "it was interrupted: the completed steps are kept"))
+        findings.append(Finding("interrupted", "error", "it was interrupted: the completed steps are kept"))
 
 
 def _explain_misfit(misfit: Finding, alternatives: list[str]) -> Finding:

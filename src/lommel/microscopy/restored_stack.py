@@ -92,10 +92,10 @@ class RestoredStack(FitReport):
     notes : tuple of str
         Sentences on the values that were taken from the file, estimated or assumed.
     findings : Findings
-        Results of the checks of all channels. Errors: "misfit" and "too_quiet". Doubts: "psf_doubtful", where
-        held-out photons agree better with another PSF; "misfit" where no other PSF fits better; "hot_pixels",
-        "not_settled" and "interrupted". All other findings are notes. Findings set ``converged``, ``reliable`` and
-        ``status``.
+        Results of the checks of all channels. Errors: "misfit", "too_quiet", and "not_settled" and "interrupted",
+        where the steps ended above the noise. Doubts: "psf_doubtful", where held-out photons agree better with
+        another PSF; "misfit" where no other PSF fits better; "hot_pixels". All other findings are notes. Findings
+        set ``converged``, ``reliable`` and ``status``.
     summary : str
         Discrepancy and number of steps of each channel.
     """

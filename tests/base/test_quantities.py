@@ -101,3 +101,27 @@ def test_lengths_frequencies_and_maps_with_units_are_those_in_metres():
     chart = lm.opd_map(lm.Wavefront(1.0), 24, unit="radians")
     found = lm.fit_opd(chart * u.um, unit="nm", wavelength=550e-9, degree=3)
     assert found.wavefront.defocus == pytest.approx(2e-6 * np.pi / 550e-9)
+
+
+def test_a_map_with_a_unit_is_fitted_without_another_statement_of_it():
+    u = pytest.importorskip("astropy.units")
+    xr = pytest.importorskip("xarray")
+    chart = lm.opd_map(lm.Wavefront(1.0), 24)
+    for path in (chart * u.nm, [chart * u.nm], xr.DataArray(chart, dims=("y", "x"), attrs={"units": "nm"})):
+        found = lm.fit_opd(path, wavelength=550e-9, degree=3)
+        assert found.unit == "metres"
+        assert found.wavefront.defocus == pytest.approx(2e-9 * np.pi / 550e-9)
+    found = lm.fit_opd(np.rad2deg(chart) * u.deg, degree=3)
+    assert (found.unit, found.wavefront.defocus) == ("radians", pytest.approx(1.0))
+    for other, error, words in ((chart, TypeError, "unless opd is"), (chart * u.s, ValueError, "^opd must be in r")):
+        with pytest.raises(error, match=words):
+            lm.fit_opd(other, wavelength=550e-9, degree=3)
+
+
+def test_sizes_in_pixels_are_integers():
+    u = pytest.importorskip("astropy.units")
+    for shape, right in ((5 * u.pix, (5, 5)), ((3 * u.pix, 5), (3, 5)), ([3, 5] * u.pix, (3, 5))):
+        assert lm.psf(lm.Pupil(), shape, 0.5).values.shape == right
+    for shape in (5.5 * u.pix, 5 * u.mm, np.inf * u.pix):
+        with pytest.raises((TypeError, ValueError), match=r"^shape must be"):
+            lm.psf(lm.Pupil(), shape, 0.5)

@@ -9,6 +9,7 @@ import tifffile
 import xarray
 import zarr
 
+import lommel as lm
 from lommel.recorded.frames import RecordingError, open_frames
 
 STACK = np.random.default_rng(0).poisson(100, (3, 4, 5)).astype(np.uint16)
@@ -292,3 +293,11 @@ def test_names_of_the_axes_of_an_array_are_those_of_its_images(tmp_path):
             open_frames(kind(("pose", "z", "y", "x"))).as_channels()
     with pytest.raises(ValueError, match="must have rows and columns as its last axes, got the axes x, y, z, c"):
         open_frames(kind(("x", "y", "z", "c")))
+
+
+def test_voxels_that_cannot_be_used_are_named_together(tmp_path):
+    sheared = folder(tmp_path / "a.zarr", multiscales(TRANSFORMS["sheared"][0]))
+    lens = lm.Objective(NA=1.3, magnification=63, immersion=1.518)
+    for given, words in (({}, r"give pixel= \(on the camera\) and step="), ({"pixel": 6.5e-6}, "give step=")):
+        with pytest.raises(ValueError, match=rf"a.zarr states an affine .* cannot be used: {words}"):
+            lm.microscopy.deconvolve(sheared, lens, wavelength=6e-7, noise=lm.Noise(read=1.0), **given)

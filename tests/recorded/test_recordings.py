@@ -166,7 +166,9 @@ def test_a_length_that_is_stated_but_unusable_is_not_replaced_by_another(value, 
         assert (found.metadata["step"], found.metadata["unusable"]) == (None, {"step": words})
         assert f"The file states a plane spacing of {words}, which cannot be used." in found.notes
     objective = load_microscope(example_files()["zeiss-63x-1.4-oil"])
-    with pytest.raises(ValueError, match=rf"a\.ome\.tif states {words} between planes, .*: give step=, in metres"):
+    with pytest.raises(
+        ValueError, match=rf"a\.ome\.tif states {words} between planes, .*: give step= \(of the stage\), in metres"
+    ):
         microscopy.deconvolve(path, objective)
     bad = {"Name": ["a", "b"], "EmissionWavelength": [0, 520]}
     path = write(tmp_path / "b.ome.tif", STACK, "CZYX", Channel=bad)

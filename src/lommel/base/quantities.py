@@ -112,17 +112,36 @@ def in_unit(name: str, value: Any, unit: str = "") -> Any:
         raise ValueError(
             f"{name} has columns named {_listed(columns)}, which no argument has; give {name}.to_numpy()"
         )
-    stated = next((u for u in (getattr(value, key, None) for key in ("unit", "units")) if u is not None), None)
-    if stated is None or callable(stated) or isinstance(stated, tuple):  # functions and pairs of other libraries
-        return value
-    return _converted(name, value, stated, unit)
+    stated = stated_unit(value)
+    return value if stated is None else _converted(name, value, stated, unit)
+
+
+def stated_unit(value: Any) -> Any:
+    """Return the unit that a value, or the first of a list, states, in the form of its library; None without one."""
+    if isinstance(value, list | tuple) and value:
+        return stated_unit(value[0])
+    if type(value) in BARE:
+        return None
+    attributes = getattr(value, "attrs", {}) if hasattr(value, "dims") else {}  # of xarray
+    held = (value, getattr(value, "data", None))
+    stated = [attributes.get("units"), attributes.get("unit")]
+    stated += [getattr(part, key, None) for part in held for key in ("unit", "units")]
+    # Other libraries have functions and pairs of these names.
+    return next((unit for unit in stated if not (unit is None or callable(unit) or isinstance(unit, tuple))), None)
+
+
+def is_length(stated: Any) -> bool:
+    """Whether a stated unit is one of length."""
+    try:
+        return _factor(stated, "m") > 0.0
+    except Exception:  # each library raises errors of its own
+        return False
 
 
 def refuse_electrons(name: str, value: Any) -> None:
     """Raise ValueError for an array in electrons, or a list of such, where a noise states electrons per count."""
     for part in value if isinstance(value, list | tuple) else [value]:
-        stated = None if type(part) in BARE else getattr(part, "unit", None)
-        if str(stated).lower() in ("electron", "electrons"):
+        if str(stated_unit(part)).lower() in ("electron", "electrons"):
             raise ValueError(
                 f"{name} must be in counts with a noise that states white, got electrons: leave white out"
             )
@@ -140,9 +159,8 @@ def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
             f"{name} must have axes named y and x, or row and column, behind all others, got {_listed(dims)}; "
             f"give {name}.values if its axes are in order"
         )
-    stated = value.attrs.get("units", value.attrs.get("unit"))
-    held = value.data
-    return in_unit(name, held, unit) if stated is None else _converted(name, held, stated, unit)
+    stated = stated_unit(value)
+    return value.data if stated is None else _converted(name, value.data, stated, unit)
 
 
 def in_order(dims: Sequence[Any]) -> list[Any]:

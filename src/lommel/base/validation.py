@@ -350,6 +350,9 @@ def kind(name: str, value: object, *allowed: type[np.generic]) -> np.dtype[Any]:
 
 def image_shape(shape: object, name: str = "shape") -> tuple[int, int]:
     """Return ``(height, width)`` from an int (a square) or a pair of ints, each 1 to `MAX_SIDE`."""
+    if (pixels := in_unit(name, shape, "pixels")) is not shape:  # floats, as those of astropy are
+        stated = [int(side) if side.is_integer() else side for side in np.ravel(pixels).astype(np.float64).tolist()]
+        shape = stated if np.ndim(pixels) else stated[0]
     if isinstance(shape, tuple | list) or (isinstance(shape, np.ndarray) and shape.ndim > 0):
         sides = tuple(shape)
     else:

@@ -70,6 +70,12 @@ def sampled(
         raise ValueError(
             f"stack must have 3 planes or more, got {planes}; for single images use lommel.imaging.restore"
         )
+    words = recording.metadata["unusable"]
+    places = {"pixel": ("in the sample", "on the camera"), "step": ("between planes", "of the stage")}
+    if missing := [name for name in places if name in words and getattr(stated, name) is None]:
+        sizes = " and ".join(f"{words[name]} {places[name][0]}" for name in missing)
+        names = " and ".join(f"{name}= ({places[name][1]})" for name in missing)
+        raise ValueError(f"{_source(recording)} states {sizes}, which cannot be used: give {names}, in metres")
     first_note = len(notes)
     pixel = _pixel(recording, lens, device, stated.pixel, notes)
     doubt = notes[-1] if len(notes) > first_note and "objective file states" in notes[-1] else ""
@@ -115,6 +121,10 @@ def sampled(
     sizes = {"pixel": pixel / lens.magnification, "step": step, "emission": tuple(waves)}
     used = replace(recording, metadata=recording.metadata | sizes)
     return Sampled(used, models, doubt)
+
+
+def _source(recording: Frames) -> str:
+    return "an array" if recording.path is None else line(recording.path)
 
 
 def _with_psf(recording: Frames, psf: PSF, stated: Stated) -> Sampled:
@@ -175,13 +185,6 @@ def _length(
         if of_file is not None and abs(argument - of_file) > _TOLERANCE * of_file:
             notes.append(f"The argument {name}={format_length(argument)} was used, not the value of the file.")
         return argument
-    source = "an array" if recording.path is None else line(recording.path)
-    if words := recording.metadata["unusable"].get(name):
-        place = "in the sample" if name == "pixel" else "between planes"
-        raise ValueError(
-            f"{source} states {words} {place}, which cannot be used: give {name}=, in metres"
-            + (" on the camera" if name == "pixel" else "")
-        )
     if of_file is not None:
         if of_microscope is not None and abs(of_microscope - of_file) > _TOLERANCE * of_file:
             text = f"The {name} of the stack, {format_length(of_file)}, was used; the objective file states "
@@ -189,7 +192,8 @@ def _length(
         return of_file
     if of_microscope is None:
         raise ValueError(
-            f"{source} states no voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
+            f"{_source(recording)} states no voxel size: give pixel= (on the camera) and step= (of the stage), in "
+            "metres"
         )
     place = "on the camera" if name == "pixel" else "of the stage"
     notes.append(

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.base.quantities import is_length, stated_unit
 from lommel.base.units import percent
 from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront, radians_per
 from lommel.special import zernike
@@ -173,7 +174,8 @@ def fit_opd(
         masked array is given. :func:`lommel.load_opd` reads an OPDMap from a file.
     unit : str
         Unit of `opd`: "radians", "waves", "metres" or another length, which needs `wavelength`. Omit it for an
-        OPDMap, which is in metres. A longer optical path must be positive, as in the phase: otherwise pass ``-opd``.
+        OPDMap, which is in metres, or an array with a unit, whose fit is then in metres or radians. A longer optical
+        path must be positive, as in the phase: otherwise pass ``-opd``.
     wavelength : float, optional
         Wavelength, metres. Default: the wavelength of the OPDMap, if it has one.
     mask : array_like of bool, shape (height, width) or the shape of `opd`, optional
@@ -211,8 +213,10 @@ def fit_opd(
         unit, wavelength = "metres", opd.wavelength if wavelength is None else wavelength
         # NaN is "not measured" in an OPDMap.
         opd = np.ma.masked_invalid(opd.values)
+    elif unit is None and (stated := stated_unit(opd)) is None:
+        raise TypeError("unit must be given, 'radians', 'waves' or 'metres', unless opd is an OPDMap or has a unit")
     elif unit is None:
-        raise TypeError("unit must be given, 'radians', 'waves' or 'metres', unless opd is an OPDMap")
+        unit = "metres" if is_length(stated) else "radians"
     scale = radians_per(unit, wavelength)
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
     eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)

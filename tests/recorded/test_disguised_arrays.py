@@ -160,7 +160,7 @@ def in_hdf5(values: np.ndarray) -> Any:
     return h5py.File(io.BytesIO(), "w").create_dataset("images", data=values)
 
 
-ccd = partial(CCDData, unit="adu")
+ccd = partial(CCDData, unit="ct")
 PLAIN: dict[str, Callable[[np.ndarray], Any]] = {
     "list": list,
     "tuple": tuple,
@@ -180,7 +180,7 @@ PLAIN: dict[str, Callable[[np.ndarray], Any]] = {
     "xarray of dask": lambda values: labelled(lazy(values)),
     "zarr": in_zarr,
     "hdf5": in_hdf5,
-    "quantity": lambda values: values * astropy.units.adu,
+    "quantity": lambda values: values * astropy.units.ct,
     "np.ma": np.ma.masked_array,
     "np.ma, an empty mask": lambda values: np.ma.masked_array(values, np.zeros(values.shape, dtype=bool)),
     "astropy Masked": lambda values: Masked(values, mask=np.zeros(values.shape, dtype=bool)),
@@ -203,7 +203,7 @@ MASKS: dict[str, Callable[[np.ndarray, np.ndarray], Any]] = {
     "list of astropy Masked": lambda values, mask: [
         Masked(one, mask=hidden) for one, hidden in zip(values, mask, strict=True)
     ],
-    "astropy Masked quantity": lambda values, mask: Masked(values.astype(float) * astropy.units.adu, mask=mask),
+    "astropy Masked quantity": lambda values, mask: Masked(values.astype(float) * astropy.units.ct, mask=mask),
     "xarray with NaN": lambda values, mask: labelled(np.where(mask, np.nan, values)),
     "xarray, where": lambda values, mask: labelled(values).where(~labelled(mask)),
     "xarray of masked dask": lambda values, mask: labelled(dask.array.ma.masked_where(lazy(mask), lazy(values))),
@@ -219,7 +219,7 @@ REFUSED = {
     "NDData": "must hold (real numbers|unsigned integers or floats|metres)",
 }
 DASK_PAIR = "must both be dask arrays if one is"
-COUNTS = r"depth(\[0\])? must be in metres, got the unit adu"  # these containers hold counts
+COUNTS = r"depth(\[0\])? must be in metres, got the unit ct"  # these containers hold counts
 
 
 def cases(kinds: dict[str, Any]) -> list[Any]:

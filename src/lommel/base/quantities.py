@@ -66,6 +66,8 @@ AXES |= {"X": ("x", "col", "column", "columns", "width")}
 """Names of the axes of images by their letter, in the order of arrays; axes of other names come first."""
 LETTERS = {name: letter for letter, names in AXES.items() for name in names}
 """The letter of each name of an axis."""
+EVEN = 0.02
+"""Relative difference up to which steps of coordinates, and sizes that are stated twice, agree."""
 BARE = (float, int, np.ndarray, np.float64, str, bool, type(None))
 """Types without unit, labels or mask, tested first because they are frequent."""
 
@@ -122,7 +124,7 @@ def stated_unit(value: Any) -> Any:
         return stated_unit(value[0])
     if type(value) in BARE:
         return None
-    attributes = getattr(value, "attrs", {}) if hasattr(value, "dims") else {}  # of xarray
+    attributes = value.attrs if isinstance(getattr(value, "dims", None), tuple) else {}  # of xarray
     held = (value, getattr(value, "data", None))
     stated = [attributes.get("units"), attributes.get("unit")]
     stated += [getattr(part, key, None) for part in held for key in ("unit", "units")]
@@ -159,8 +161,33 @@ def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
             f"{name} must have axes named y and x, or row and column, behind all others, got {_listed(dims)}; "
             f"give {name}.values if its axes are in order"
         )
+    (y, of_y), (x, of_x) = (spacings(name, value).get(letter, (1.0, None)) for letter in "YX")
+    if unit not in _COUNTS and of_x == of_y and abs(y - x) > EVEN * x:  # cameras have pixels of any sides
+        raise ValueError(f"{name} must have square pixels, got coordinates in steps of {y:g} (y) and {x:g} (x)")
     stated = stated_unit(value)
     return value.data if stated is None else _converted(name, value.data, stated, unit)
+
+
+def spacings(name: str, value: Any) -> dict[str, tuple[float | str, Any]]:
+    """Return the step of the coordinates along Z, Y and X of a labelled array, and its unit or None, by letter.
+
+    The step of uneven planes is a text. ValueError if rows or columns do not rise in equal steps.
+    """
+    found: dict[str, tuple[float | str, Any]] = {}
+    for dim in value.dims if hasattr(value, "coords") and len(value.dims) > 1 else ():
+        letter, axis = LETTERS.get(str(dim).lower(), "?"), value.coords.get(dim)
+        if letter not in "ZYX" or axis is None or axis.dtype.kind not in "iuf" or axis.size < 2:
+            continue
+        steps = np.diff(np.asarray(axis, np.float64))
+        mean, text = float(steps.mean()), f"{steps.min():g} to {steps.max():g}"
+        is_even = np.abs(steps - mean).max() <= EVEN * abs(mean)
+        if letter != "Z" and not (is_even and mean > 0.0):
+            raise ValueError(
+                f"{name} must have coordinates {dim} that rise in equal steps, got steps of {text}: resample or sort "
+                "it (sortby), or drop them (drop_vars)"
+            )
+        found[letter] = mean if is_even else text, stated_unit(axis)
+    return found
 
 
 def in_order(dims: Sequence[Any]) -> list[Any]:

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from lommel.estimation.field_fit import FieldFit
     from lommel.estimation.phase_retrieval import Retrieval
     from lommel.lensfiles.microscope_files import Microscope
-    from lommel.recorded.frames import Unusable
+    from lommel.recorded.headers import Unusable
 
 _MOST_CROSSINGS = 100
 _WAVE = 2.0 * math.pi  # radians
@@ -455,7 +455,8 @@ def beads(
     from lommel.estimation.beads import fit_beads
     from lommel.estimation.star_images import label
     from lommel.lensfiles.microscope_files import stage_step
-    from lommel.recorded.frames import combined_metadata, read_each
+    from lommel.recorded.frames import read_each
+    from lommel.recorded.headers import combined_metadata
 
     require_file(output, ".toml")
     microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)

@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 
     from lommel.base.arrays import Array, Values
     from lommel.lensfiles.microscope_files import Microscope
-    from lommel.recorded.frames import Frames, Metadata
+    from lommel.recorded.frames import Frames
+    from lommel.recorded.headers import Metadata
 
 
 def _camera(text: str) -> Camera:
@@ -297,20 +298,13 @@ def noise_of(options: Facts, camera: Camera | None, *, photographs: bool = False
     return Noise(**{name: value for name, value in values.items() if value is not None})
 
 
-_HEADER_VALUES = {
-    "white": ("gain", "a gain of {:g} electrons per count"),
-    "read": ("read", "a read noise of {:g} electrons"),
-    "saturation": ("saturation", "saturation at {:g}"),
-    "excess": ("excess", "an electron-multiplying camera, excess noise {:g}"),
-}
-_EXCESS_NOTE = "; gain and read noise must refer to electrons before multiplication, divided by the EM gain"
 _TOLERANCE = 0.02  # relative difference up to which values count as equal
 _NOMINAL = 0.05  # the same of nominal values: f-numbers, plate scales and the data of EXIF
 
 
 def optics_notes(source: str, stated: Facts, pixel: float | None, lens: Lens | None = None) -> list[str]:
     """Return a note on each number of the optics that a file states and that differs from the number in use."""
-    from lommel.recorded.frames import OPTICS
+    from lommel.recorded.headers import OPTICS
 
     in_use: dict[str, float | None] = {"sensor_pixel": pixel}
     if lens is not None:
@@ -338,56 +332,12 @@ def tell_optics(name: object, exif: Exif, pixel: float, lens: Lens) -> None:
         validation.tell(note)
 
 
-def take_header(options: Facts, header: Metadata, camera: Camera | None = None) -> list[str]:
-    """Complete gain, read noise, saturation and excess in `options` by the header of images; return notes.
-
-    Options have priority over the camera, and the camera over the header. Notes state header values that differ, and
-    an assumed gain.
-    """
-    from lommel.recorded.frames import Unusable
-
-    camera_values, notes = camera_facts(camera), []
-    for name, (key, phrase) in _HEADER_VALUES.items():
-        value = header.get(key)
-        if isinstance(value, Unusable):
-            words = value.words if value.words.startswith("values in ") else f"{key} {value.words}"
-            if key != "saturation" and options.get(name) is None and camera_values.get(name) is None:
-                raise ValueError(f"the header of the images states {words}: state {name}=")
-            notes.append(f"The header of the images states {words}, which cannot be used.")
-        if not isinstance(value, float):
-            continue
-        used_value = camera_values.get(name) if options.get(name) is None else options[name]
-        if used_value is None:
-            options[name] = value
-            addition = _EXCESS_NOTE if name == "excess" else ""
-            notes.append(f"Taken from the header of the images: {phrase.format(value)}{addition}.")
-        elif isinstance(used_value, float | int) and abs(used_value - value) > _TOLERANCE * abs(value):
-            notes.append(f"The header of the images states {phrase.format(value)}; {used_value:g} was used.")
-    if options["white"] is None and camera_values.get("white") is None:
-        setting = " The header states {}, not used: it may be a setting." if "unsure" in header else ""
-        way = f"1 electron per count was assumed; {flag_of('white')} states it."
-        notes.append(f"No gain is known: {way}{setting.format(header.get('unsure'))}")
-    return notes
-
-
 def header_differences(header: Metadata, microscope: Microscope, step: float | None = None) -> dict[str, str]:
     """Return a note on each header value of images (pixel, emission, `step`) that differs from the value in use."""
-    from lommel.recorded.frames import Unusable
+    from lommel.recorded.headers import size_notes
 
-    pixel, emission = header.get("pixel"), next(iter(header.get("emission") or ()), None)
-    comparisons = {
-        "pixel": ("pixels of {} in the sample", pixel, microscope.pixel / microscope.objective.magnification),
-        "emission": ("an emission of {}", emission, microscope.wavelength),
-        "step": ("planes {} apart", header.get("step"), step),
-    }
-    notes = dict[str, str]()
-    for name, (phrase, value, in_use) in comparisons.items():
-        if in_use is None or not isinstance(value, float | Unusable):
-            continue
-        text = value.words if isinstance(value, Unusable) else format_length(value, digits=4)
-        if isinstance(value, Unusable) or abs(value - abs(in_use)) > _TOLERANCE * abs(in_use):
-            notes[name] = f"The images state {phrase.format(text)}, but {format_length(in_use, digits=4)} was used."
-    return notes
+    pixel = microscope.pixel / microscope.objective.magnification
+    return size_notes(header, pixel=pixel, emission=microscope.wavelength, step=step)
 
 
 _UNITS = {
@@ -437,10 +387,14 @@ class CameraNoise(Sensor):
     ) -> tuple[Noise, float | None, list[str]]:
         """Return (1) noise, (2) saturation, (3) notes; options override the camera, and the camera the header.
 
-        Notes state the optics in the header that differ from the pixel (metres) and the lens.
+        Notes state an assumed gain, and the optics in the header that differ from the pixel (metres) and the lens.
         """
+        from lommel.recorded.headers import assumed_gain, take_header
+
         options = self.values() | {"saturation": self.saturation}
-        notes = take_header(options, header, camera)
+        notes = take_header(options, header, camera_facts(camera))
+        if options["white"] is None and (camera is None or camera.gain is None):
+            notes.append(assumed_gain(header, flag_of("white")))
         notes += optics_notes("The header of the images", header, pixel, lens)
         noise = noise_of(options, camera)
         # The files of such cameras do not state whether the electron multiplication was on.

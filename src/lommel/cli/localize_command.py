@@ -116,7 +116,9 @@ def localize(
             options, progress=lambda count, total: report_progress(f"frame {count} of {total}", count / total)
         )
         with writer(*outputs) as write:
-            for part in movie_blocks(frames, table, noise, told, mask=mask, saturation=saturation):
+            for part in movie_blocks(
+                dataclasses.replace(frames, metadata={}), table, noise, told, mask=mask, saturation=saturation
+            ):
                 write(part)
                 parts.append(part if figure is not None else _keep_report_columns(part))
     molecules_found = joined(parts)

@@ -42,6 +42,7 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
 from lommel.recorded.counts import Counts, counts_of, recording_findings
+from lommel.recorded.headers import tell_sizes
 from lommel.recorded.noise import Noise, random_numbers
 from lommel.special import zernike
 
@@ -349,6 +350,8 @@ def fit_stars(
     defoci = known_defocus(options.defocus, len(values), "images")
     draw = random_numbers(options.seed)
     pixel = in_unit("pixel", pixel, pupil.unit)
+    if pupil.wavelength is not None:
+        tell_sizes(counts.metadata, pixel)
     plan = Plan(values.shape[1:], pixel, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
     if options.blur is not False:
         if {*unknowns.places} != {*SHIFTS} or unknowns.pupil:

@@ -26,6 +26,7 @@ from lommel.localize.localizations import Localizations, MovieInfo, columns, joi
 from lommel.localize.table import Table
 from lommel.recorded.counts import Counts
 from lommel.recorded.frames import Frames, blocks_of, frames_of
+from lommel.recorded.headers import Metadata, metadata_of, tell_sizes, with_header
 from lommel.recorded.noise import Noise
 
 _HEIGHTS, _ITERATIONS = 65, 100  # fit of Gaussians: number of heights z, and number of iterations
@@ -163,12 +164,13 @@ def movie_blocks(
     """Yield the localisations of a movie by blocks of `block` frames."""
     validation.instance("table", table, Table)
     validation.optional("noise", noise, Noise)
-    camera = noise or Noise(read=0.0)
     background, widths = options.background, gaussian_widths(table)
     # Median over z of the geometric mean of the widths along y and x.
     width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
-    search = partial(find, box=table.shape, noise=camera, width=width)
-    with _open_blocks(movie, block) as (shape, blocks, name):
+    with _open_blocks(movie, block) as (shape, blocks, name, header):
+        camera, saturation = with_header(noise, saturation, header, read=0.0)
+        tell_sizes(header, table.pixel, magnification=table.pupil.magnification)
+        search = partial(find, box=table.shape, noise=camera, width=width)
         pixel = table.pixel / table.pupil.magnification  # in the sample
         along = "none" if options.flat else table.along
         recording = MovieInfo(*shape, pixel, table.shape, along, name)
@@ -234,23 +236,29 @@ def _recentred(
 @contextmanager
 def _open_blocks(
     movie: Frames | str | PathLike[str] | ArrayLike | Counts, block: int | None
-) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str]]:
-    """Yield the shape of a movie, an iterator over its blocks of frames, and its file name ("" for an array)."""
+) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str, Metadata]]:
+    """Yield the shape of a movie, an iterator over its blocks, its file name ("" for an array), and its metadata."""
     if isinstance(movie, str | PathLike | Frames):
         with nullcontext(movie) if isinstance(movie, Frames) else frames_of("movie", movie) as frames:
             stack = frames.as_stack()
             count, rows, columns = stack.shape
-            yield (count, rows, columns), stack.blocks(block), "" if stack.path is None else stack.path.name
+            yield (
+                (count, rows, columns),
+                stack.blocks(block),
+                "" if stack.path is None else stack.path.name,
+                stack.metadata,
+            )
         return
     if isinstance(movie, Counts):
-        values = movie.values  # perhaps read on demand
+        values, header = movie.values, movie.metadata  # perhaps read on demand
     else:
+        header = metadata_of("movie", movie)
         values, mask = validation.parted("movie", movie, "counts")
         values = values if mask is None else np.ma.masked_array(values, mask)
     if len(values.shape) != 3 or 0 in values.shape:
         raise ValueError(f"movie must have the shape (frames, rows, columns), got {values.shape}")
     count, rows, columns = values.shape
-    yield (count, rows, columns), blocks_of(values, block), ""
+    yield (count, rows, columns), blocks_of(values, block), "", header
 
 
 def _localizations(

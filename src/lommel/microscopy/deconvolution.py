@@ -33,6 +33,7 @@ from lommel.psf import PSF
 from lommel.recorded.copies import local_stacks
 from lommel.recorded.counts import LARGEST, Counts
 from lommel.recorded.frames import Frames, frames_of
+from lommel.recorded.headers import Metadata, with_header
 from lommel.recorded.noise import Noise
 
 _BACKGROUNDS = {"flat": 1, "uneven": 3}  # points along each side of the field at which levels are estimated
@@ -252,9 +253,11 @@ def run(
 ) -> RestoredStack:
     """Deconvolve a stack: see :func:`deconvolve`; masked voxels are left out."""
     tuning = tuning or Tuning()
+    header: Metadata = {}
     if isinstance(stack, Counts):
         if noise is not None:
             raise TypeError("noise must be omitted if stack are Counts, which have their own")
+        header = stack.metadata
         stack, noise, mask, saturation = stack.values, stack.noise, stack.mask, stack.stated
     validation.optional("noise", noise, Noise)
     if isinstance(microscope, PSF) and options.direction == "down":
@@ -264,7 +267,9 @@ def run(
     if isinstance(stack, np.ma.MaskedArray):
         stack, array_mask = validation.parted("stack", stack, "counts")
     with frames_of("stack", stack) as frames, ExitStack() as cleanup:
-        recording = frames.as_channels()
+        recording = replace(frames, metadata=header | frames.metadata).as_channels()
+        if noise is not None and not header:  # counts are complete
+            noise, saturation = with_header(noise, saturation, recording.metadata)
         notes = list(recording.notes)
         found = sampled(recording, microscope, stated, tuning.window, notes)
         used, ignored = found.recording, _mask_of(mask, array_mask, recording.shape)

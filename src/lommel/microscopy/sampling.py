@@ -15,6 +15,7 @@ from lommel.optics.layers.objective import Objective
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF
 from lommel.recorded.frames import Frames
+from lommel.recorded.headers import size_notes
 
 _TOLERANCE = 0.02  # relative difference between values of the file and of the objective above which a note is added
 _FINEST = 5e-9  # finest pixel in the sample times NA, metres: a twentieth of Nyquist sampling at 400 nm
@@ -63,7 +64,7 @@ def sampled(
     `microscope` is an Objective, a Microscope, or the PSF of the recording; `window` are planes and pixels of PSFs.
     """
     if isinstance(microscope, PSF):
-        return _with_psf(recording, microscope, stated)
+        return _with_psf(recording, microscope, stated, notes)
     lens, device = _objective(microscope)
     _, planes, height, width = recording.shape
     if planes < _LEAST_PLANES:
@@ -127,7 +128,7 @@ def _source(recording: Frames) -> str:
     return "an array" if recording.path is None else line(recording.path)
 
 
-def _with_psf(recording: Frames, psf: PSF, stated: Stated) -> Sampled:
+def _with_psf(recording: Frames, psf: PSF, stated: Stated, notes: list[str]) -> Sampled:
     """Return a recording with the voxels of its PSF."""
     for name, value in stated._asdict().items():
         if value is not None:
@@ -136,6 +137,7 @@ def _with_psf(recording: Frames, psf: PSF, stated: Stated) -> Sampled:
     model = GivenPSF(psf, recording.shape[1])
     pupil: Any = psf.pupil
     sizes = {"pixel": model.pixel / pupil.magnification, "step": model.step, "emission": (float(pupil.wavelength),)}
+    notes += size_notes(recording.metadata, pixel=sizes["pixel"], step=model.step).values()
     used = replace(recording, metadata=recording.metadata | sizes)
     return Sampled(used, [model], "")
 

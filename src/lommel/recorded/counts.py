@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Protocol, Self
 
@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Index, Values
-from lommel.base.quantities import refuse_electrons
+from lommel.base.arrays import Array, Index, Json, Values
+from lommel.base.quantities import BARE, refuse_electrons
 from lommel.fit.findings import Finding
+from lommel.recorded.headers import metadata_of, with_header
 from lommel.recorded.noise import Noise
 
 _MIN_LEVELS = 8  # least number of different values whose common divisor is told
@@ -105,7 +106,9 @@ class Counts:
     stated : float or None
         Smallest value of saturated pixels, if it was stated.
     noise : Noise or None
-        Noise of the camera; None if it is unknown.
+        Noise of the camera, completed by the header of the images; None if it is unknown.
+    metadata : dict
+        What the images state of their recording, as in :class:`lommel.recorded.Frames`.
     hidden : ndarray of bool, shape (..., height, width)
         Pixels that are ignored: NaN, infinite, or masked.
     full : ndarray of bool, shape (..., height, width)
@@ -120,6 +123,7 @@ class Counts:
     mask: NDArray[np.bool_] | None
     stated: float | None
     noise: Noise | None
+    metadata: Json = field(default_factory=dict)
 
     @classmethod
     def of(
@@ -133,7 +137,8 @@ class Counts:
             Integers or floats; NaN, infinite and masked values (NumPy, astropy) are hidden. Frames, and arrays in
             chunks (dask, Zarr, h5py), are read when their images are needed.
         noise : Noise
-            Gain, offset and read noise, each a number or a map (height, width).
+            Gain, offset and read noise, each a number or a map (height, width). A gain and an excess that it does not
+            state are those of the images, as of a FITS file or a CCDData. Values that differ are told.
         mask : array_like of bool, optional
             True for pixels to ignore; its shape is the shape of `array`, or of its last two or more axes.
         saturation : float, optional
@@ -186,7 +191,8 @@ class Counts:
         if isinstance(self.values, np.ndarray):
             part = replace(self, values=self.values[index], mask=mask)
         else:
-            part = replace(_counts("array", self.values[index], mask, None, self.noise), stated=self.stated)
+            part = _counts("array", self.values[index], mask, None, self.noise)
+            part = replace(part, stated=self.stated, metadata=self.metadata)
         vars(part)["_whole"] = self._whole
         return part
 
@@ -353,6 +359,11 @@ def _counts(
     values, hidden = validation.parted(name, images, "counts") if is_read else (images, None)
     if isinstance(noise, Noise) and np.any(np.asarray(1.0 if noise.white is None else noise.white) != 1.0):
         refuse_electrons(name, images)
+    metadata: Json = {}
+    if type(images) not in BARE:
+        metadata = metadata_of(name, images)
+        if isinstance(noise, Noise) or (noise is None and isinstance(metadata.get("read"), float)):
+            noise, saturation = with_header(noise, saturation, metadata)
     if is_read:
         _require_within(name, values)
     if mask is not None:
@@ -367,7 +378,7 @@ def _counts(
                 f"shape {mask_values.shape}"
             )
         hidden = np.broadcast_to(mask_values, values.shape) if hidden is None else hidden | mask_values
-    return Counts(values, hidden, None if saturation is None else full_value([], saturation)[0], noise)
+    return Counts(values, hidden, None if saturation is None else full_value([], saturation)[0], noise, metadata)
 
 
 def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> list[Finding]:

@@ -23,14 +23,30 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import optional, reading, validation
-from lommel.base.arrays import Index, Json, Values
+from lommel.base.arrays import Index, Values
 from lommel.base.encoding import named
-from lommel.base.quantities import ANGLES, LENGTHS, LETTERS, in_order, in_unit, metres_of
-from lommel.base.units import ARCSEC, format_length
+from lommel.base.quantities import (
+    EVEN,
+    LETTERS,
+    in_order,
+    in_unit,
+)
+from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, icc, photos, registry, zarr_folders
 from lommel.io.registry import Format
 from lommel.recorded.counts import Counts, OnDemand
+from lommel.recorded.headers import (
+    EXCESS,
+    Metadata,
+    Unusable,
+    combined_metadata,
+    fits_metadata,
+    fits_notes,
+    length,
+    metadata_of,
+    number,
+)
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -38,87 +54,9 @@ if TYPE_CHECKING:
 
     from tifffile import FileHandle, TiffFile, TiffPageSeries
 
-# Names of FITS header cards in common use.
-_GAIN, _READ, _SATURATION = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
-_EM_GAIN = ("EMGAIN", "EMREALGN", "EMREALGAIN")
-EXCESS = (
-    2.0  # variance of an electron-multiplying register, divided by the variance of a Poisson variable of equal mean
-)
-_PIXELS = ("XPIXSZ", "PIXSIZE1", "PIXSIZE")  # pitch of the pixels, micrometres, after binning
-_ORDER = (
-    "which was not applied: in the other order of rows, sine terms (m < 0: coma y, oblique astigmatism) change sign"
-)
-_IGNORED_CARDS = {
-    "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass the pixels of one",
-    "PEDESTAL": "which was not subtracted: state it by the offset",
-    "ROWORDER": _ORDER,
-    "FLIPSTAT": _ORDER,
-}
-_BINNING = ("XBINNING", "YBINNING", "CCDSUM")
-_SCALES = ("PIXSCALE", "SECPIX", "PIXSCAL1", "SECPIX1", "PIXELSCL")  # arcseconds per pixel
-_RATIOS = ("FOCRATIO", "FRATIO")
-_UNUSED_CARDS = (*_PIXELS, "YPIXSZ", *_BINNING, *_SCALES, "WCS", "FOCALLEN", *_RATIOS, "APTDIA", "FILTER", "WAVELEN")
-_COUNT = r"(?:adu|dn|counts?|cts?)\b"  # names of counts, also in units of gain and read noise
-_COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?", re.IGNORECASE)
-_AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
-
-
-OPTICS = {"sensor_pixel": "pixels of {}", "plane_pixel": "pixels of {} in its coordinates", "f_number": "f/{}"}
-OPTICS |= {"focal_length": "a focal length of {}", "aperture": "an aperture of {}", "scale": "{} arcsec per pixel"}
-"""Metadata of the optics, in words: lengths in metres, the f-number, and radians per pixel on the sky."""
 _RESOLUTION_UNITS = {2: 25.4e-3, 3: 1e-2}  # metres of values of the tag ResolutionUnit of TIFF: inch, centimetre
 _FINEST_PRINT = 1e-5  # metres: pixels of prints are larger (2540 per inch)
 _IRREGULAR = 0.1  # deviation of steps between planes, relative to their mean, above which they are not regular
-_AGREEMENT = 0.02  # relative difference up to which sizes agree that a file states twice
-
-
-@dataclass(frozen=True)
-class Unusable:
-    """A metadata value that cannot be used, such as a length without unit.
-
-    Parameters
-    ----------
-    words : str
-        The words of the file.
-    """
-
-    words: str
-
-
-Metadata = Json
-"""Metadata of a file by name: numbers, :class:`Unusable`, or None."""
-
-
-def length(value: str | float | None, unit: object, default: str = "") -> float | Unusable | None:
-    """Return a length in metres, Unusable with the words of the file, or None if the file states none."""
-    if value is None or value == "":
-        return None
-    unit_name = str(unit or default).strip()
-    words = validation.brief(f"{value} {unit_name}".strip(), 60)
-    try:
-        size = abs(float(value))
-    except (TypeError, ValueError):
-        return Unusable(words)
-    if size == 1.0 and unit_name in ("", "pixel", "pixels"):  # written by programs for an unknown scale
-        return None
-    try:
-        scale = metres_of(unit_name)
-    except KeyError:
-        scale = 0.0
-    if not unit_name:
-        words += " without a unit"
-    return size * scale if scale and math.isfinite(size) and size > 0.0 else Unusable(words)
-
-
-def number(value: str | float | None, *, least: float = 0.0) -> float | Unusable | None:
-    """Return a number above `least`, Unusable with the words of the file, or None if the file states none."""
-    if value is None or value == "":
-        return None
-    try:
-        parsed = float(value)
-    except (TypeError, ValueError):
-        parsed = math.nan
-    return parsed if math.isfinite(parsed) and parsed > least else Unusable(validation.brief(str(value), 60))
 
 
 def ome_metadata(file: TiffFile, place: int) -> Metadata:
@@ -184,11 +122,11 @@ def _read_positions(pixels: Element, metadata: Metadata) -> None:
             f"The positions of the planes (PositionZ) are not regular, {least:g} to {most:g} {unit} apart."
         )
     elif not isinstance(size, float):
-        if abs(float(pixels.get("PhysicalSizeZ", "0")) - abs(mean)) > _AGREEMENT * abs(mean):
+        if abs(float(pixels.get("PhysicalSizeZ", "0")) - abs(mean)) > EVEN * abs(mean):
             metadata["notes"].append(
                 f"The planes are {abs(mean):g} {unit} apart by their positions (PositionZ), which cannot be used."
             )
-    elif not isinstance(stated, float) or abs(stated - size) > _AGREEMENT * size:
+    elif not isinstance(stated, float) or abs(stated - size) > EVEN * size:
         metadata["step"] = size
         if stated is not None:
             words = stated.words if isinstance(stated, Unusable) else format_length(stated)
@@ -234,7 +172,7 @@ def _with_resolution(metadata: Metadata, page: Any) -> None:
         is_print = side >= _FINEST_PRINT
         if not side or (is_print and (stated is None or form == "OME")):
             continue
-        if isinstance(stated, float) and abs(stated - side) <= _AGREEMENT * side:
+        if isinstance(stated, float) and abs(stated - side) <= EVEN * side:
             continue
         # ImageJ converts centimetres to the unit of its description.
         if stated is None or (form != "OME" and isinstance(stated, float) and not is_print):
@@ -259,126 +197,6 @@ def zarr_metadata(attributes: Mapping[str, Any], sides: Metadata) -> Metadata:
     return metadata
 
 
-def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -> Metadata:
-    """Return the metadata of the camera in a FITS header: electrons per count, read noise, saturation, lengths.
-
-    The comments of cards state units: of read noise, saturation, pixels, focal length, and gains, so that a `GAIN` in
-    electrons per count is known as such.
-    """
-    said = {name: text.lower() for name, text in comments.items()}
-
-    def first(names: Sequence[str], least: float = 0.0) -> float | Unusable | None:
-        return next((number(header[name], least=least) for name in names if name in header), None)
-
-    # A read noise of 0 is a valid value, unlike a gain of 0.
-    is_gain = re.search(rf"\be(?:lectrons?)?-?\s*(?:/|per)\s*{_COUNT}", said.get(_AMBIGUOUS_GAIN, ""))
-    gains = [name for name in _GAIN + (_AMBIGUOUS_GAIN,) * bool(is_gain) if name in header]
-    metadata: Metadata = {"gain": first(gains), "read": first(_READ, -1e-300), "saturation": first(_SATURATION)}
-    inverse = rf"{_COUNT}\s*(?:/|per)\s*e"
-    if gains and isinstance(metadata["gain"], float) and re.search(inverse, said.get(gains[0], "")):
-        metadata["gain"] = 1.0 / metadata["gain"]  # counts per electron
-    if len({header[name] for name in gains}) > 1:
-        metadata["gain"] = Unusable(" and ".join(f"{header[name]} by {name}" for name in gains))
-    if order := header.get("ROWORDER"):
-        metadata["rows"] = order
-    gain = metadata["gain"]
-    lengths = ("sensor_pixel", _PIXELS, 1e-6), ("focal_length", ("FOCALLEN",), 1e-3), ("aperture", ("APTDIA",), 1e-3)
-    for key, names, scale in (*lengths, ("scale", _SCALES, ARCSEC), ("f_number", _RATIOS, 1.0)):
-        if isinstance(size := first(names), float):
-            stated_unit = re.match(r"\[([a-zµ]+)", next(said.get(name, "") for name in names if name in header))
-            with suppress(KeyError):  # of a unit that is none of length
-                unit_of = ANGLES.__getitem__ if key == "scale" else metres_of
-                metadata[key] = size * (unit_of(stated_unit[1]) if stated_unit else scale)
-    step, step_unit = _coordinate_step(header)
-    if step_unit in LENGTHS:
-        metadata["plane_pixel"] = step * LENGTHS[step_unit]
-    elif step_unit:
-        metadata.setdefault("scale", step * ANGLES[step_unit])
-    if isinstance(times := first(_EM_GAIN), float) and times > 1.0:
-        metadata |= {"excess": EXCESS, "em_gain": times}
-    unit = str(header.get("BUNIT", "")).strip()
-    if _are_electrons(header):
-        metadata["gain"] = 1.0
-    elif unit and not _COUNTS.fullmatch(unit):
-        metadata["gain"] = Unusable(f"values in {validation.brief(unit, 60)}, neither counts nor electrons")
-    elif metadata["gain"] is None and header.get(_AMBIGUOUS_GAIN) not in (None, ""):
-        metadata["unsure"] = f"{_AMBIGUOUS_GAIN} = {validation.brief(str(header[_AMBIGUOUS_GAIN]), 60)}"
-    full = next((said.get(name, "") for name in _SATURATION if name in header), "")
-    in_counts = not unit or re.match(_COUNT, unit.lower())
-    if in_counts and isinstance(limit := metadata["saturation"], float) and re.match(r"\[e(?:-|lec)", full):
-        words = f"{limit:g} electrons, without a gain"
-        metadata["saturation"] = limit / gain if isinstance(gain, float) else Unusable(words)
-    comment = next((said.get(name, "") for name in _READ if name in header), "")
-    if (
-        isinstance(read := metadata["read"], float)
-        and re.search(rf"\b{_COUNT}", comment)
-        and not re.search(r"\be(-|lec)", comment)
-    ):
-        metadata["read"] = read * gain if isinstance(gain, float) else Unusable(f"{read:g} counts, without a gain")
-    return metadata
-
-
-def _coordinate_step(header: Mapping[str, object]) -> tuple[float, str]:
-    """Return a pixel's width in the world coordinates of a FITS header, and its unit of length or angle or ""."""
-
-    def card(name: str, default: float = 0.0) -> float:
-        return value if isinstance(value := number(str(header.get(name, "")), least=-math.inf), float) else default
-
-    kind = str(header.get("CTYPE1", ""))
-    unit = str(header.get("CUNIT1") or ("deg" if re.match(r"(RA|DEC|.LON|.LAT)-", kind) else "")).strip()
-    step = math.hypot(card("CDELT1") * card("PC1_1", 1.0), card("CDELT2") * card("PC2_1"))
-    step = math.hypot(card("CD1_1"), card("CD2_1")) or step
-    return step, unit if step and unit in LENGTHS | ANGLES and "WAV" not in kind else ""
-
-
-def _are_electrons(header: Mapping[str, object]) -> bool:
-    return str(header.get("BUNIT", "")).strip().lower().rstrip("s") in ("electron", "e", "e-")
-
-
-def fits_notes(header: Mapping[str, object]) -> list[str]:
-    """Return a sentence on each card of a FITS header that matters but is not applied."""
-    stated = {
-        name: f"{name} = {validation.brief(str(header[name]), 60)}"
-        for name in (*_IGNORED_CARDS, *_UNUSED_CARDS, "BUNIT")
-        if header.get(name) not in (None, "", 0)
-        and (name not in _BINNING or str(header[name]).strip() not in ("1", "1.0", "1 1"))
-    }
-    step, step_unit = _coordinate_step(header)
-    if step_unit:
-        stated["WCS"] = f"pixels of {step:.3g} {step_unit} by CDELT1 or CD1_1"
-    if _are_electrons(header):
-        stated |= {name: f"{name} = {header[name]}" for name in _GAIN if header.get(name) not in (None, "", 1, 1.0)}
-    endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
-    if unused := [stated[name] for name in _UNUSED_CARDS if name in stated]:
-        given = "not used: pixel, focal length and wavelength are those given"
-        endings.append((", ".join(unused), given))
-    endings += [(stated[name], "not used: the values are electrons by BUNIT") for name in _GAIN if name in stated]
-    if "BUNIT" in stated and not _COUNTS.fullmatch(str(header["BUNIT"]).strip()):
-        endings.append(
-            (stated["BUNIT"], "not counts: photon noise is right only if the gain is in electrons per unit")
-        )
-    return [f"The header of the images states {words}, {ending}." for words, ending in endings]
-
-
-def combined_metadata(files: Sequence[Metadata]) -> Metadata:
-    """Return the camera metadata of several files; values that differ between files are :class:`Unusable`.
-
-    Numbers of the optics are tuples of those of all files.
-    """
-    combined = dict(files[0])
-    for key in OPTICS:
-        combined[key] = tuple(metadata[key] for metadata in files if key in metadata)
-    for key in ("gain", "read", "saturation", "excess"):
-        values = [metadata.get(key) for metadata in files]
-        if any(value != values[0] for value in values):
-            words = [
-                value.words if isinstance(value, Unusable) else "none" if value is None else f"{value:g}"
-                for value in values
-            ]
-            combined[key] = Unusable(f"of {', '.join(dict.fromkeys(words))} in different files")
-    return combined
-
-
 __all__ = ["Counts", "Frames", "RecordingError", "Unusable", "open_frames"]
 
 _NUMPY = b"\x93NUMPY"
@@ -387,6 +205,7 @@ _MAX_CHANNELS = 4096  # largest number of channels of an OME-Zarr
 _TOLERANCE = 1e-4  # relative difference up to which lengths count as equal
 # Lengths in files, in the words of messages; "down" is the height of a pixel.
 _LENGTHS = {"pixel": "a pixel size of", "down": "a pixel height of", "step": "a plane spacing of"}
+_CAMERA = "gain", "read", "saturation", "excess", "unsure", "levels"
 _SIDES = 1e-12, 1e-4  # metres, range of voxel sides in the sample
 _WAVES = 1e-7, 1e-4  # metres, range of wavelengths: 0.52 nm is a wavelength in micrometres with a wrong unit
 BLOCK = 2**22
@@ -503,8 +322,8 @@ class Frames(OnDemand):
             return plane[part] if part else plane
         sides = np.broadcast_to(np.int8(0), self.planes.sides)[part].shape
         values = np.empty((*numbers.shape, *sides), self.dtype)
-        for position, number in np.ndenumerate(numbers):
-            values[position] = self.planes.plane(int(number))[part]
+        for position, place in np.ndenumerate(numbers):
+            values[position] = self.planes.plane(int(place))[part]
         return values
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
@@ -841,8 +660,9 @@ def open_frames(*paths: str | PathLike[str] | ArrayLike) -> Frames:
     *paths : path, array_like or Frames
         A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content;
         ``file.fits[SCI]``, ``file.tif[1]`` or ``file.zarr[0]`` selects one of several images; by default, in
-        OME-TIFF, the one of which the others are at most half as large. Or an array of NumPy, dask, Zarr or xarray.
-        Several files, of images of one size and type, are one stack, and are read at once.
+        OME-TIFF, the one of which the others are at most half as large. Or an array of NumPy, dask, Zarr or xarray,
+        whose coordinates z, y and x, with units, state step and pixel, and "emission" the wavelength. Several files,
+        of images of one size and type, are one stack, and are read at once.
 
     Returns
     -------
@@ -872,11 +692,12 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
     if isinstance(images, Frames):
         return images
     if not isinstance(images, str | PathLike):
-        letters, given = _letters_of(name, images), in_unit(name, images, "counts")
+        letters, described = _letters_of(name, images), metadata_of(name, images)
+        given = in_unit(name, images, "counts")
         is_array = hasattr(given, "shape") and hasattr(given, "dtype")
         values = cast(ArrayLikeImages, given) if is_array else validation.array(name, given, "counts")
         validation.refuse_masked(name, values)
-        frames = _array_frames(values, name)
+        frames = _array_frames(values, name, metadata=described)
         return replace(frames, axes=f"{letters}YX") if len(letters) == frames.numbers.ndim else frames
     source, part = reading.part_of(validation.path("path", images))
     if source.is_dir():
@@ -1252,7 +1073,8 @@ def _with_used_metadata(frames: Frames) -> Frames:
     parts = (("pixel", "pixels"), ("step", "planes apart"))
     used_values = [f"{format_length(length)} {noun}" for key, noun in parts if (length := lengths[key]) is not None]
     if used_values:
-        notes.append(f"From the {metadata['format']} metadata of the file: {', '.join(used_values)}.")
+        source = "array" if frames.path is None else "file"
+        notes.append(f"From the {metadata['format']} metadata of the {source}: {', '.join(used_values)}.")
     if metadata.get("is_step_negative"):
         notes.append(
             "The file states a negative plane spacing, of which the magnitude was used: its sign does not set the "
@@ -1268,6 +1090,6 @@ def _with_used_metadata(frames: Frames) -> Frames:
     lens = {key: usable_value(key, key, metadata.get(key), None) for key in ("NA", "magnification", "immersion")}
     stated_names = metadata.get("names", [])
     names = tuple((stated_names[k] if k < len(stated_names) else None) or f"channel {k}" for k in range(count))
-    return replace(
-        frames, metadata=lengths | {"names": names, "unusable": unusable} | waves | lens, notes=tuple(notes)
-    )
+    camera = {key: metadata[key] for key in _CAMERA if key in metadata}
+    used = camera | lengths | {"names": names, "unusable": unusable} | waves | lens
+    return replace(frames, metadata=used, notes=tuple(notes))

@@ -1,0 +1,351 @@
+"""What images state of their camera and sampling, by headers, units and coordinates: used, told where it differs."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.arrays import Json
+from lommel.base.quantities import ANGLES, BARE, EVEN, LENGTHS, metres_of, spacings, stated_unit
+from lommel.base.units import ARCSEC, format_length
+from lommel.io import fits_images
+from lommel.recorded.noise import Noise
+
+# Names of FITS header cards in common use.
+_GAIN, _READ, _SATURATION = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
+_EM_GAIN = ("EMGAIN", "EMREALGN", "EMREALGAIN")
+EXCESS = (
+    2.0  # variance of an electron-multiplying register, divided by the variance of a Poisson variable of equal mean
+)
+_PIXELS = ("XPIXSZ", "PIXSIZE1", "PIXSIZE")  # pitch of the pixels, micrometres, after binning
+_ORDER = (
+    "which was not applied: in the other order of rows, sine terms (m < 0: coma y, oblique astigmatism) change sign"
+)
+_IGNORED_CARDS = {
+    "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass the pixels of one",
+    "PEDESTAL": "which was not subtracted: state it by the offset",
+    "ROWORDER": _ORDER,
+    "FLIPSTAT": _ORDER,
+}
+_BINNING = ("XBINNING", "YBINNING", "CCDSUM")
+_SCALES = ("PIXSCALE", "SECPIX", "PIXSCAL1", "SECPIX1", "PIXELSCL")  # arcseconds per pixel
+_RATIOS = ("FOCRATIO", "FRATIO")
+_UNUSED_CARDS = (*_PIXELS, "YPIXSZ", *_BINNING, *_SCALES, "WCS", "FOCALLEN", *_RATIOS, "APTDIA", "FILTER", "WAVELEN")
+_COUNT = r"(?:adu|dn|counts?|cts?)\b"  # names of counts, also in units of gain and read noise
+_COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?", re.IGNORECASE)
+_AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
+
+
+OPTICS = {"sensor_pixel": "pixels of {}", "plane_pixel": "pixels of {} in its coordinates", "f_number": "f/{}"}
+OPTICS |= {"focal_length": "a focal length of {}", "aperture": "an aperture of {}", "scale": "{} arcsec per pixel"}
+"""Metadata of the optics, in words: lengths in metres, the f-number, and radians per pixel on the sky."""
+
+
+@dataclass(frozen=True)
+class Unusable:
+    """A metadata value that cannot be used, such as a length without unit.
+
+    Parameters
+    ----------
+    words : str
+        The words of the file.
+    """
+
+    words: str
+
+
+Metadata = Json
+"""Metadata of a file by name: numbers, :class:`Unusable`, or None."""
+
+
+def length(value: str | float | None, unit: object, default: str = "") -> float | Unusable | None:
+    """Return a length in metres, Unusable with the words of the file, or None if the file states none."""
+    if value is None or value == "":
+        return None
+    unit_name = str(unit or default).strip()
+    words = validation.brief(f"{value} {unit_name}".strip(), 60)
+    try:
+        size = abs(float(value))
+    except (TypeError, ValueError):
+        return Unusable(words)
+    if size == 1.0 and unit_name in ("", "pixel", "pixels"):  # written by programs for an unknown scale
+        return None
+    try:
+        scale = metres_of(unit_name)
+    except KeyError:
+        scale = 0.0
+    if not unit_name:
+        words += " without a unit"
+    return size * scale if scale and math.isfinite(size) and size > 0.0 else Unusable(words)
+
+
+def number(value: str | float | None, *, least: float = 0.0) -> float | Unusable | None:
+    """Return a number above `least`, Unusable with the words of the file, or None if the file states none."""
+    if value is None or value == "":
+        return None
+    try:
+        parsed = float(value)
+    except (TypeError, ValueError):
+        parsed = math.nan
+    return parsed if math.isfinite(parsed) and parsed > least else Unusable(validation.brief(str(value), 60))
+
+
+def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -> Metadata:
+    """Return the metadata of the camera in a FITS header: electrons per count, read noise, saturation, lengths.
+
+    The comments of cards state units: of read noise, saturation, pixels, focal length, and gains, so that a `GAIN` in
+    electrons per count is known as such.
+    """
+    said = {name: text.lower() for name, text in comments.items()}
+
+    def first(names: Sequence[str], least: float = 0.0) -> float | Unusable | None:
+        return next((number(header[name], least=least) for name in names if name in header), None)
+
+    # A read noise of 0 is a valid value, unlike a gain of 0.
+    is_gain = re.search(rf"\be(?:lectrons?)?-?\s*(?:/|per)\s*{_COUNT}", said.get(_AMBIGUOUS_GAIN, ""))
+    gains = [name for name in _GAIN + (_AMBIGUOUS_GAIN,) * bool(is_gain) if name in header]
+    metadata: Metadata = {"gain": first(gains), "read": first(_READ, -1e-300), "saturation": first(_SATURATION)}
+    inverse = rf"{_COUNT}\s*(?:/|per)\s*e"
+    if gains and isinstance(metadata["gain"], float) and re.search(inverse, said.get(gains[0], "")):
+        metadata["gain"] = 1.0 / metadata["gain"]  # counts per electron
+    if len({header[name] for name in gains}) > 1:
+        metadata["gain"] = Unusable(" and ".join(f"{header[name]} by {name}" for name in gains))
+    if order := header.get("ROWORDER"):
+        metadata["rows"] = order
+    gain = metadata["gain"]
+    lengths = ("sensor_pixel", _PIXELS, 1e-6), ("focal_length", ("FOCALLEN",), 1e-3), ("aperture", ("APTDIA",), 1e-3)
+    for key, names, scale in (*lengths, ("scale", _SCALES, ARCSEC), ("f_number", _RATIOS, 1.0)):
+        if isinstance(size := first(names), float):
+            stated_unit = re.match(r"\[([a-zµ]+)", next(said.get(name, "") for name in names if name in header))
+            with suppress(KeyError):  # of a unit that is none of length
+                unit_of = ANGLES.__getitem__ if key == "scale" else metres_of
+                metadata[key] = size * (unit_of(stated_unit[1]) if stated_unit else scale)
+    step, step_unit = _coordinate_step(header)
+    if step_unit in LENGTHS:
+        metadata["plane_pixel"] = step * LENGTHS[step_unit]
+    elif step_unit:
+        metadata.setdefault("scale", step * ANGLES[step_unit])
+    if isinstance(times := first(_EM_GAIN), float) and times > 1.0:
+        metadata |= {"excess": EXCESS, "em_gain": times}
+    unit = str(header.get("BUNIT", "")).strip()
+    if _are_electrons(header):
+        metadata["gain"] = 1.0
+    elif unit and not _COUNTS.fullmatch(unit):
+        metadata["gain"] = Unusable(f"values in {validation.brief(unit, 60)}, neither counts nor electrons")
+    elif metadata["gain"] is None and unit.lower() in ("adu", "dn"):  # units "ct" are also those of single photons
+        metadata["levels"] = unit
+    if metadata["gain"] is None and header.get(_AMBIGUOUS_GAIN) not in (None, ""):
+        metadata["unsure"] = f"{_AMBIGUOUS_GAIN} = {validation.brief(str(header[_AMBIGUOUS_GAIN]), 60)}"
+    full = next((said.get(name, "") for name in _SATURATION if name in header), "")
+    in_counts = not unit or re.match(_COUNT, unit.lower())
+    if in_counts and isinstance(limit := metadata["saturation"], float) and re.match(r"\[e(?:-|lec)", full):
+        words = f"{limit:g} electrons, without a gain"
+        metadata["saturation"] = limit / gain if isinstance(gain, float) else Unusable(words)
+    comment = next((said.get(name, "") for name in _READ if name in header), "")
+    if (
+        isinstance(read := metadata["read"], float)
+        and re.search(rf"\b{_COUNT}", comment)
+        and not re.search(r"\be(-|lec)", comment)
+    ):
+        metadata["read"] = read * gain if isinstance(gain, float) else Unusable(f"{read:g} counts, without a gain")
+    return metadata
+
+
+def _coordinate_step(header: Mapping[str, object]) -> tuple[float, str]:
+    """Return a pixel's width in the world coordinates of a FITS header, and its unit of length or angle or ""."""
+
+    def card(name: str, default: float = 0.0) -> float:
+        return value if isinstance(value := number(str(header.get(name, "")), least=-math.inf), float) else default
+
+    kind = str(header.get("CTYPE1", ""))
+    unit = str(header.get("CUNIT1") or ("deg" if re.match(r"(RA|DEC|.LON|.LAT)-", kind) else "")).strip()
+    step = math.hypot(card("CDELT1") * card("PC1_1", 1.0), card("CDELT2") * card("PC2_1"))
+    step = math.hypot(card("CD1_1"), card("CD2_1")) or step
+    return step, unit if step and unit in LENGTHS | ANGLES and "WAV" not in kind else ""
+
+
+def _are_electrons(header: Mapping[str, object]) -> bool:
+    return str(header.get("BUNIT", "")).strip().lower().rstrip("s") in ("electron", "e", "e-")
+
+
+def fits_notes(header: Mapping[str, object]) -> list[str]:
+    """Return a sentence on each card of a FITS header that matters but is not applied."""
+    stated = {
+        name: f"{name} = {validation.brief(str(header[name]), 60)}"
+        for name in (*_IGNORED_CARDS, *_UNUSED_CARDS, "BUNIT")
+        if header.get(name) not in (None, "", 0)
+        and (name not in _BINNING or str(header[name]).strip() not in ("1", "1.0", "1 1"))
+    }
+    step, step_unit = _coordinate_step(header)
+    if step_unit:
+        stated["WCS"] = f"pixels of {step:.3g} {step_unit} by CDELT1 or CD1_1"
+    if _are_electrons(header):
+        stated |= {name: f"{name} = {header[name]}" for name in _GAIN if header.get(name) not in (None, "", 1, 1.0)}
+    endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
+    if unused := [stated[name] for name in _UNUSED_CARDS if name in stated]:
+        given = "not used: pixel, focal length and wavelength are those given"
+        endings.append((", ".join(unused), given))
+    endings += [(stated[name], "not used: the values are electrons by BUNIT") for name in _GAIN if name in stated]
+    if "BUNIT" in stated and not _COUNTS.fullmatch(str(header["BUNIT"]).strip()):
+        endings.append(
+            (stated["BUNIT"], "not counts: photon noise is right only if the gain is in electrons per unit")
+        )
+    return [f"The header of the images states {words}, {ending}." for words, ending in endings]
+
+
+def metadata_of(name: str, images: object) -> Metadata:
+    """Return what images state of their recording: frames, headers and units of astropy, coordinates of xarray."""
+    if type(images).__module__.partition(".")[0] == "lommel":
+        return dict(getattr(images, "metadata", {}))
+    if isinstance(images, list | tuple):
+        each = [metadata_of(f"{name}[{k}]", image) for k, image in enumerate(images) if type(image) not in BARE]
+        return combined_metadata(each) if each else {}
+    if type(images) in BARE:
+        return {}
+    header = getattr(images, "header", getattr(images, "meta", None))
+    cards = {str(key).upper(): value for key, value in header.items()} if isinstance(header, Mapping) else {}
+    if (unit := stated_unit(images)) is not None:
+        cards["BUNIT"] = str(unit)
+    comments = {card.keyword: card.comment for card in getattr(header, "cards", ())}
+    metadata = fits_metadata(cards, comments) if cards else {}
+    sides = spacings(name, images) if isinstance(getattr(images, "dims", None), tuple) else {}
+    for letter, key in (("X", "pixel"), ("Y", "down"), ("Z", "step")):
+        if letter in sides:
+            size, unit = sides[letter]
+            metadata |= {key: length(size, unit or ""), "format": "xarray"}
+            metadata["is_step_negative"] = key == "step" and isinstance(size, float) and size < 0.0
+    for wave in ("emission", "wavelength"):
+        if wave in getattr(images, "coords", ()):
+            axis = images.coords[wave]
+            metadata["emission"] = [length(value, stated_unit(axis) or "") for value in np.ravel(axis).tolist()]
+    return metadata
+
+
+_HEADER_VALUES = {
+    "white": ("gain", "a gain of {:g} electrons per count"),
+    "read": ("read", "a read noise of {:g} electrons"),
+    "saturation": ("saturation", "saturation at {:g}"),
+    "excess": ("excess", "an electron-multiplying camera, excess noise {:g}"),
+}
+_EXCESS_NOTE = "; gain and read noise must refer to electrons before multiplication, divided by the EM gain"
+
+
+def take_header(options: Metadata, header: Metadata, camera: Mapping[str, Any] = {}) -> list[str]:
+    """Complete gain, read noise, saturation and excess in `options` by the header of images; return notes.
+
+    Options have priority over the values of the camera, and these over the header. Notes state header values that
+    differ.
+    """
+    notes = []
+    for name, (key, phrase) in _HEADER_VALUES.items():
+        value = header.get(key)
+        if isinstance(value, Unusable):
+            words = value.words if value.words.startswith("values in ") else f"{key} {value.words}"
+            if key != "saturation" and options.get(name) is None and camera.get(name) is None:
+                raise ValueError(f"the header of the images states {words}: state {name}=")
+            notes.append(f"The header of the images states {words}, which cannot be used.")
+        if not isinstance(value, float):
+            continue
+        used_value = camera.get(name) if options.get(name) is None else options[name]
+        if used_value is None:
+            options[name] = value
+            addition = _EXCESS_NOTE if name == "excess" else ""
+            notes.append(f"Taken from the header of the images: {phrase.format(value)}{addition}.")
+        elif isinstance(used_value, float | int) and abs(used_value - value) > EVEN * abs(value):
+            notes.append(f"The header of the images states {phrase.format(value)}; {used_value:g} was used.")
+    return notes
+
+
+def assumed_gain(header: Metadata, argument: str) -> str:
+    """Return the note of a gain that neither `argument`, a camera nor the header of images states."""
+    setting = f" The header states {header['unsure']}, not used: it may be a setting." if "unsure" in header else ""
+    return f"No gain is known: 1 electron per count was assumed; {argument} states it.{setting}"
+
+
+def with_header(
+    noise: Noise | None, saturation: float | None, header: Metadata, read: float | None = None
+) -> tuple[Noise, float | None]:
+    """Return noise and saturation completed by the header of images, and by `read`; differences are told."""
+    options = {"saturation": saturation, "white": None, "read": None, "excess": None}
+    if noise is not None:
+        options |= vars(noise) | {"excess": noise.excess if noise.excess > 1.0 else None}
+    for note in take_header(options, header):
+        if not note.startswith("Taken") or _EXCESS_NOTE in note:
+            validation.tell(note)
+    if {"levels", "unsure"} & header.keys() and options["white"] is None:
+        validation.tell(assumed_gain(header, "white="))
+    limit = options.pop("saturation")
+    stated = {name: value for name, value in options.items() if value is not None}
+    return Noise(**{"read": read} | stated), limit
+
+
+_SIZES = {
+    "pixel": "pixels of {} in the sample",
+    "down": "pixels of the height {}",
+    "sensor_pixel": "pixels of {}",
+    "focal_length": "a focal length of {}",
+    "emission": "an emission of {}",
+    "step": "planes {} apart",
+}
+
+
+def size_notes(header: Metadata, **used: float | None) -> dict[str, str]:
+    """Return a note on each size that images state, and that differs from the one in use (metres, None: none)."""
+    notes = dict[str, str]()
+    for key, size in used.items():
+        stated = header.get(key)
+        stated = next(iter(stated), None) if isinstance(stated, list | tuple) else stated
+        if size is None or not isinstance(stated, float | Unusable):
+            continue
+        text = stated.words if isinstance(stated, Unusable) else format_length(stated, digits=4)
+        if isinstance(stated, Unusable) or abs(stated - abs(size)) > EVEN * abs(size):
+            used_text = format_length(size, digits=4)
+            notes[key] = f"The images state {_SIZES[key].format(text)}, but {used_text} was used."
+    return notes
+
+
+def tell_sizes(
+    header: Metadata, pixel: float | tuple[float, float], *, magnification: float = 0.0, step: float | None = None
+) -> None:
+    """Tell sizes that images state, and that differ from the `pixel` (height, width) on the camera or the `step`.
+
+    With a magnification, pixels that images state are those in the sample.
+    """
+    height, width = pixel if isinstance(pixel, tuple) else (pixel, pixel)
+    sizes = {"sensor_pixel": width, "step": step}
+    if magnification:
+        sizes |= {"pixel": width / magnification, "down": height / magnification}
+    else:
+        header = {"sensor_pixel": header.get("pixel", header.get("sensor_pixel")), "down": header.get("down")}
+        sizes["down"] = height
+    notes = size_notes(header, **sizes)
+    if notes.keys() & {"pixel", "sensor_pixel"}:
+        notes.pop("down", None)
+    if notes:
+        validation.tell(" ".join(notes.values()))
+
+
+def combined_metadata(files: Sequence[Metadata]) -> Metadata:
+    """Return the camera metadata of several files; values that differ between files are :class:`Unusable`.
+
+    Numbers of the optics are tuples of those of all files.
+    """
+    combined = dict(files[0])
+    for key in OPTICS:
+        combined[key] = tuple(metadata[key] for metadata in files if key in metadata)
+    for key in ("gain", "read", "saturation", "excess"):
+        values = [metadata.get(key) for metadata in files]
+        if any(value != values[0] for value in values):
+            words = [
+                value.words if isinstance(value, Unusable) else "none" if value is None else f"{value:g}"
+                for value in values
+            ]
+            combined[key] = Unusable(f"of {', '.join(dict.fromkeys(words))} in different files")
+    return combined

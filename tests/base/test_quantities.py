@@ -113,7 +113,10 @@ def test_a_map_with_a_unit_is_fitted_without_another_statement_of_it():
         assert found.wavefront.defocus == pytest.approx(2e-9 * np.pi / 550e-9)
     found = lm.fit_opd(np.rad2deg(chart) * u.deg, degree=3)
     assert (found.unit, found.wavefront.defocus) == ("radians", pytest.approx(1.0))
-    for other, error, words in ((chart, TypeError, "unless opd is"), (chart * u.s, ValueError, "^opd must be in r")):
+    for other, error, words in (
+        (chart, TypeError, "unless opd is"),
+        (chart * u.s, ValueError, "^opd must be in metres"),
+    ):
         with pytest.raises(error, match=words):
             lm.fit_opd(other, wavelength=550e-9, degree=3)
 

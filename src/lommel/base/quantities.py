@@ -132,12 +132,9 @@ def stated_unit(value: Any) -> Any:
     return next((unit for unit in stated if not (unit is None or callable(unit) or isinstance(unit, tuple))), None)
 
 
-def is_length(stated: Any) -> bool:
-    """Whether a stated unit is one of length."""
-    try:
-        return _factor(stated, "m") > 0.0
-    except Exception:  # each library raises errors of its own
-        return False
+def is_angle(stated: Any) -> bool:
+    """Whether a stated unit is one of angle."""
+    return str(stated) in _TEXTS["rad"]
 
 
 def refuse_electrons(name: str, value: Any) -> None:
@@ -168,12 +165,12 @@ def _unlabelled(name: str, value: Any, dims: tuple[Any, ...], unit: str) -> Any:
     return value.data if stated is None else _converted(name, value.data, stated, unit)
 
 
-def spacings(name: str, value: Any) -> dict[str, tuple[float | str, Any]]:
+def spacings(name: str, value: Any) -> dict[str, tuple[Any, Any]]:
     """Return the step of the coordinates along Z, Y and X of a labelled array, and its unit or None, by letter.
 
     The step of uneven planes is a text. ValueError if rows or columns do not rise in equal steps.
     """
-    found: dict[str, tuple[float | str, Any]] = {}
+    found: dict[str, tuple[Any, Any]] = {}
     for dim in value.dims if hasattr(value, "coords") and len(value.dims) > 1 else ():
         letter, axis = LETTERS.get(str(dim).lower(), "?"), value.coords.get(dim)
         if letter not in "ZYX" or axis is None or axis.dtype.kind not in "iuf" or axis.size < 2:

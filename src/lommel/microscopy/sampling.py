@@ -74,9 +74,9 @@ def sampled(
     words = recording.metadata["unusable"]
     places = {"pixel": ("in the sample", "on the camera"), "step": ("between planes", "of the stage")}
     if missing := [name for name in places if name in words and getattr(stated, name) is None]:
-        sizes = " and ".join(f"{words[name]} {places[name][0]}" for name in missing)
+        stated_sizes = " and ".join(f"{words[name]} {places[name][0]}" for name in missing)
         names = " and ".join(f"{name}= ({places[name][1]})" for name in missing)
-        raise ValueError(f"{_source(recording)} states {sizes}, which cannot be used: give {names}, in metres")
+        raise ValueError(f"{_source(recording)} states {stated_sizes}, which cannot be used: give {names}, in metres")
     first_note = len(notes)
     pixel = _pixel(recording, lens, device, stated.pixel, notes)
     doubt = notes[-1] if len(notes) > first_note and "objective file states" in notes[-1] else ""

@@ -200,7 +200,7 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
     return [f"The header of the images states {words}, {ending}." for words, ending in endings]
 
 
-def metadata_of(name: str, images: object) -> Metadata:
+def metadata_of(name: str, images: Any) -> Metadata:
     """Return what images state of their recording: frames, headers and units of astropy, coordinates of xarray."""
     if type(images).__module__.partition(".")[0] == "lommel":
         return dict(getattr(images, "metadata", {}))
@@ -273,7 +273,7 @@ def with_header(
     noise: Noise | None, saturation: float | None, header: Metadata, read: float | None = None
 ) -> tuple[Noise, float | None]:
     """Return noise and saturation completed by the header of images, and by `read`; differences are told."""
-    options = {"saturation": saturation, "white": None, "read": None, "excess": None}
+    options: Json = {"saturation": saturation, "white": None, "read": None, "excess": None}
     if noise is not None:
         options |= vars(noise) | {"excess": noise.excess if noise.excess > 1.0 else None}
     for note in take_header(options, header):
@@ -286,14 +286,8 @@ def with_header(
     return Noise(**{"read": read} | stated), limit
 
 
-_SIZES = {
-    "pixel": "pixels of {} in the sample",
-    "down": "pixels of the height {}",
-    "sensor_pixel": "pixels of {}",
-    "focal_length": "a focal length of {}",
-    "emission": "an emission of {}",
-    "step": "planes {} apart",
-}
+_SIZES = {"pixel": "pixels of {} in the sample", "down": "pixels of the height {}", "sensor_pixel": "pixels of {}"}
+_SIZES |= {"emission": "an emission of {}", "step": "planes {} apart"}
 
 
 def size_notes(header: Metadata, **used: float | None) -> dict[str, str]:

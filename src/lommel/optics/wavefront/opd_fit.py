@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.quantities import is_length, stated_unit
+from lommel.base.quantities import is_angle, stated_unit
 from lommel.base.units import percent
 from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront, radians_per
 from lommel.special import zernike
@@ -216,7 +216,7 @@ def fit_opd(
     elif unit is None and (stated := stated_unit(opd)) is None:
         raise TypeError("unit must be given, 'radians', 'waves' or 'metres', unless opd is an OPDMap or has a unit")
     elif unit is None:
-        unit = "metres" if is_length(stated) else "radians"
+        unit = "radians" if is_angle(stated) else "metres"
     scale = radians_per(unit, wavelength)
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
     eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)

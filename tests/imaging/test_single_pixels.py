@@ -66,3 +66,42 @@ def test_single_pixels_keep_their_light_and_have_the_psf_of_their_distance_or_pl
         # Windows hold 98 % of the light, and are divided by what they hold.
         assert (inside := true[spot > 1e-6].sum()) > 0.975
         assert np.abs(spot * inside - true).max() < 0.006 * true.max()
+
+
+def passing(mask, lens, near, far, row, column):
+    """Return the part of the aperture that sees a point of the far plane, by rays through points of the aperture."""
+    side = (np.arange(160) + 0.5) / 80 - 1
+    y, x = (0.5 * lens.aperture_diameter * part for part in np.meshgrid(side, side, indexing="ij"))
+    inside = np.hypot(y, x) < 0.5 * lens.aperture_diameter
+    scale = (
+        lens.sensor_distance / PIXEL
+    )  # an object at X in the distance z is imaged -scale X / z pixels from the axis
+    crossing = []
+    for place, height in ((row, y), (column, x)):
+        point = -place * far / scale
+        crossing.append(np.rint(-scale / near * (point + (height - point) * (far - near) / far)).astype(int)[inside])
+    return 1.0 - mask[tuple(np.clip(at, 0, side - 1) for at, side in zip(crossing, mask.shape, strict=True))].mean()
+
+
+FRONTS = {
+    "edge": lambda y, x: x < 48,
+    "corner": lambda y, x: (x < 44) & (y > 30),
+    "pole": lambda y, x: (x > 44) & (x < 49),
+    "disc": lambda y, x: np.hypot(y - 36, x - 44) < 8,
+}
+
+
+@pytest.mark.parametrize("front", FRONTS)
+@pytest.mark.parametrize("focus", [2.5, 6.0], ids="focus at {} m".format)
+def test_points_of_light_beside_edges_have_the_light_that_passes_the_front(front, focus):
+    lens, near, far = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=focus, wavelength=550e-9), 2.0, 3.0
+    mask = FRONTS[front](*np.indices(SHAPE))
+    depth, scene = np.where(mask, near, far), np.where(mask, 0.3, 0.05).astype(np.float32)
+    without, kept = depth_of_field(scene, depth, lens, PIXEL, encoding="linear").values, []
+    for column in (49, 50, 52, 55):  # of far points, 1 to 11 pixels from the edge
+        scene[29, column] += 0.6
+        image = depth_of_field(scene, depth, lens, PIXEL, encoding="linear").values
+        scene[29, column] -= 0.6
+        kept.append((image.astype(np.float64).sum() - without.sum(dtype=np.float64)) / 0.6)
+    true = [passing(mask, lens, near, far, 29, column) for column in (49, 50, 52, 55)]
+    np.testing.assert_allclose(kept, true, atol=0.005)

@@ -501,7 +501,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     metres = fill_missing(metres, o.missing)
     channels = channel_spectra(light.shape, lens.wavelength)
     blur = DepthBlur(metres, lens, pixel, channels=channels, threads=job.threads)
-    image = Occlusion(blur).forward(light)
+    image = Occlusion(blur).forward(light, copies=False)
     if (noise := job.o.noise) is not None:
         electrons = np.multiply(np.maximum(image, 0.0), np.asarray(noise.white), dtype=np.float64)
         image = noise.record(electrons, random).astype(image.dtype)

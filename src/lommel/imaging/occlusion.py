@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
+import scipy
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
-from lommel.deconvolve.linear import LinearBlur
+from lommel.deconvolve.linear import LinearBlur, folded
 from lommel.imaging.bank import Bank
 from lommel.imaging.blur import DepthBlur, Points, parts
 from lommel.optics.pupil import ray_height
@@ -20,6 +23,9 @@ MAX_LAYERS = 64  # largest number of layers; for a larger range of blur, layers 
 # Fraction of the sharp image that is added to the blurred image: it keeps divisors above 0.
 _SHARP_FRACTION = 1e-9
 
+_QUIET = 4.0  # least contrast of a point / range of light of the darkest 22 of the 25 pixels around it
+_FAINT = (0.003, 0.03)  # least contrast of a point: of white or the brightest pixel, and of its surroundings
+
 
 class Layering(NamedTuple):
     """Layers of points by depth, and the light that they occlude."""
@@ -27,6 +33,7 @@ class Layering(NamedTuple):
     layers: NDArray[np.uint8]  # layer of each point, 0 the nearest
     behind: NDArray[np.int32] | None  # for each point, flat index of the point whose light is behind it; -1: none
     number: int  # number of layers
+    range: int  # range of blur radii in pixels, rounded up
 
     @property
     def level(self) -> int:
@@ -116,22 +123,67 @@ class Occlusion(LinearBlur):
         """Height and width of the images."""
         return self.blur.shape
 
-    def forward(self, image: Values) -> Values:
-        """Return the blurred `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
-        second_call = self._cache is not None and self._current()
-        _, shares_of, _ = self._cached_data()
+    def forward(self, image: Values, *, copies: bool = True) -> Values:
+        """Return the blurred `image`: see :meth:`lommel.imaging.LinearBlur.forward`.
+
+        Without `copies`, hidden points do not copy points of light (isolated bright pixels), and the light of such
+        points beside edges is the part that passes the nearer surfaces. The result is then not linear in the image.
+        """
+        second_call, (layering, shares_of, _) = self._current(), self._cached_data()
 
         def render(channel: int, plane: Values) -> Values:
             bank, blurred = self.blur.banks[channel], np.zeros(self.shape, dtype=self.dtype)
+            far = max(bank.half, layering.range)
+            points = np.zeros(1) if copies or layering.behind is None else self._points_beside_edges(plane, far)
+            plane = plane - points if points.any() else plane
             shares = self._composite(channel, plane, blurred, shares_of.get(bank))
             if second_call:  # most depth maps are used once: `shares` are cached only from the second call on
                 shares_of[bank] = shares
             blurred += _SHARP_FRACTION * plane
             # Division by the image of a white scene: partly occluded neighbourhoods keep their brightness.
             blurred /= shares.total + _SHARP_FRACTION
+            if points.any():
+                self._draw(points, bank, far, shares.seen, blurred)
             return blurred
 
         return self.by_channel(image, render)
+
+    def _points_beside_edges(self, plane: Values, far: int) -> Values:
+        """Return the points of light up to `far` pixels, or a little more, from edges; 0 elsewhere."""
+        (hidden, sources), width = self._cached_data()[0].edges(), self.shape[1]
+        # A quick test: a point exceeds a neighbour along both axes by a quarter, and by 3 % of white.
+        flat, floor = plane.reshape(-1), 0.03 * min(1.0, float(plane.max()))
+        near = np.flatnonzero(flat[1:-1] > 1.25 * np.minimum(flat[:-2], flat[2:])) + 1
+        light, *others = (flat.take(near + step, mode="clip") for step in (0, width, -width))
+        near = near[light > 1.25 * np.minimum(*others) + floor]
+        blocks = np.zeros([side // far + 1 for side in self.shape], dtype=bool)
+        blocks[hidden // width // far, hidden % width // far] = True
+        blocks = scipy.ndimage.binary_dilation(blocks, np.ones((3, 3)))
+        near = near[blocks[near // width // far, near % width // far]]
+        if not near.size:
+            return np.zeros(1)
+        # A point is compared with the background only, and with the light that stands for it behind the edge.
+        filled = plane.copy()
+        filled.put(hidden, plane.take(sources))
+        near = near[filled.take(near) == plane.take(near)]
+        return points_of_light(filled, plane.size, np.unravel_index(near, self.shape))
+
+    def _draw(self, points: Values, bank: Bank, far: int, seen: Values, out: Values) -> None:
+        """Add points of light to `out`, each with the light that passes nearer surfaces up to `far` pixels away."""
+        layering, table = self._cached_data()[0], _radii(self.blur, self.reach)
+        planes = self.blur.defocus, seen, np.zeros_like(seen)
+        defocus, seen, drawn = (np.pad(plane, far, mode="symmetric") for plane in planes)
+        # A point does not hide itself.
+        distance = np.maximum(np.hypot(*np.ogrid[-far : far + 1, -far : far + 1]), 0.5)
+        for y, x in np.argwhere(points):
+            around = np.s_[y : y + 2 * far + 1, x : x + 2 * far + 1]
+            nearer = np.interp(defocus[around], *table) - np.interp(defocus[y + far, x + far], *table)
+            # A nearer point blocks the rays through the part of the aperture that it covers, seen from (y, x).
+            covered = np.clip(nearer - distance + 0.5, 0.0, 1.0) / (math.pi * np.maximum(nearer, 0.5) ** 2)
+            visible = np.clip(seen[around] - (float(layering.layers[y, x]) + layering.level), 0.0, 1.0)
+            light = np.pad(bank.window(defocus[y + far, x + far]), far - bank.half) * visible
+            drawn[around] += light * (points[y, x] * max(0.0, 1.0 - covered.sum()) / max(light.sum(), 1e-9))
+        out += folded(drawn, (far, far), out.shape)
 
     def adjoint(self, image: Values) -> Values:
         """Return the transpose of :meth:`forward` of `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
@@ -155,14 +207,12 @@ class Occlusion(LinearBlur):
 
     def _current(self) -> bool:
         """Return True if the cached data belong to the current defocus map and banks."""
-        cache = self._cache
-        return cache is not None and cache[0] is self.blur.defocus and cache[1] is self.blur.banks
+        return self._cache is not None and self._cache[0] is self.blur.defocus and self._cache[1] is self.blur.banks
 
     def _cached_data(self) -> tuple[Layering, dict[Bank, Shares], dict[Bank, list[Points]]]:
         """Return the layers, the visibility by bank, and the points by bank; cached for one depth map."""
-        if not self._current():
+        if self._cache is None or not self._current():
             self._cache = self.blur.defocus, self.blur.banks, _layering(self.blur, self.reach), {}, {}
-        assert self._cache is not None
         return self._cache[2:]
 
     def _points(self, channel: int) -> list[Points]:
@@ -217,11 +267,11 @@ def reach_behind(blur: DepthBlur, reach: tuple[float, float]) -> int:
     return math.ceil(2.0 * float(np.ptp(_radii(blur, reach)[1])))
 
 
-def _radii(blur: DepthBlur, reach: tuple[float, float]) -> tuple[Array, Array]:
-    """Return values of C_d over a range, and the signed radii of the circles of confusion in pixels."""
+def _radii(blur: DepthBlur, reach: tuple[float, float] | None) -> tuple[Array, Array]:
+    """Return values of C_d over a range (None: of `blur`), and the signed radii of circles of confusion in pixels."""
     # The marginal ray meets the sensor at v = 4 C_d for a paraxial lens, and nearly in proportion to C_d for other
     # lenses. The nearest points have the largest signed radius.
-    defocus = np.linspace(*reach, 129)
+    defocus = np.linspace(*(reach or (float(blur.defocus.min()), float(blur.defocus.max()))), 129)
     rim = ray_height(blur.lens.phase(defocus).edge, np.ones(1))[:, 0]
     return defocus, blur.lens.wavelength * blur.lens.working_f_number / (math.pi * blur.pixel) * rim
 
@@ -231,11 +281,39 @@ def _layering(blur: DepthBlur, reach: tuple[float, float] | None = None) -> Laye
     # There is hidden light behind a point if the image distance to a farther point is below the difference between
     # the radii of their circles of confusion: marginal rays then pass the edge. The nearest farther point marks the
     # edge. Diffraction spreads about 1 % of the light outside the geometric radius; division by `total` restores it.
-    defocus, radii = _radii(blur, reach or (float(blur.defocus.min()), float(blur.defocus.max())))
+    defocus, radii = _radii(blur, reach)
     thickness = max(0.5, float(np.ptp(radii)) / MAX_LAYERS)
     layers, behind = np.empty(blur.shape, dtype=np.uint8), np.empty(blur.shape, dtype=np.int32)
     low, high = float(defocus[0]), float(defocus[-1])
     count, has_hidden = engine.depth_layers(
         blur.defocus, low, high, radii, thickness, MAX_LAYERS, blur.threads, layers, behind
     )
-    return Layering(layers, behind if has_hidden else None, count)
+    return Layering(layers, behind if has_hidden else None, count, math.ceil(float(np.ptp(radii))))
+
+
+def points_of_light(plane: Values, most: int, among: tuple[NDArray[np.intp], ...] | None = None) -> Values:
+    """Return the light by which isolated pixels, up to three in 5 x 5, exceed those around them; 0 elsewhere.
+
+    If there are more than `most` points, they are the brightest. Only pixels `among` these rows and columns are
+    examined; None for all.
+    """
+    floor, points = _FAINT[0] * min(1.0, float(plane.max())), np.zeros_like(plane)
+    around = sliding_window_view(np.pad(plane, 2, mode="reflect"), (5, 5))
+    indices = np.broadcast_arrays(*np.ogrid[: plane.shape[0], : plane.shape[1]])
+    # Few rows at a time: their light stays in the cache.
+    for part in [np.s_[first : first + 32] for first in range(0, len(plane), 32)] if among is None else [among]:
+        ring = [around[..., 1 + k // 3, 1 + k % 3][part] for k in range(9)]  # 3 x 3 pixels, the middle one ring[4]
+        # A quick test: two other points are on at most two of the four pairs of opposite neighbours.
+        a, b, c, d = (np.maximum(ring[k], ring[8 - k]) for k in range(4))
+        second = np.maximum(np.minimum(a, b), np.minimum(c, d))
+        second = np.minimum(second, np.minimum(np.maximum(a, b), np.maximum(c, d)))
+        darkest = reduce(np.minimum, ring[:4] + ring[5:])
+        stands_out = ring[4] - second > _QUIET * (second - darkest)
+        places = tuple(index[part][stands_out] for index in indices)
+        ordered = np.sort(around[places].reshape(-1, 25), axis=1)
+        light, quiet = plane[places] - ordered[:, -4], ordered[:, -4]
+        bright = (light > _QUIET * (quiet - ordered[:, 0])) & (light > floor + _FAINT[1] * np.abs(quiet))
+        points[places] = np.where(bright, light, 0.0)
+    if most < plane.size and np.count_nonzero(points) > most:
+        points[points <= np.partition(points, -most - 1, axis=None)[-most - 1]] = 0.0
+    return points

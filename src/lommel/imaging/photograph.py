@@ -6,13 +6,11 @@ import copy
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, reduce
-from itertools import chain
+from functools import lru_cache
 from typing import Annotated, Any, Self
 
 import numpy as np
 import scipy
-from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
@@ -23,7 +21,7 @@ from lommel.deconvolve.linear import folded, tiles_of
 from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.blur import DepthBlur, require_lens, require_metres
 from lommel.imaging.field_blur import FieldBlur, FieldPhotographOptions, PointLight
-from lommel.imaging.occlusion import Occlusion, reach_behind
+from lommel.imaging.occlusion import Occlusion, points_of_light, reach_behind
 from lommel.imaging.settings import FILL, Spectrum, TableOptions, channel_spectra
 from lommel.io.photos import Photograph
 from lommel.optics.lens import Lens
@@ -182,15 +180,15 @@ class Scene:
 
     def photograph(self, blur: Occlusion, out: Pixels | None = None, *, occlusion: bool = True) -> Rendered:
         """Return the photograph with the blur of this scene; `out` is written last, and unchanged after errors."""
-        light, points = (blur if occlusion else blur.blur).forward(self._light), self._o.supersample
+        points = self._o.supersample
+        light = blur.forward(self._light, copies=False) if occlusion else blur.blur.forward(self._light)
         if points > 1:
             height, width, *channels = self.shape
             light = light.reshape(height, points, width, points, *channels).mean(axis=(1, 3))
         values, clipped = encode_light(light, self.encoding, self.dtype)
         if out is not None:
-            np.copyto(out, values)
-            values = out
-        return Rendered.by(blur.blur, values, self.encoding, clipped)
+            out[...] = values
+        return Rendered.by(blur.blur, values if out is None else out, self.encoding, clipped)
 
 
 _KEPT = 4  # number of lens settings whose PSF windows and occlusion a FocusPlan keeps
@@ -386,7 +384,8 @@ def _render_tiles(
         blur.place(np.asarray(distances[overlapping]))
         seen = Occlusion(blur)
         seen.reach = reach
-        light = seen.forward(scene_light("image", np.asarray(values[overlapping]), encoding, whole.dtype))[inner]
+        sharp = scene_light("image", np.asarray(values[overlapping]), encoding, whole.dtype)
+        light = seen.forward(sharp, copies=False)[inner]
         out[region], fraction = encode_light(light, encoding, values.dtype)
         clipped += fraction * light.size / out.size
         if progress is not None:
@@ -587,36 +586,9 @@ class UntiltedBlur(FieldBlur):
 
 _MARGIN = 3  # pixels by which windows of points, at any shift, are wider on each side than those of the blur
 _LANDING_STEPS = 12  # steps of a fixed-point iteration; each reduces the error by the strain of the distortion
-_QUIET = 4.0  # least contrast of a point / range of light of the darkest 22 of the 25 pixels around it
-_FAINT = (0.003, 0.03)  # least contrast of a point: of white or the brightest pixel, and of its surroundings
 # Largest number of values of the PSFs that are drawn in a channel; PSFs of apertures that are neither circular nor
 # annular (False) take 30 to 200 times as long.
 _MAX_DRAWN = {True: 2**23, False: 2**18}
-
-
-def points_of_light(plane: Values, most: int) -> Values:
-    """Return the light by which isolated pixels, up to three in 5 x 5, exceed those around them; 0 elsewhere.
-
-    If there are more than `most` points, they are the brightest.
-    """
-    floor, points = _FAINT[0] * min(1.0, float(plane.max())), np.zeros_like(plane)
-    around = sliding_window_view(np.pad(plane, 2, mode="reflect"), (5, 5))
-    for first in range(0, len(plane), 32):  # few rows at a time: their light stays in the cache
-        strip = around[first : first + 32]
-        pairs = [(strip[..., 2 + i, 2 + j], strip[..., 2 - i, 2 - j]) for i, j in ((0, 1), (1, 0), (1, 1), (1, -1))]
-        # A quick test: two other points are on at most two of the four pairs of opposite neighbours.
-        a, b, c, d = (np.maximum(*pair) for pair in pairs)
-        second = np.maximum(np.minimum(a, b), np.minimum(c, d))
-        second = np.minimum(second, np.minimum(np.maximum(a, b), np.maximum(c, d)))
-        darkest = reduce(np.minimum, chain(*pairs))
-        places = np.nonzero(strip[..., 2, 2] - second > _QUIET * (second - darkest))
-        ordered = np.sort(strip[places].reshape(-1, 25), axis=1)
-        light, quiet = strip[..., 2, 2][places] - ordered[:, -4], ordered[:, -4]
-        bright = (light > _QUIET * (quiet - ordered[:, 0])) & (light > floor + _FAINT[1] * np.abs(quiet))
-        points[first : first + 32][places] = np.where(bright, light, 0.0)
-    if np.count_nonzero(points) > most:
-        points[points <= np.partition(points, -most - 1, axis=None)[-most - 1]] = 0.0
-    return points
 
 
 def positive(light: Values) -> Values:

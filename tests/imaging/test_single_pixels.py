@@ -105,3 +105,11 @@ def test_points_of_light_beside_edges_have_the_light_that_passes_the_front(front
         kept.append((image.astype(np.float64).sum() - without.sum(dtype=np.float64)) / 0.6)
     true = [passing(mask, lens, near, far, 29, column) for column in (49, 50, 52, 55)]
     np.testing.assert_allclose(kept, true, atol=0.005)
+
+
+def test_points_of_light_beside_edges_are_the_same_in_tiles():
+    draw = np.random.default_rng(2)
+    depth = np.where(FRONTS["corner"](*np.indices(SHAPE)), 2.0, 3.0)
+    scene = np.where(draw.random(SHAPE) < 0.01, 1.0, 0.1).astype(np.float32)
+    tiles, whole = (depth_of_field(scene, depth, LENS, PIXEL, encoding="linear", tile=n).values for n in (32, None))
+    np.testing.assert_allclose(tiles, whole, atol=1e-6)

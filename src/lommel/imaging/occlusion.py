@@ -7,7 +7,6 @@ from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
-import scipy
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
@@ -149,21 +148,21 @@ class Occlusion(LinearBlur):
         return self.by_channel(image, render)
 
     def _points_beside_edges(self, plane: Values, far: int) -> Values:
-        """Return the points of light up to `far` pixels, or a little more, from edges; 0 elsewhere."""
-        (hidden, sources), width = self._cached_data()[0].edges(), self.shape[1]
+        """Return the points of light with hidden points up to `far` rows and columns away; 0 elsewhere."""
+        layering, width = self._cached_data()[0], self.shape[1]
+        assert (behind := layering.behind) is not None
         # A quick test: a point exceeds a neighbour along both axes by a quarter, and by 3 % of white.
         flat, floor = plane.reshape(-1), 0.03 * min(1.0, float(plane.max()))
         near = np.flatnonzero(flat[1:-1] > 1.25 * np.minimum(flat[:-2], flat[2:])) + 1
         light, *others = (flat.take(near + step, mode="clip") for step in (0, width, -width))
         near = near[light > 1.25 * np.minimum(*others) + floor]
-        blocks = np.zeros([side // far + 1 for side in self.shape], dtype=bool)
-        blocks[hidden // width // far, hidden % width // far] = True
-        blocks = scipy.ndimage.binary_dilation(blocks, np.ones((3, 3)))
-        near = near[blocks[near // width // far, near % width // far]]
+        starts = [(at, max(0, at // width - far), max(0, at % width - far)) for at in near.tolist()]
+        side = 2 * far + 1
+        near = np.array([at for at, y, x in starts if behind[y : y + side, x : x + side].max() >= 0], dtype=np.intp)
         if not near.size:
             return np.zeros(1)
         # A point is compared with the background only, and with the light that stands for it behind the edge.
-        filled = plane.copy()
+        filled, (hidden, sources) = plane.copy(), layering.edges()
         filled.put(hidden, plane.take(sources))
         near = near[filled.take(near) == plane.take(near)]
         return points_of_light(filled, plane.size, np.unravel_index(near, self.shape))

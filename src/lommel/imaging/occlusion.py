@@ -150,15 +150,15 @@ class Occlusion(LinearBlur):
     def _points_beside_edges(self, plane: Values, far: int) -> Values:
         """Return the points of light with hidden points up to `far` rows and columns away; 0 elsewhere."""
         layering, width = self._cached_data()[0], self.shape[1]
-        assert (behind := layering.behind) is not None
+        assert layering.behind is not None
         # A quick test: a point exceeds a neighbour along both axes by a quarter, and by 3 % of white.
         flat, floor = plane.reshape(-1), 0.03 * min(1.0, float(plane.max()))
         near = np.flatnonzero(flat[1:-1] > 1.25 * np.minimum(flat[:-2], flat[2:])) + 1
         light, *others = (flat.take(near + step, mode="clip") for step in (0, width, -width))
         near = near[light > 1.25 * np.minimum(*others) + floor]
-        starts = [(at, max(0, at // width - far), max(0, at % width - far)) for at in near.tolist()]
+        starts = [(k, max(0, k // width - far), max(0, k % width - far)) for k in near.tolist()]
         side = 2 * far + 1
-        near = np.array([at for at, y, x in starts if behind[y : y + side, x : x + side].max() >= 0], dtype=np.intp)
+        near = np.array([k for k, y, x in starts if layering.behind[y : y + side, x : x + side].max() >= 0], np.intp)
         if not near.size:
             return np.zeros(1)
         # A point is compared with the background only, and with the light that stands for it behind the edge.

@@ -57,7 +57,7 @@ def test_the_gain_of_a_header_is_the_same_by_file_container_and_command(tmp_path
 @pytest.mark.parametrize(
     ("images", "noise", "white", "words"),
     [
-        (nddata.CCDData(STARS, unit="adu"), READ, None, "in adu without a gain: each was taken as one electron"),
+        (nddata.CCDData(STARS, unit="adu"), READ, None, "No gain is known: 1 electron per count was assumed"),
         (nddata.CCDData(STARS, unit="ct"), READ, None, ""),
         (nddata.CCDData(STARS, unit="adu", header=header()), lm.Noise(white=2.5, read=5.0), 2.5, "; 2.5 was used."),
         (
@@ -66,8 +66,8 @@ def test_the_gain_of_a_header_is_the_same_by_file_container_and_command(tmp_path
             1.5,
             "read noise of 5 electrons; 2 was",
         ),
-        (nddata.CCDData(STARS, unit="adu", header={"GAIN": 120}), READ, None, "GAIN = 120, which was not used"),
-        (xr.DataArray(STARS, dims=("z", "y", "x"), attrs={"units": "adu"}), READ, None, "in adu without a gain"),
+        (nddata.CCDData(STARS, unit="adu", header={"GAIN": 120}), READ, None, "GAIN = 120, not used"),
+        (xr.DataArray(STARS, dims=("z", "y", "x"), attrs={"units": "adu"}), READ, None, "No gain is known"),
     ],
 )
 def test_what_contradicts_the_noise_or_is_missing_is_told(images, noise, white, words):

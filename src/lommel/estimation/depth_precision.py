@@ -81,7 +81,8 @@ def depth_precision(
     Derivatives are finite differences over 0.08 rad of defocus, with a relative error below 1e-3. Texture beyond the
     Nyquist frequency of the sensor is aliased and acts as noise. The power of the texture is assumed to be unknown,
     as in :func:`lommel.imaging.depth_from_defocus`: depth follows from differences between photographs, and a single
-    photograph does not determine it. Depth is assumed constant in Gaussian windows of 4 pixels rms, as there.
+    photograph does not determine it. Depth is assumed constant in Gaussian windows of 4 pixels rms, as there. The
+    bound is local: of photographs with one focus the depth on the other side of it, which looks the same, is excluded.
 
     Examples
     --------

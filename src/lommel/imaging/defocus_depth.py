@@ -262,7 +262,7 @@ def depth_from_defocus(
         raise ValueError("lenses must differ in focus or aperture: photographs with one setting have one blur")
     noise = validation.instance("noise", noise, Noise).poisson
     validation.function("progress", progress, required=False)
-    ends, vergence = checked_range(between, lenses, pitch, _MAX_CANDIDATES)
+    ends, vergence = checked_range(between, lenses, pitch, _MAX_CANDIDATES, transfer)
     counts = _counts(photos)
     scene = counts[0].values
     if all(_is_grey(photo.values) for photo in counts):  # three copies of one channel

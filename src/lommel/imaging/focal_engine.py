@@ -20,7 +20,7 @@ from lommel.core.answers import DType
 from lommel.core.engine import FocalScale, FocalStream
 from lommel.estimation.depth_precision import WINDOW
 from lommel.estimation.focal_model import FocalLight, FocalModel, Spectrum, Transfer, transfer_curve
-from lommel.imaging.focal_tables import SharpTables, Taps, candidates, focal_tables, shifts
+from lommel.imaging.focal_tables import SharpTables, Taps, candidates, focal_tables, residual_filters, shifts
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 
@@ -183,6 +183,9 @@ _MARGIN = 0.02  # distance outside the range at which depths are accepted / verg
 _CHANGE = 0.01  # finite difference for derivatives by lenses: relative change of f-numbers, or fraction of a step
 _DERIVATIVE_CANDIDATES = 15  # number of candidates at which derivatives by lenses are computed
 _FOCI = 5  # number of foci from which the basis of refocused images is computed
+_SAME = 1e-9  # largest relative difference of focus distances that are equal up to rounding
+_BRIGHT = 50_000.0  # electrons per pixel at which depths on both sides of a focus are compared
+_DISTINCT = 3.0  # smallest difference of their energies by which they are distinct, in standard errors of a window
 
 
 class FocalTask(NamedTuple):
@@ -221,15 +224,24 @@ class FocalTask(NamedTuple):
 
 
 def checked_range(
-    between: tuple[float, float], lenses: Sequence[Lens], pixel: float, limit: int
+    between: tuple[float, float],
+    lenses: Sequence[Lens],
+    pixel: float,
+    limit: int,
+    transfer: Transfer = transfer_curve,
 ) -> tuple[tuple[float, float], Array]:
-    """Return `between` after checks, and the vergences (1/m) of the candidate depths, at most `limit`."""
+    """Return `between` after checks, and the vergences (1/m) of the candidate depths, at most `limit`.
+
+    ValueError also if `between` contains both sides of a focus that all of several lenses share, with equal images.
+    """
     if not isinstance(between, Sequence | np.ndarray) or len(between) != 2:
         raise TypeError(f"between must be the nearest and the farthest distance, got {validation.shown(between)}")
     nearest = validation.real("between[0]", between[0], above=0.0, unit="metres")
     farthest = validation.real("between[1]", between[1], above=0.0, infinite=True, unit="metres")
     if not nearest < farthest:
         raise ValueError(f"between must be the nearest and the farthest distance, got {nearest:g} and {farthest:g} m")
+    if len(lenses) > 1:
+        _refuse_mirrored((nearest, farthest), lenses, pixel, transfer)
     span = 0.0
     for lens in lenses:
         # The blur radius changes by 4 lambda N / pi per radian of defocus.
@@ -242,6 +254,33 @@ def checked_range(
             "smaller range, stop down, or bin pixels"
         )
     return (nearest, farthest), candidates((nearest, farthest), count + -(count - 1) % 4, lenses)
+
+
+def _refuse_mirrored(ends: tuple[float, float], lenses: Sequence[Lens], pixel: float, transfer: Transfer) -> None:
+    """Raise ValueError if lenses with one focus distance have equal images on both sides of it, within `ends`.
+
+    Without spherical aberration blur depends on abs(1 / distance - 1 / focus distance).
+    """
+    focus, (low, high) = 1.0 / lenses[0].focus_distance, (1.0 / distance for distance in ends[::-1])
+    extent = min(high - focus, focus - low)
+    if extent <= _SAME * high or any(abs(1.0 / lens.focus_distance - focus) > _SAME * focus for lens in lenses):
+        return
+    # Frames at distances on one side, filtered for the mirror images of these distances: what is left of the scene?
+    offsets = extent * np.linspace(0.25, 1.0, 4)
+    vergence = np.maximum(focus + np.append(offsets, -offsets), 0.0)
+    light, spectrum = FocalLight(_BRIGHT, 0.0, (1.0,) * len(lenses), CONTRAST), ((lenses[0].wavelength, 1.0),)
+    model = FocalModel.of(lenses, vergence, spectrum, pixel, light, transfer=transfer)
+    filters, share = residual_filters(model), model.band.share
+    scene = np.einsum("cpif,cif->cpf", filters, np.roll(model.transfer, len(offsets), axis=0)) ** 2 * model.texture
+    noise = np.einsum("cpif,i->cpf", filters**2, model.white)
+    errors = np.sqrt(2.0 * (noise**2 @ share).sum(axis=1) / (4.0 * math.pi * WINDOW**2))
+    if ((scene @ share).sum(axis=1) / errors).max() < _DISTINCT:
+        middle = f"{1.0 / focus:.4g}"
+        near, far = (1.0 / v if v > _SAME * focus else math.inf for v in (focus + extent, focus - extent))
+        raise ValueError(
+            f"both sides of the focus at {middle} m are in between=: {near:.3g} m and {far:.3g} m cannot be told "
+            f"apart; state one side, {ends[0]:g} to {middle} m or {middle} to {ends[1]:g} m"
+        )
 
 
 class FocalEngine:

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import defocus_depth
+from lommel.imaging import defocus_depth, focal_engine
 from planes import CAMERA, LENS, NOISE, PAIR, PIXEL, pixels, shoot, texture
-from scenes import averaged
+from scenes import averaged, hopkins
 
 
 def errors(found, distance):
@@ -172,6 +172,29 @@ def test_two_apertures_tell_depth_and_exposures_are_measured():
     assert found.exposures == pytest.approx(light, rel=5e-3)
     assert 0.6 < robust(errors(found, 1.6)) < 1.4
     assert np.nanmedian(found.errors) < 0.02
+
+
+@pytest.mark.parametrize(("spherical", "ends", "sides"), [
+    (0.0, (1.0, 2.0), "1.02 m and 2 m"), (0.0, (1.2, np.inf), "1.2 m and 1.54 m"), (0.0, (0.6, np.inf), "and inf m"),
+    (0.005, (1.0, 2.0), "1.02 m and"), (0.0, (1.0, 1.35), ""), (0.0, (1.35, 2.0), ""), (1.0, (1.0, 2.0), ""),
+])  # fmt: skip
+def test_two_apertures_at_one_focus_need_a_range_on_one_side_unless_aberrations_differ(spherical, ends, sides):
+    """At equal changes of 1 / distance on both sides of the focus, blur is equal without spherical aberration."""
+    far, near = (hopkins(np.linspace(0.0, 0.9, 40), sign * 6.0, spherical) for sign in (-1.0, 1.0))
+    assert np.abs(far - near).max() < 1e-2 or not sides
+    lens = lm.Lens(focal_length=35e-3, f_number=5.6, focus_distance=1.35, wavelength=540e-9,
+                   aberrations=lm.Wavefront.from_seidel(W040=spherical))  # fmt: skip
+    lenses, images = [lens, lens.stopped(11.0)], [np.full((64, 64), 0.5)] * 2
+    camera = {"noise": NOISE, "between": ends}
+    makers = [
+        lambda: lm.imaging.depth_from_defocus(images, lenses, PIXEL, encoding="linear", **camera),
+        lambda: lm.imaging.LiveDepth(lenses, PIXEL, shape=(64, 64), light=5e3, **camera),
+    ]
+    for make in makers if sides else ():
+        with pytest.raises(ValueError, match=rf"focus at 1\.35 m are in between=: .*{sides} .* state one side"):
+            make()
+    if not sides:
+        assert focal_engine.checked_range(ends, lenses, PIXEL, 2001)[0] == ends
 
 
 def test_colours_have_their_own_blur_and_one_depth(whole):

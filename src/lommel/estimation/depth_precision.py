@@ -82,7 +82,7 @@ def depth_precision(
     Nyquist frequency of the sensor is aliased and acts as noise. The power of the texture is assumed to be unknown,
     as in :func:`lommel.imaging.depth_from_defocus`: depth follows from differences between photographs, and a single
     photograph does not determine it. Depth is assumed constant in Gaussian windows of 4 pixels rms, as there. The
-    bound is local: of photographs with one focus the depth on the other side of it, which looks the same, is excluded.
+    bound is local: with one focus the depth on the other side of it, whose photographs are the same, is excluded.
 
     Examples
     --------

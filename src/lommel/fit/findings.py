@@ -16,6 +16,7 @@ CODES: Mapping[str, str] = {
     "blur_shape": "the most likely shape of the blur",
     "crowded": "many images contain other molecules in addition to the fitted molecule",
     "errors_change": "a standard error changes within one standard deviation of the estimate",
+    "estimated_noise": "the noise is estimated from the images, which therefore cannot test it",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
     "flat_top": "pixels have a full scale of 8 to 16 bits, or many have the largest value: they may be saturated",
     "held_out": "data that were held out of the fit are inconsistent with it",

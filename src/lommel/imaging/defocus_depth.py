@@ -33,6 +33,7 @@ from lommel.imaging.focal_engine import (
     checked_range,
     processors,
 )
+from lommel.imaging.pair_noise import residual_variance, starting_noise
 from lommel.imaging.photograph import require_image
 from lommel.imaging.settings import channel_spectra, spectra
 from lommel.io.depth_maps import fill_missing, write_depth
@@ -168,7 +169,7 @@ def depth_from_defocus(
     pixel: float,
     *,
     encoding: Encoding,
-    noise: Noise,
+    noise: Noise | None = None,
     between: tuple[float, float],
     transfer: Transfer = transfer_curve,
     progress: Callable[[int, int], object] | None = None,
@@ -191,8 +192,9 @@ def depth_from_defocus(
         Pixel pitch, metres.
     encoding : {"srgb", "linear"} or float
         Encoding of the photographs; a number states ``light = value ** number``.
-    noise : Noise
-        Noise of the linear photographs, where white is 1: ``noise.white`` is the number of electrons at white.
+    noise : Noise, optional
+        Noise of the linear photographs, where white is 1: ``noise.white`` is the number of electrons at white. By
+        default it is estimated from the photographs.
     between : (float, float)
         Nearest and farthest candidate distance, metres; the farthest may be infinite.
     transfer : callable, optional
@@ -260,7 +262,8 @@ def depth_from_defocus(
     photos = _list_photographs(photographs, lenses)
     if transfer is transfer_curve and all(lens == lenses[0] for lens in lenses):
         raise ValueError("lenses must differ in focus or aperture: photographs with one setting have one blur")
-    noise = validation.instance("noise", noise, Noise).poisson
+    # Without a noise photographs stay in units of white until it is estimated.
+    stated = Noise(white=1.0, read=0.0) if noise is None else validation.instance("noise", noise, Noise).poisson
     validation.function("progress", progress, required=False)
     ends, vergence = checked_range(between, lenses, pitch, _MAX_CANDIDATES, transfer)
     counts = _counts(photos)
@@ -268,7 +271,7 @@ def depth_from_defocus(
     if all(_is_grey(photo.values) for photo in counts):  # three copies of one channel
         counts = [photo[..., 0] for photo in counts]
     electrons, known = zip(
-        *(_electrons(f"photographs[{k}]", photo, encoding, noise) for k, photo in enumerate(counts)), strict=True
+        *(_electrons(f"photographs[{k}]", photo, encoding, stated) for k, photo in enumerate(counts)), strict=True
     )
     images, valid = (
         np.stack(electrons, axis=1).astype(np.float32, order="C"),
@@ -276,6 +279,10 @@ def depth_from_defocus(
     )
     if not valid.any():
         raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
+    white, read = np.ones(len(images)), math.sqrt(float(np.mean(np.square(stated.read))))
+    if noise is None:
+        white, read = starting_noise(np.where(valid, images, np.nan))
+        images *= white[:, None, None, None].astype(np.float32)
     registered = Registration(o.magnification, lenses, valid.shape, processors())
     for channel in images if registered else ():
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
@@ -290,9 +297,16 @@ def depth_from_defocus(
     mean, ratios = float(means[0]), tuple((means / means[0]).tolist())
     # Scale all frames to the exposure of the first: the tables assume one light level.
     images /= np.asarray(ratios, dtype=np.float32)[:, None, None]
-    read = math.sqrt(float(np.mean(np.square(noise.read))) + _ADDED_VARIANCE * mean)
-    engine = FocalEngine(task, FocalLight(mean, read, ratios, CONTRAST))
-    position, index_errors, misfit = _search(engine, images, valid, progress)
+    for estimated in (True, False) if noise is None else (False,):
+        light = FocalLight(mean, math.sqrt(read**2 + _ADDED_VARIANCE * mean), ratios, CONTRAST)
+        engine = FocalEngine(task, light)
+        position, index_errors, misfit = _search(engine, images, valid, None if estimated else progress)
+        if estimated:
+            # The residual is noise at the true depth: its variance is that of the noise.
+            excess = residual_variance(misfit)
+            images /= np.float32(excess)
+            white, mean, read = white / excess, mean / excess, read / math.sqrt(excess)
+    noise = Noise(white=float(white.mean()), read=read) if noise is None else None
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
     _add_slope_errors(position, index_errors, WINDOW, engine.known / step)
@@ -307,7 +321,8 @@ def depth_from_defocus(
 
     def sharpen(metres: Array) -> Values:
         positions = np.asarray((1.0 / metres - vergence[0]) / step, dtype=np.float32)
-        light = np.moveaxis(noise.image(_compute_sharp(engine, images, valid, positions)), 0, 2)
+        planes = _compute_sharp(engine, images, valid, positions) / white[:, None, None]
+        light = np.moveaxis(stated.image(planes), 0, 2)
         light = np.broadcast_to(light, (*valid.shape, *scene.shape[2:])) if scene.ndim == 3 else light[..., 0]
         if scene.dtype.kind != "f":
             light = np.clip(light, 0.0, 1.0)
@@ -315,7 +330,7 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, scene.dtype)
 
-    judge = partial(judge_frames, engine, images, valid, index_errors, misfit, estimate, scale_error)
+    judge = partial(judge_frames, engine, images, valid, index_errors, misfit, estimate, scale_error, noise)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge)
 
 

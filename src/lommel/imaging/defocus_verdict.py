@@ -27,6 +27,7 @@ from lommel.estimation.depth_precision import WINDOW
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
 from lommel.imaging.focal_engine import BLOCK, FocalEngine
 from lommel.imaging.focal_tables import residual_filters
+from lommel.recorded.noise import Noise
 
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
 _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.3, 1.8
@@ -64,8 +65,8 @@ _NEWTON_STEPS = 5  # number of Newton steps to the minimum of an energy
 class DefocusVerdict(FitReport):
     """Test of frames that differ in focus against their stated lenses and noise.
 
-    The findings have the codes "no_depth", "misfit", "too_quiet", "left_out", "lens_scale" and "untested". The
-    finding "untested" lists errors that these frames, or any frames, cannot reveal.
+    The findings have the codes "no_depth", "misfit", "too_quiet", "left_out", "estimated_noise", "lens_scale" and
+    "untested". The finding "untested" lists errors that these frames, or any frames, cannot reveal.
 
     Attributes
     ----------
@@ -110,6 +111,7 @@ class DefocusVerdict(FitReport):
         *,
         judged: float = 1.0,
         stated: float = 0.0,
+        noise: Noise | None = None,
     ) -> Self:
         """Return the verdict for a misfit and a scale.
 
@@ -119,12 +121,14 @@ class DefocusVerdict(FitReport):
             See the attributes.
         stated : float
             Standard error of the scale that follows from the stated errors of the lenses.
+        noise
+            Noise estimated from these frames, which `misfit` therefore cannot test; None for a stated noise.
 
         Returns
         -------
         DefocusVerdict
         """
-        findings, agreements = list[Finding](), list[str]()
+        findings, agreements, untested = list[Finding](), list[str](), [*_UNTESTED]
 
         def add(code: str, severity: Severity, text: str, numbers: Mapping[str, object] | None = None) -> None:
             findings.append(Finding(code, severity, text, numbers or {}))
@@ -134,6 +138,13 @@ class DefocusVerdict(FitReport):
         value = f"misfit {misfit:.3g}{where}"
         if math.isnan(misfit):
             add("no_depth", "error", "no depth is known: there is no texture, or every depth is out of range")
+        elif noise is not None:
+            text = (
+                f"noise estimated from the images: white {noise.white:.3g}, read noise {noise.read:.3g} electrons; "
+                "registration and noise are not tested"
+            )
+            add("estimated_noise", "note", text, noise.to_dict())
+            untested.insert(0, "registration and noise, for the noise is estimated from the images")
         elif judged < _MIN_JUDGED:
             text = (
                 f"registration and noise cannot be judged: {percent(1.0 - judged)} of the pixels are near edges or "
@@ -154,7 +165,6 @@ class DefocusVerdict(FitReport):
             add("too_quiet", "error", text, numbers)
         else:
             agreements.append(f"registration and noise agree ({value}; 1 if only noise is left)")
-        untested = [*_UNTESTED]
         deviation = min(abs(s - 1.0) / math.hypot(scale_error, stated) for s in (scale, *others))
         ratio = f"{scale:.2f} +- {scale_error:.2f}"
         numbers = {"scale": scale, "error": scale_error}
@@ -212,12 +222,14 @@ def judge_frames(
     misfit: Values,
     vergence: Array,
     stated_error: float = 0.0,
+    noise: Noise | None = None,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
 
     The other arrays are maps of shape (height, width): `valid` is True for known pixels, `errors` are standard errors
     of depth in any unit, inf if depth is unknown, `vergence` is 1 / distance in 1 / m. `stated_error` is the
-    standard error of the scale that follows from the stated errors of the lenses.
+    standard error of the scale that follows from the stated errors of the lenses, and `noise` the noise that was
+    estimated from the images, if none was stated.
     """
     known = np.isfinite(errors)
     if not known.any():
@@ -232,7 +244,7 @@ def judge_frames(
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     tiles = list(_tiles(images[brightest], valid, weight, engine))
     median, judged = _judged_misfit(engine, brightest, tiles, vergence) or (float(np.median(misfit[known])), 1.0)
-    make_verdict = partial(DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated_error)
+    make_verdict = partial(DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated_error, noise=noise)
     minima = _scale_minima(engine, brightest, tiles)
     if not minima:
         return make_verdict()

@@ -196,6 +196,7 @@ _STRUCTURE = 16.0  # squares that exceed this multiple of the variance are detai
 _SATURATED = 8  # least number of voxels with the largest value of a plane for which it counts as saturated
 _MEDIAN = 0.4549  # median of the square of a normal deviate
 _MAX_LOG_RATIO = 0.3  # difference of the logarithms of variances that details and rounding may cause
+_MIN_NOISE = 1e-4  # least noise / light of an image: others are computed, not recorded
 _MAX_ERROR = 0.3  # largest accepted relative standard error of the gain
 
 
@@ -240,6 +241,19 @@ def measured_noise(stack: Stack, read: float = _READ) -> tuple[Noise, float]:
     """Return the noise, and the relative standard error of the gain."""
     sigma = validation.real("read", read, least=0.0)
     return _fit_noise(*_local_variances(stack), sigma)
+
+
+def image_noise(image: Array) -> tuple[float, float, float]:
+    """Return mean light and its noise variance in one image without offset, and the fraction of this for dark pixels.
+
+    NaN pixels are unknown. Fine details count as noise. The fraction is 0 where it cannot be separated.
+    """
+    mean, squares, independent = _local_variances(image[None])
+    constant, slope, error = _fit_line(mean, squares)
+    light = float(mean.mean())
+    variance = max(constant + slope * light, (_MIN_NOISE * light) ** 2)
+    is_clear = slope * math.sqrt(independent) * _MAX_ERROR > error
+    return light, variance, constant / variance if is_clear else 0.0
 
 
 def _fit_noise(mean: Array, squares: Array, independent: float, sigma: float) -> tuple[Noise, float]:

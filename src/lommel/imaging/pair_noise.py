@@ -1,0 +1,30 @@
+"""Noise of images that differ in focus, estimated from these images."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from lommel.base.arrays import Array, Values
+from lommel.recorded.camera_noise import image_noise
+
+_MAX_DARK = 0.9  # largest fraction of the noise that is put down to read noise
+
+
+def starting_noise(images: Values) -> tuple[Array, float]:
+    """Return the electrons at 1 of each channel of images (channels, frames, height, width), and the read noise.
+
+    The noise is that of the finest details in the frame with the least of them: the other frames are sharper, and
+    their details are those of the scene. NaN pixels are unknown.
+    """
+    light, variance, dark = np.moveaxis([[image_noise(plane) for plane in channel] for channel in images], 2, 0)
+    share = min(float(dark.mean()), _MAX_DARK)
+    white = (np.maximum(light, 1e-12) / np.maximum(variance, 1e-24)).max(axis=1) / (1.0 - share)
+    return white, math.sqrt(share / (1.0 - share) * float((light.T * white).mean()))
+
+
+def residual_variance(misfit: Values) -> float:
+    """Return the variance of the residuals of images relative to that of the noise."""
+    values = misfit[np.isfinite(misfit)]
+    return float(np.median(values)) if values.size else 1.0

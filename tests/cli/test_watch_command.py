@@ -16,6 +16,7 @@ from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -235,15 +236,18 @@ def test_frames_are_made_even_in_brightness_row_by_row(kind):
 def test_a_block_is_known_up_to_the_largest_misfit_and_a_pixel_below_saturation(monkeypatch):
     depth, errors = np.array([1.0, 2.0, 3.0, 4.0]), np.array([0.1, 0.2, 0.3, np.inf])
     found = SimpleNamespace(depth=depth, errors=errors, misfit=np.array([1.0, 2.0, 2.001, 1.0]), light=9.0)
-    coding = SimpleNamespace(light=lambda frame: frame, noise=SimpleNamespace(offset=10.0), saturation=110.0)
+    noise = lm.Noise(white=1.0, read=1.0, offset=10.0)
+    coding = SimpleNamespace(light=lambda frame: frame, noise=noise, saturation=110.0)
     frame = np.full((40, 3), 50.0)
     frame[20] = 109.9, 110.0, 10.0
     assert np.isnan(video_commands.equalize_rows(frame, frame, coding)[1][20]).tolist() == [False, True, False]
-    estimator = video_commands.Estimator(lambda *_: found, coding, 2.0, sharp=False)
+    live = Mock(return_value=found, noise=lm.Noise(white=2.0, read=1.0))  # 2 electrons where the coding has 1
+    estimator = video_commands.Estimator(live, coding, 2.0, sharp=False)
     result = estimator(SimpleNamespace(time=5.0, first=frame, second=frame))
     np.testing.assert_array_equal(result.depth, [1.0, 2.0, np.nan, np.nan])
     np.testing.assert_array_equal(result.errors, [0.1, 0.2, np.inf, np.inf])
     assert result.numbers == pytest.approx((0.5, 0.25, 1.5, 0.15, 2.0))
+    assert result.electrons == 4.5
 
 
 def test_depth_that_jumps_by_six_errors_is_told_and_pairs_are_summarised():

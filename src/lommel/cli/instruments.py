@@ -298,6 +298,12 @@ def noise_of(options: Facts, camera: Camera | None, *, photographs: bool = False
     return Noise(**{name: value for name, value in values.items() if value is not None})
 
 
+def states_noise(options: Facts, camera: Camera | None) -> bool:
+    """Return False if neither the options nor the camera of a command state any noise of photographs or video."""
+    stated = (*(options[name] for name in _QUANTITIES), *((camera.full_well, camera.read) if camera else ()))
+    return bool(options["offset"]) or any(value is not None for value in stated)
+
+
 _TOLERANCE = 0.02  # relative difference up to which values count as equal
 _NOMINAL = 0.05  # the same of nominal values: f-numbers, plate scales and the data of EXIF
 

@@ -26,6 +26,7 @@ from lommel.cli.instruments import (
     mask_of,
     noise_of,
     radial_instrument,
+    states_noise,
     tell_optics,
 )
 from lommel.cli.interrupts import Stop
@@ -587,7 +588,8 @@ def depth(
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
     instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
-    noise = noise_of(vars(photo_noise), instrument.camera, photographs=True)
+    stated, camera = vars(photo_noise), instrument.camera
+    noise = noise_of(stated, camera, photographs=True) if states_noise(stated, camera) else None
     lenses = each_lens(instrument.lens, len(photos), cameras.foci, cameras.f_numbers)
     with progress("reading") as status:
         pictures = [imaging.read_photo(path, encoding) for path in photos]

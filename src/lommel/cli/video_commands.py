@@ -26,7 +26,7 @@ from lommel.base.encoding import Encoding, from_light, to_light, warn_if_bright
 from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import percent
 from lommel.cli.command import OUTPUT, command
-from lommel.cli.instruments import FrameNoise, PhotoCamera, noise_of, radial_instrument, tell_optics
+from lommel.cli.instruments import FrameNoise, PhotoCamera, noise_of, radial_instrument, states_noise, tell_optics
 from lommel.cli.interrupts import Stop
 from lommel.cli.messages import with_options
 from lommel.cli.output import Steps, progress, require_file, require_folder, written
@@ -185,15 +185,18 @@ def watch(
             pairs = stack.enter_context(videos.frame_pairs(*sources, tell=status.tell))
             for source, used in zip(pairs.sources, lenses, strict=False):
                 tell_optics(source.name, source.exif, instrument.side, used)
-            coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, encoding)
-            if coding.guess:
+            stated = states_noise(vars(video_noise), instrument.camera)
+            # Without a noise the tables wait for the first pair; until then the usual one of video.
+            coded = video_noise if stated else replace(video_noise, white=_DEFAULT_WHITE, read=_DEFAULT_READ)
+            coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, coded, instrument.camera, encoding)
+            if coding.guess and stated:
                 status.tell(coding.guess)
             status("computing the filters of every distance")
             live = LiveDepth(
                 lenses,
                 instrument.side,
                 between=between,
-                noise=coding.noise,
+                noise=coding.noise if stated else None,
                 shape=pairs.shape,
                 exposures="smooth",
                 magnification=registration.magnification,
@@ -211,6 +214,10 @@ def watch(
                 if stop.requested:
                     raise KeyboardInterrupt
                 raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
+        guess, noise = coding.guess if stated else "", None if stated else live.noise
+        if noise is not None:
+            white = _white(noise) * coding.white / _white(coding.noise)
+            coding.facts.update(white=white, read_noise=noise.read, noise_is_a_guess=False)
         facts = {
             **coding.facts,
             **bits,
@@ -223,10 +230,10 @@ def watch(
             **tally.summary(pairs, end_reason),
             **outputs.facts,
         }
-        notes = [text for text in (coding.guess, compression, tally.unknown(misfit, facts)) if text]
+        notes = [text for text in (guess, compression, tally.unknown(misfit, facts)) if text]
         verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
         if math.isnan(verdict.misfit) and facts["misfit"] is not None:  # of earlier pairs: the last one has no depth
-            verdict = DefocusVerdict.of(facts["misfit"])
+            verdict = DefocusVerdict.of(facts["misfit"], noise=noise)
         return (
             told(facts, succeeded=pairs.lost is None)
             + Report({}, [Wrapped(note) for note in notes])
@@ -296,6 +303,10 @@ class Estimator:
                 failure = failure.replace(f"frames[{k}]", name)
             return PairResult(elapsed, time.perf_counter() - start, failure)
         image = self.live.sharp() if self.sharp else None
+        # With an estimated noise the frames are in electrons of this noise.
+        unit = _white(self.coding.noise) / _white(self.live.noise)
+        if image is not None and unit != 1.0:
+            image *= np.float32(unit)
         duration = time.perf_counter() - start
         depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
         estimated = np.isfinite(errors)
@@ -303,7 +314,12 @@ class Estimator:
         medians = _median(depth[is_known]), _median(errors[is_known]), _median(misfit[estimated])
         depth[~is_known], errors[~is_known] = np.nan, np.inf
         numbers = float(is_known.mean()), float((estimated & ~is_known).mean()), *medians
-        return PairResult(elapsed, duration, "", depth, errors, image, estimate.light, numbers)
+        return PairResult(elapsed, duration, "", depth, errors, image, unit * estimate.light, numbers)
+
+
+def _white(noise: Noise | None) -> float:
+    """Return the electrons at 1."""
+    return math.nan if noise is None else float(np.asarray(noise.white, np.float64))
 
 
 def _median(values: Map) -> float:

@@ -144,7 +144,7 @@ class DefocusVerdict(FitReport):
                 "registration and noise are not tested"
             )
             add("estimated_noise", "note", text, noise.to_dict())
-            untested.insert(0, "registration and noise, for the noise is estimated from the images")
+            untested.insert(0, "registration and noise (the noise is estimated from the images)")
         elif judged < _MIN_JUDGED:
             text = (
                 f"registration and noise cannot be judged: {percent(1.0 - judged)} of the pixels are near edges or "
@@ -244,7 +244,9 @@ def judge_frames(
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     tiles = list(_tiles(images[brightest], valid, weight, engine))
     median, judged = _judged_misfit(engine, brightest, tiles, vergence) or (float(np.median(misfit[known])), 1.0)
-    make_verdict = partial(DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated_error, noise=noise)
+    make_verdict = partial(
+        DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated_error, noise=noise
+    )
     minima = _scale_minima(engine, brightest, tiles)
     if not minima:
         return make_verdict()

@@ -28,6 +28,7 @@ from lommel.imaging.focal_engine import (
     processors,
 )
 from lommel.imaging.focal_tables import SharpTables, Taps
+from lommel.imaging.pair_noise import residual_variance, starting_noise
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
@@ -171,6 +172,7 @@ _LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons per pixel for which tables
 _MAX_CANDIDATES = 241  # largest number of candidate depths of LiveDepth
 _CELLS = 8  # number of parts of a frame along each side; light is summed in each part
 _MIN_MEAN = 0.05  # mean of a frame / mean of the brightest frame, below which the frame counts as black
+_NO_PIXEL = "frames have no pixel that is known in all of them: pixels are saturated, NaN or masked"
 _MAX_RATIO = 2.0  # largest ratio of exposures: the tables are for equal ones
 
 
@@ -263,9 +265,9 @@ class LiveDepth:
         Pixel pitch, metres.
     between : (float, float)
         Nearest and farthest distance, metres; the farthest may be infinite.
-    noise : Noise
+    noise : Noise, optional
         Noise of the frames, with numbers (not maps) for `white`, `read` and `offset`. For frames in counts, `white`
-        is the gain in electrons per count.
+        is the gain in electrons per count. By default it is estimated from the first frames, without offset.
     shape : (int, int) or (int, int, int)
         Height and width of the frames, at least 64 pixels each, and optionally the number of channels, which are
         summed to estimate depth.
@@ -275,6 +277,8 @@ class LiveDepth:
 
     Attributes
     ----------
+    noise : Noise or None
+        Noise of the frames, as stated or as estimated from the first ones; None before these.
     binning : tuple of int
         Side, in pixels, of the squares that are summed before filtering, for each level of `light`.
     rank : tuple of int
@@ -318,7 +322,7 @@ class LiveDepth:
         pixel: float,
         *,
         between: tuple[float, float],
-        noise: Noise,
+        noise: Noise | None = None,
         shape: tuple[int, ...],
         options: LiveDepthOptions | None = None,
         **given: Any,
@@ -327,20 +331,17 @@ class LiveDepth:
         pitch = pixel_of(lenses, pixel)
         if len(lenses) < 2:
             raise ValueError(f"lenses must be two or more, of frames that differ in focus; got {len(lenses)}")
-        self._form = form = FrameForm(shape, noise, o.saturation)
+        self._form = form = FrameForm(shape, Noise(read=0.0) if noise is None else noise, o.saturation)
+        self._options, self._estimates, self._levels = o, noise is None, list[_Level]()
         self._smooth, count = o.exposures == "smooth", processors()
         spectrum = ((lenses[0].wavelength, 1.0),)
         self._between, vergence = checked_range(between, lenses, pitch, _MAX_CANDIDATES)
         self._registered = Registration(o.magnification, lenses, form.size, count)
         scales = self._registered.scales
-        task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, 1, count, scales=scales)
-        # Depth is estimated from the sum of the channels: their read-noise variances add.
-        read = form.read * math.sqrt(form.channels)
-        ratios = (1.0,) * len(lenses)
-        self._levels = [
-            _Level(task, FocalLight(mean, read, ratios, CONTRAST), form, o.sharp or o.refocus, o.refocus)
-            for mean in o.light or (electrons * form.channels for electrons in _LEVELS)
-        ]
+        self._task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, 1, count, scales=scales)
+        self.noise: Noise | None = None
+        if noise is not None:
+            self._prepare(noise)
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
         # Every call writes to these arrays: allocation would take too long at video rate.
         self._depth, self._errors, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
@@ -354,27 +355,64 @@ class LiveDepth:
         self._refocus = o.refocus
         self._last: _Call | None = None
 
+    def _prepare(self, noise: Noise, light: tuple[float, ...] = ()) -> None:
+        """Compute the tables for a noise, for mean electrons per pixel by default as in the options."""
+        o = self._options
+        self.noise, self._form = noise, FrameForm(self._form.shape, noise, o.saturation)
+        # Depth is estimated from the sum of the channels: their read-noise variances add.
+        read, ratios = self._form.read * math.sqrt(self._form.channels), (1.0,) * len(self._task.lenses)
+        self._levels = [
+            _Level(self._task, FocalLight(mean, read, ratios, CONTRAST), self._form, o.sharp or o.refocus, o.refocus)
+            for mean in light or o.light or (electrons * self._form.channels for electrons in _LEVELS)
+        ]
+
+    def _estimate_noise(
+        self, planes: list[Values], limit: float, frames: tuple[Values, ...], known: Values | None
+    ) -> None:
+        """Estimate the noise from the first frames, by their finest details and then by their residual."""
+        with np.errstate(invalid="ignore"):
+            valid = np.logical_and.reduce([plane < limit for plane in planes])
+        images = np.where(valid & (True if known is None else known), planes, np.nan)[None]
+        if not np.isfinite(images).any():
+            raise ValueError(_NO_PIXEL)
+        (white,), read = starting_noise(images)
+        read /= math.sqrt(self._form.channels)
+        try:
+            self._prepare(Noise(white=white, read=read), (max(float(white * np.nanmean(images[0, 0])), 1.0),))
+            excess = residual_variance(self(*frames, known=known).misfit)
+        finally:
+            self._levels = []
+        self._prepare(Noise(white=white / excess, read=read / math.sqrt(excess)))
+
+    def _tables(self) -> list[_Level]:
+        if not self._levels:
+            raise ValueError("noise must be stated here, or frames come first: it is estimated from the first frames")
+        return self._levels
+
     @property
     def binning(self) -> tuple[int, ...]:
         """Side in pixels of the squares that are summed before filtering, for each level of light."""
-        return tuple(level.engine.binning for level in self._levels)
+        return tuple(level.engine.binning for level in self._tables())
 
     @property
     def rank(self) -> tuple[int, ...]:
         """Number of filtered images, for each level of light."""
-        return tuple(level.engine.rank for level in self._levels)
+        return tuple(level.engine.rank for level in self._tables())
 
     @property
     def design_error(self) -> float:
         """Largest bias of depth due to the filter approximation, in standard errors of a window."""
-        return max(level.engine.design_error for level in self._levels)
+        return max(level.engine.design_error for level in self._tables())
 
     def __repr__(self) -> str:
         height, width = self._form.size
         nearest, farthest = self._between
         electrons = [f"{level.engine.light.mean:g}" for level in self._levels]
+        text = f"<LiveDepth of {len(self._lenses)} frames of {height} x {width}, {nearest:g} to {farthest:g} m: "
+        if not electrons:
+            return text + "noise from the first frames>"
         return (
-            f"<LiveDepth of {len(self._lenses)} frames of {height} x {width}, {nearest:g} to {farthest:g} m: "
+            f"{text}"
             f"pixels of {', '.join(map(str, self.binning))}, {', '.join(map(str, self.rank))} images, "
             f"for {', '.join(electrons)} electrons>"
         )
@@ -400,6 +438,8 @@ class LiveDepth:
         saturation = self._form.saturation(frames[0].dtype)
         mask = self._form.known(frames, saturation, known)
         planes, limit = self._grey(stored, saturation, mask)
+        if not self._levels:
+            self._estimate_noise(planes, limit, frames, known)
         first_stream = self._levels[0].stream
         first_stream.sums(planes, limit, mask, self._sums)
         exposures, light = self._measure_exposures()
@@ -429,7 +469,7 @@ class LiveDepth:
         TypeError, ValueError
             For colour frames, smooth exposures, magnification, or several levels of light.
         """
-        if len(self._levels) != 1 or self._form.channels != 1 or self._smooth or self._registered:
+        if len(self._tables()) != 1 or self._form.channels != 1 or self._smooth or self._registered:
             raise ValueError(
                 "tables are saved of grey frames for one level of light (light=), without exposures= and "
                 "magnification=; the file format has no fields for other options"
@@ -459,7 +499,7 @@ class LiveDepth:
         """Return the relative exposures, and the mean electrons per pixel of the first frame."""
         counts = float(self._sums[-1].sum())
         if counts == 0.0:
-            raise ValueError("frames have no pixel that is known in all of them: pixels are saturated, NaN or masked")
+            raise ValueError(_NO_PIXEL)
         white = self._form.white
         means = (self._sums[:-1].sum(axis=(1, 2)) / counts - self._offset) * white
         darkest = int(np.argmin(means))
@@ -503,7 +543,8 @@ class LiveDepth:
             for blocks in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
-        return judge_frames(level.engine, images, valid, errors, misfit, vergence)
+        noise = self.noise if self._estimates else None
+        return judge_frames(level.engine, images, valid, errors, misfit, vergence, noise=noise)
 
     def sharp(self) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, whose arrays must not have changed.

@@ -328,7 +328,9 @@ def _local_variances(stack: Stack) -> tuple[Array, Array, float]:
             differences = scipy.ndimage.convolve1d(differences, _KERNEL, axis=axis) / math.sqrt(
                 float(_KERNEL @ _KERNEL)
             )
-        mean = scipy.ndimage.uniform_filter(planes, (1, _WINDOW, _WINDOW))
+        mean = planes
+        for axis in (1, 2):  # not by running sums, which carry an unknown value on to the end of its row
+            mean = scipy.ndimage.convolve1d(mean, np.full(_WINDOW, 1.0 / _WINDOW), axis=axis)
         if adjacent:
             # Second differences weight the variances of three planes by 1, 4, 1: weight the mean in the same way.
             mean = scipy.ndimage.convolve1d(mean, _KERNEL**2 / (_KERNEL @ _KERNEL), axis=0)

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 import tifffile
 from PIL import Image
+from scipy.ndimage import gaussian_filter
 
 from lommel.io import videos
 from lommel.io.videos import VideoError, VideoFrame, VideoFrames, frame_pairs, video_frames
@@ -91,6 +92,28 @@ def test_frames_of_one_source_alternate_and_a_dropped_one_moves_no_other_to_the_
         assert (pairs.dropped, pairs.alone, pairs.lost) == (2, 3, None)
         assert pairs.interval == pytest.approx(0.08)
     assert said == [f"{path} ends inside a pair: its last frame was skipped"]
+
+
+def test_a_lost_frame_that_the_times_hide_is_seen_by_the_sharpness_and_a_new_scene_is_not_one(tmp_path):
+    def shot(number: int) -> np.ndarray:
+        draw = np.random.default_rng(number // 10)  # another scene from frame 10 on
+        fine = draw.uniform(500.0, 3500.0, (96, 128))
+        soft = gaussian_filter(fine, 1.0)
+        near_is_sharp = np.arange(128) < 64
+        seen = np.where(near_is_sharp == (number % 2 == 0), fine, soft)
+        seen *= 1.0 + 0.2 * np.sin(2.4 * number + np.arange(96)[:, None] / 9.5)  # a lamp flickers in bands of rows
+        return np.rint(np.random.default_rng(100 + number).normal(seen, np.sqrt(seen))).astype(np.uint16)
+
+    kept = [number for number in range(22) if number not in (5, 16)]
+    path, told = write_video(tmp_path / "both.mkv", [shot(number) for number in kept]), []
+    with frame_pairs(path, tell=told.append) as pairs:
+        found = list(pairs)
+    shots = [shot(number) for number in range(22)]
+    assert [(numbers(shots, pair.first), numbers(shots, pair.second)) for pair in found] == [
+        (near, near + 1) for near in (0, 2, 6, 8, 10, 12, 14, 18, 20)
+    ]
+    assert (pairs.dropped, pairs.alone, len(told)) == (2, 2, 1)
+    assert "lost a frame before 0.20 s, though its times do not show it" in told[0]
 
 
 def test_frames_of_two_sources_are_paired_by_their_times(tmp_path):

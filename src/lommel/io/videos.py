@@ -59,6 +59,9 @@ _FLUSHED = {
 }
 # Without zero latency 11 frames wait in the encoder. It takes more bits for a quality: 18 in place of 16.
 _H264 = {"crf": "18", "preset": "veryfast", "tune": "zerolatency"}
+_SHARPNESS_CELL = 16  # side, pixels, of the squares whose sharpness tells the focus of alternating frames
+_FOCUS_FRAMES = 15  # number of latest frames whose usual change of sharpness is known
+_CERTAIN_FOCUS = 4.0  # least ratio of the mean squared changes of sharpness from focus to focus and within one
 _MAX_UNPAIRED = 100  # number of consecutive frames without a partner after which a message is issued
 
 
@@ -312,6 +315,45 @@ class _LatestFrames:
         return not self._thread.is_alive()
 
 
+class _FocusOrder:
+    """Recognition of the focus of alternating frames, from maps of their sharpness."""
+
+    def __init__(self) -> None:
+        self.exchanges = 0
+        self._maps: dict[bool, Values] = {}  # latest map of each focus
+        self._changes: deque[tuple[float, float]] = deque(maxlen=_FOCUS_FRAMES)
+
+    def is_exchanged(self, frame: Values, is_far: bool) -> bool:
+        """Add a frame that should be near or far; return True if it certainly has the other focus."""
+        sharpness = self._sharpness(frame)
+        exchanged = False
+        if len(self._maps) == 2:
+            # Mean squared changes from the latest frame that should have the same focus, and from the other.
+            same, other = (float(np.mean((sharpness - self._maps[far]) ** 2)) for far in (is_far, not is_far))
+            usual_same, usual_other = np.median(self._changes or [(other, same)], axis=0).tolist()
+            exchanged = (
+                usual_other > _CERTAIN_FOCUS * usual_same
+                and other < math.sqrt(usual_same * usual_other) < same  # nearer to the usual change of the other
+                and other < _CERTAIN_FOCUS * usual_same
+            )
+            if not exchanged:
+                self._changes.append((same, other))
+        self._maps[is_far != exchanged] = sharpness
+        return exchanged
+
+    @staticmethod
+    def _sharpness(frame: Values) -> Values:
+        """Return the logarithm of (squared differences of neighbours / squared mean) of squares of the frame."""
+        cell = min(_SHARPNESS_CELL, *frame.shape)
+        height, width = (side // cell for side in frame.shape)
+        cells = frame[: height * cell, : width * cell].astype(np.float32)
+        steps = np.diff(cells, axis=1, append=cells[:, -1:]) ** 2
+        shape = height, cell, width, cell
+        energy, mean = (np.nan_to_num(each).reshape(shape).mean(axis=(1, 3)) for each in (steps, cells))
+        floor = 1e-9 * float(np.square(mean).mean()) + np.finfo(np.float32).tiny
+        return np.asarray(np.log((energy + floor) / (mean**2 + floor)))
+
+
 class FramePairs(_ClosingIterator):
     """Pairs of frames recorded at the same time: an iterator of :class:`~lommel.io.FramePair`.
 
@@ -388,9 +430,20 @@ class FramePairs(_ClosingIterator):
         (source,) = self.sources
         near_frame: VideoFrame | None = None
         first_number = next_number = -1
+        order = _FocusOrder()
         for frame in source:
             first_number = source.number if first_number < 0 else first_number
             is_far = bool((source.number - first_number) % 2)
+            if order.is_exchanged(frame.values, is_far):
+                is_far, first_number = not is_far, first_number + 1
+                source.dropped += 1
+                if not order.exchanges:
+                    self._report(
+                        f"{source.name} lost a frame before {frame.time:.2f} s, though its times do not show it: the "
+                        "frame there has the other focus. Near and far are put right from there on (further ones are "
+                        "counted)"
+                    )
+                order.exchanges += 1
             if is_far and near_frame is not None and source.number == next_number:
                 yield FramePair(near_frame.values, frame.values, near_frame.time)
                 near_frame = None
@@ -490,8 +543,8 @@ def frame_pairs(a: Source, b: Source | None = None, *, tell: Report | None = Non
     ----------
     a : int or path
         A source, as for :func:`video_frames`. Without a second source its frames alternate between two focus
-        settings, beginning with that of the first lens. If the times show that a frame was dropped, the other frame
-        of its pair is skipped.
+        settings, beginning with that of the first lens. If the times or the sharpness of the frames show that a
+        frame was dropped, the other frame of its pair is skipped.
     b : int or path, optional
         A second source: frames whose times differ by at most half a frame interval are pairs. Files state the times
         of their frames. Camera frames have their arrival times; stream frames have arrival times without jitter.

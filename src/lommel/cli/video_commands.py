@@ -7,16 +7,16 @@ import math
 import os
 import sys
 import time
-from collections import deque
-from collections.abc import Callable, Iterator
+from collections import Counter, deque
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, ClassVar, NamedTuple
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from lommel import imaging
@@ -25,6 +25,7 @@ from lommel.base.arrays import Array, Values, plain
 from lommel.base.encoding import Encoding, from_light, to_light, warn_if_bright
 from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import percent
+from lommel.cli import video_faults
 from lommel.cli.command import OUTPUT, command
 from lommel.cli.instruments import FrameNoise, PhotoCamera, noise_of, radial_instrument, states_noise, tell_optics
 from lommel.cli.interrupts import Stop
@@ -44,7 +45,8 @@ from lommel.cli.photo_commands import (
 from lommel.imaging import LiveDepth, LiveSharpen
 from lommel.imaging.blur import warn_of_depths
 from lommel.imaging.defocus_verdict import DefocusVerdict
-from lommel.imaging.focal_engine import BLOCK, Magnified
+from lommel.imaging.focal_engine import BLOCK, MAX_KNOWN_ERROR, Magnified
+from lommel.imaging.live import LiveDepthMap
 from lommel.io import photos, videos
 from lommel.io.depth_maps import fill_missing
 from lommel.io.registry import formats, suffixes
@@ -70,8 +72,6 @@ _DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electro
 _MIN_BITS_FRACTION = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits get a warning
 _TOP_MARGIN = 1e-5  # difference of white and saturation, as a fraction of white: less than half a 16-bit sRGB step
 _FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
-_ROW_SMOOTHING = 4.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
-_ROW_PASSES = 3  # number of times that the remainder of smoothing is smoothed and added: 1 - (1 - G)^3 for a filter G
 _DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
 _RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
 _MAX_NEAREST = 1e9  # metres: largest nearest distance of filters, practically infinity
@@ -92,6 +92,7 @@ class PairResult(NamedTuple):
     electrons: float = math.nan  # mean electrons per pixel
     # Fractions of known and of unfit blocks; medians of depth and error of known blocks, of the misfit; or NaN.
     numbers: tuple[float, float, float, float, float] = (0.0, 0.0, math.nan, math.nan, math.nan)
+    unknown: Mapping[str, float] = MappingProxyType({})  # fractions of blocks that are not known, by cause
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -204,7 +205,8 @@ def watch(
                 saturation=coding.saturation,
                 sharp=files.sharp,
             )
-            estimator = Estimator(live, coding, misfit, sharp=files.sharp)
+            largest_error = MAX_KNOWN_ERROR * (1.0 / between[0] - 1.0 / between[1])
+            estimator = Estimator(live, coding, misfit, files.sharp, alternating, largest_error)
             outputs = Outputs(files, between, pairs, coding, stack)
             end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
             status("finishing")
@@ -233,7 +235,9 @@ def watch(
         }
         notes = [text for text in (guess, compression, tally.unknown(misfit, facts)) if text]
         verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
-        if math.isnan(verdict.misfit) and facts["misfit"] is not None:  # of earlier pairs: the last one has no depth
+        if (
+            math.isnan(verdict.misfit) and facts["misfit"] is not None and (facts["known"] or facts["unfit"])
+        ):  # of earlier pairs: the last one has no depth
             verdict = DefocusVerdict.of(facts["misfit"], noise=noise)
         return (
             told(facts, succeeded=pairs.lost is None)
@@ -266,7 +270,7 @@ def _estimate_all(
     tally.start = time.perf_counter()
     closed = False
     while not closed and (pair := stop.next(pairs)) is not None:
-        result = estimator(pair)
+        result = estimator(pair, pairs.loss, pairs.bits)
         if result.failure and not tally.failed:
             status.tell(
                 f"no depth at {result.time:.2f} s: {result.failure} (further pairs without depth are counted)"
@@ -289,15 +293,22 @@ class Estimator:
     coding: Coding
     limit: float  # largest misfit of blocks whose depth is known
     sharp: bool  # True to compute all-in-focus images
+    alternating: bool = False  # True if the frames of a pair are not of the same time
+    largest_error: float = math.inf  # largest standard error of 1 / depth where compression increases it, 1 / m
     first_time: float = math.nan  # time of the first pair
+    far: Values | None = None  # second frame of the previous pair of alternating frames
 
-    def __call__(self, pair: videos.FramePair) -> PairResult:
-        """Return the depth of a pair, or the reason why it has no depth, such as a black frame."""
+    def __call__(self, pair: videos.FramePair, loss: float | Values = 0.0, bits: float | None = None) -> PairResult:
+        """Return the depth of a pair, or the reason why it has no depth, such as a black frame.
+
+        `loss` is that of its compression, and `bits` are those of a pixel; see :class:`lommel.io.videos.FramePairs`.
+        """
         self.first_time = pair.time if math.isnan(self.first_time) else self.first_time
         elapsed, start = pair.time - self.first_time, time.perf_counter()
         try:
             frames = self.coding.light(pair.first), self.coding.light(pair.second)
-            estimate = self.live(*equalize_rows(*frames, self.coding))
+            equal = equalize_rows(*frames, self.coding)
+            estimate = self.live(*equal)
         except ValueError as error:
             failure = with_options(str(error))
             for k, name in enumerate(("the first frame", "the second frame")):
@@ -308,14 +319,56 @@ class Estimator:
         unit = _white(self.coding.noise) / _white(self.live.noise)
         if image is not None and unit != 1.0:
             image *= np.float32(unit)
-        duration = time.perf_counter() - start
         depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
         estimated = np.isfinite(errors)
-        is_known = estimated & (misfit <= self.limit)
+        coding = self.coding._replace(noise=self.live.noise, white=self.coding.white / unit)
+        causes = self._faults(pair, frames[1], estimate, loss, bits, coding)
+        # Each block has the first cause that applies.
+        causes |= {"misfit": estimated & (misfit > self.limit), "border": np.isnan(misfit)}
+        causes["flat"] = ~estimated & video_faults.is_flat(equal, coding)
+        left, unknown = ~estimated, {}
+        for mask in causes.values():
+            left |= mask
+        is_known = ~left
+        for cause, mask in causes.items():
+            unknown[cause] = float((left & mask).mean())
+            left &= ~mask
+        unknown["ambiguous"] = float(left.mean())
         medians = _median(depth[is_known]), _median(errors[is_known]), _median(misfit[estimated])
         depth[~is_known], errors[~is_known] = np.nan, np.inf
-        numbers = float(is_known.mean()), float((estimated & ~is_known).mean()), *medians
-        return PairResult(elapsed, duration, "", depth, errors, image, unit * estimate.light, numbers)
+        duration = time.perf_counter() - start
+        numbers = float(is_known.mean()), unknown["misfit"], *medians
+        return PairResult(elapsed, duration, "", depth, errors, image, unit * estimate.light, numbers, unknown)
+
+    def _faults(
+        self,
+        pair: videos.FramePair,
+        far: Values,
+        estimate: LiveDepthMap,
+        loss: float | Values,
+        bits: float | None,
+        coding: Coding,
+    ) -> dict[str, NDArray[np.bool_]]:
+        """Return the blocks of each fault of the video; compression increases the errors of the others."""
+        faults = {}
+        if np.isnan(loss).any():  # the quantization cannot be read: compare bits
+            loss = math.inf if coding.check_compression(bits, estimate.light)[1] else 0.0
+        relative: float | Values = 0.0
+        if np.any(np.not_equal(loss, 0.0)):
+            relative = np.maximum(
+                *(video_faults.relative_loss(frame, loss, coding) for frame in (pair.first, pair.second))
+            )
+            estimate.errors[:] *= np.sqrt(1.0 + np.minimum(relative, video_faults.MAX_LOSS))
+            faults["compressed"] = (relative > video_faults.MAX_LOSS) | (
+                estimate.errors > self.largest_error * estimate.depth**2
+            )
+        if self.alternating and self.far is not None:
+            change, bands = video_faults.changes(self.far, far, coding)
+            limit = 1.0 + 0.5 * (self.limit - 1.0)  # from pair to pair there is twice the motion within a pair
+            faults["moved"] = change > limit * (1.0 + relative)
+            faults["bands"] = bands & np.ones_like(faults["moved"])
+        self.far = far
+        return faults
 
 
 def _white(noise: Noise | None) -> float:
@@ -338,6 +391,7 @@ class Tally:
     durations: deque[float] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # seconds
     rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # known, unfit, *median
     electrons: float = math.nan  # mean electrons per pixel of the last pair with depth
+    causes: Counter[str] = field(default_factory=Counter)  # sums of fractions of blocks that are not known
     jump_note: str = ""  # sentence on a jump of depth, or ""
 
     def jump(self, result: PairResult) -> str:
@@ -356,6 +410,7 @@ class Tally:
         self.pairs += 1
         self.durations.append(result.duration)
         self.rows.append(result.numbers)
+        self.causes.update(result.unknown)
         if result.failure:
             self.failed += 1
         else:
@@ -390,6 +445,7 @@ class Tally:
             "pairs_without_depth": self.failed,
             "known": known,
             "unfit": unfit,
+            "unknown": {cause: total / self.pairs for cause, total in self.causes.most_common() if total},
             "jump": self.jump_note or None,
             "depth": depth,
             "error": error,
@@ -405,7 +461,7 @@ class Tally:
             )
         if self.failed == self.pairs:
             return "no depth found: no pair could be used, for the reason given at the first pair"
-        return "" if facts["known"] else "no depth found: the frames have no texture, or all of it is out of range"
+        return "" if facts["known"] else "no depth found, for the causes stated as unknown"
 
 
 class Outputs:
@@ -731,7 +787,7 @@ class Coding(NamedTuple):
         if bits < _MIN_BITS_FRACTION * noise_bits:
             warning = (
                 f"Compression leaves {bits:.2g} bits a pixel, but the noise alone has {noise_bits:.2g}: fine texture "
-                "is lost, and depth may be wrong by many standard errors. Record with less compression or none."
+                "is lost, and where less than the noise is left, depth is not known. Record with less compression."
             )
         return {"bits": bits, "noise_bits": noise_bits}, warning
 
@@ -747,7 +803,7 @@ def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]
     if not valid.all():
         frames = [np.where(valid, frame, np.float32(np.nan)) for frame in frames]
     sums = [np.nansum(frame, axis=1, dtype=np.float64) for frame in frames]
-    rows = [_smooth_rows(row_sums) for row_sums in sums]
+    rows = [video_faults.smooth_rows(row_sums) for row_sums in sums]
     equalized = np.minimum(*rows) > _DARK_ROW * max(rows[0].mean(), rows[1].mean())
     if equalized.any():
         ratio = np.ones(len(rows[0]))
@@ -757,14 +813,6 @@ def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]
     for frame in frames:
         frame += np.float32(coding.noise.offset)
     return frames
-
-
-def _smooth_rows(values: Array) -> Array:
-    """Return values of rows without changes over few rows: 99.5 % of a period of 40 rows is left, 83 % of 20."""
-    smooth = np.zeros_like(values)
-    for _ in range(_ROW_PASSES):
-        smooth += scipy.ndimage.gaussian_filter1d(values - smooth, _ROW_SMOOTHING)
-    return smooth
 
 
 def coding_of(

@@ -174,11 +174,13 @@ BLOCK = 4
 CONTRAST = 0.2
 """Texture contrast for which filters are designed: rms / mean, for structures of 2 to 128 pixels."""
 
+MAX_KNOWN_ERROR = 0.17
+"""Largest standard error of a known depth / vergence range."""
+
 _MIN_CANDIDATES = 61  # smallest default number of candidate depths
 _STEP = 0.75  # defocus between neighbouring candidates, radians at the pupil edge
 _EDGE = 0.3  # pixels: if the blur radius changes by less per radian, a change by this much counts as 1 rad of defocus
 _MAX_RANK = 48  # largest number of filtered images per channel
-_MAX_KNOWN_ERROR = 0.17  # largest standard error of a known depth / vergence range
 _MARGIN = 0.02  # distance outside the range at which depths are accepted / vergence range of the candidates
 _CHANGE = 0.01  # finite difference for derivatives by lenses: relative change of f-numbers, or fraction of a step
 _DERIVATIVE_CANDIDATES = 15  # number of candidates at which derivatives by lenses are computed
@@ -370,7 +372,7 @@ class FocalEngine:
     def known(self) -> float:
         """Largest standard error of a known vergence, 1 / m."""
         nearest, farthest = self.task.between
-        return _MAX_KNOWN_ERROR * (1.0 / nearest - 1.0 / farthest)
+        return MAX_KNOWN_ERROR * (1.0 / nearest - 1.0 / farthest)
 
     @property
     def mean_excess(self) -> float:

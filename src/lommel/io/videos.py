@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import struct
 import threading
 import time
 import warnings
@@ -28,6 +29,7 @@ from lommel.io import photos, registry
 from lommel.io.registry import Format
 
 if TYPE_CHECKING:
+    import av
     from av import Packet, VideoStream
     from av.container import InputContainer, OutputContainer
 
@@ -60,8 +62,11 @@ _FLUSHED = {
 # Without zero latency 11 frames wait in the encoder. It takes more bits for a quality: 18 in place of 16.
 _H264 = {"crf": "18", "preset": "veryfast", "tune": "zerolatency"}
 _SHARPNESS_CELL = 16  # side, pixels, of the squares whose sharpness tells the focus of alternating frames
-_FOCUS_FRAMES = 15  # number of latest frames whose usual change of sharpness is known
-_CERTAIN_FOCUS = 4.0  # least ratio of the mean squared changes of sharpness from focus to focus and within one
+_FOCUS_FRAMES = 6  # number of latest frames with whose changes of sharpness the next one is compared
+_CERTAIN_FOCUS = 4.0  # least ratio of the mean squared changes of sharpness between foci and within one
+MACROBLOCK = 16  # side, pixels, of the squares with a quantization parameter of their own in H.264
+_LAST_UNFILTERED = 15  # largest quantization parameter (8 bits) at which H.264 does not smooth edges of its blocks
+_PREDICTED_LOSS = 30.0  # loss of predicted frames / that of quantization, as measured with one reference frame
 _MAX_UNPAIRED = 100  # number of consecutive frames without a partner after which a message is issued
 
 
@@ -98,6 +103,12 @@ class FramePair(NamedTuple):
     first: Values
     second: Values
     time: float
+
+
+class _CodedFrame(VideoFrame):
+    """A frame and the loss of its compression, as :attr:`VideoFrames.loss`."""
+
+    loss: float | Values = 0.0
 
 
 _NumberedFrame: TypeAlias = tuple[int, VideoFrame]
@@ -157,6 +168,11 @@ class VideoFrames(_ClosingIterator):
         Number of frames that were skipped since their size or type differs from the first frame.
     lost : str or None
         Reason why the frames ended early, or None.
+    loss : float or ndarray
+        Variance that compression adds to the values of the latest frame, as a fraction of the squared largest value:
+        a number, or a map of squares of 16 pixels. 0 without compression; NaN where it is not known; infinite where
+        texture is lost. Of frames that H.264 predicts it is 30 times that of quantization, because differences from
+        a frame of another focus that are below the quantization step vanish.
 
     Raises
     ------
@@ -169,6 +185,7 @@ class VideoFrames(_ClosingIterator):
         self.name, self.live, self.levels = reader.name, reader.live, reader.levels
         self.dropped = self.refused = self.number = 0
         self.lost: str | None = None
+        self.loss: float | Values = 0.0
         self._times: deque[float] = deque(maxlen=_MEDIAN_STEPS)
         self._frames = self._number_frames()
         self._last_number: int | None = None
@@ -243,6 +260,7 @@ class VideoFrames(_ClosingIterator):
                 )
         self.dropped += 0 if self._last_number is None else self.number - self._last_number - 1
         self._last_number = self.number
+        self.loss = getattr(frame, "loss", 0.0)
         return frame
 
     def _read(self) -> _NumberedFrame:
@@ -330,11 +348,12 @@ class _FocusOrder:
         if len(self._maps) == 2:
             # Mean squared changes from the latest frame that should have the same focus, and from the other.
             same, other = (float(np.mean((sharpness - self._maps[far]) ** 2)) for far in (is_far, not is_far))
-            usual_same, usual_other = np.median(self._changes or [(other, same)], axis=0).tolist()
+            history = self._changes or [(other, same)]
+            largest_same, least_other = max(one[0] for one in history), min(one[1] for one in history)
             exchanged = (
-                usual_other > _CERTAIN_FOCUS * usual_same
-                and other < math.sqrt(usual_same * usual_other) < same  # nearer to the usual change of the other
-                and other < _CERTAIN_FOCUS * usual_same
+                least_other > _CERTAIN_FOCUS * largest_same
+                and other < 2.0 * largest_same  # so that a scene that changes is no exchange
+                and same > 0.5 * least_other
             )
             if not exchanged:
                 self._changes.append((same, other))
@@ -372,6 +391,8 @@ class FramePairs(_ClosingIterator):
         Attributes of the first source, a :class:`VideoFrames`; a second source has the same `shape` and `dtype`.
     alone : int
         Number of frames without a partner.
+    loss : float or ndarray
+        The larger loss of the two frames of the latest pair; see :class:`VideoFrames`.
     """
 
     def __init__(self, sources: tuple[VideoFrames, ...], tell: Report) -> None:
@@ -379,6 +400,7 @@ class FramePairs(_ClosingIterator):
         first = sources[0]
         self.shape, self.dtype, self.levels, self.encoding = first.shape, first.dtype, first.levels, first.encoding
         self.alone = 0
+        self.loss: float | Values = 0.0
         self._pairs = self._pair_alternating() if len(sources) == 1 else self._match_times()
 
     def __repr__(self) -> str:
@@ -429,6 +451,7 @@ class FramePairs(_ClosingIterator):
         """Yield each even-numbered frame with the next; dropped frames are counted, so that near remains first."""
         (source,) = self.sources
         near_frame: VideoFrame | None = None
+        near_loss: float | Values = 0.0
         first_number = next_number = -1
         order = _FocusOrder()
         for frame in source:
@@ -445,11 +468,12 @@ class FramePairs(_ClosingIterator):
                     )
                 order.exchanges += 1
             if is_far and near_frame is not None and source.number == next_number:
+                self.loss = np.maximum(near_loss, source.loss)
                 yield FramePair(near_frame.values, frame.values, near_frame.time)
                 near_frame = None
                 continue
             self.alone += (near_frame is not None) + is_far
-            near_frame, next_number = None if is_far else frame, source.number + 1
+            near_frame, near_loss, next_number = None if is_far else frame, source.loss, source.number + 1
         if near_frame is not None:
             self.alone += 1
             if source.lost is None:
@@ -465,6 +489,7 @@ class FramePairs(_ClosingIterator):
             max_gap = 0.5 * min(first.interval, second.interval)
             if abs(gap) <= max_gap:
                 unpaired = 0
+                self.loss = np.maximum(first.loss, second.loss)
                 yield FramePair(a.values, b.values, a.time)
                 a, b = next(first, None), next(second, None)
                 continue
@@ -630,8 +655,9 @@ class _PyavReader:
         if codec is None:
             raise VideoError(f"{self.name} has video in an unknown format, or is truncated")
         _require_frame_size(self.name, codec.width, codec.height)
-        codec.options = {"max_pixels": str(MAX_FRAME)}
-        codec.thread_type = "SLICE" if self.live else "AUTO"  # frame threading would delay live frames
+        codec.options = {"max_pixels": str(MAX_FRAME), "export_side_data": "venc_params"}
+        # Frame threading would delay live frames, and frames of Motion JPEG after the packets with their tables.
+        codec.thread_type = "SLICE" if self.live or codec.name == "mjpeg" else "AUTO"
         # Trust the stated duration only for these formats, and only without another stream, which may be longer.
         trusted = len(self._container.streams) == 1 and re.search("matroska|mp4", self._container.format.name)
         self._duration = 1e-6 * (self._container.duration or 0) if trusted and not self.live else 0.0
@@ -684,7 +710,27 @@ class _PyavReader:
                     delays.append(time.monotonic() - seconds)
                 number += 1
                 end_time = max(end_time, seconds + self.interval)
-                yield VideoFrame(frame.to_ndarray(format=self._form), seconds + min(delays))
+                coded = _CodedFrame(frame.to_ndarray(format=self._form), seconds + min(delays))
+                coded.loss = self._loss(packet, frame)
+                yield coded
+
+    def _loss(self, packet: Packet[VideoStream], frame: av.VideoFrame) -> float | Values:
+        """Return the loss of a frame of a packet; see :class:`VideoFrames`."""
+        context = self._stream.codec_context
+        if context.name == "mjpeg":
+            return _jpeg_loss(bytes(packet))
+        sides = [bytes(side) for side in frame.side_data if side.type.name == "VIDEO_ENC_PARAMS"]
+        if context.name != "h264" or not sides:
+            return (math.nan if context.codec.intra_only else math.inf) if context.codec.lossy else 0.0
+        # AVVideoEncParams, and for each macroblock (x, y, width, height, change of the quantization parameter).
+        count, start, size, _, base = struct.unpack_from("@INNii", sides[0])
+        blocks = np.frombuffer(sides[0], np.int32, count * size // 4, start).reshape(count, -1)
+        steps = np.full((-(-frame.height // MACROBLOCK), -(-frame.width // MACROBLOCK)), np.inf)
+        parameter = base + blocks[:, 4]
+        loss = (0.625 * 2.0 ** (parameter / 6.0)) ** 2 / 12.0 * (1.0 if frame.pict_type == 1 else _PREDICTED_LOSS)
+        loss[parameter > _LAST_UNFILTERED + 6 * math.log2(self.levels / 256)] = np.inf
+        steps[blocks[:, 1] // MACROBLOCK, blocks[:, 0] // MACROBLOCK] = loss
+        return steps / (219.0 / 255.0 * (self.levels - 1)) ** 2  # levels of limited range; at most 36 % too large
 
     @property
     def bits(self) -> float | None:
@@ -698,6 +744,15 @@ class _PyavReader:
     def close(self) -> None:
         """Close the file or stream."""
         self._container.close()
+
+
+def _jpeg_loss(data: bytes) -> float:
+    """Return the loss by the first quantization table of a JPEG image, which is that of the luma; NaN without one."""
+    start = data.find(b"\xff\xdb") + 5
+    if start < 5 or len(data) < start + 128:
+        return math.nan
+    table = np.frombuffer(data, ">u2" if data[start - 1] >> 4 else "u1", 64, start)
+    return float(np.square(table, dtype=np.float64).mean()) / 12.0 / 255.0**2
 
 
 def _reason(error: Exception) -> str:
@@ -719,7 +774,8 @@ class _CameraReader:
         rate = self._capture.get(self._cv2.CAP_PROP_FPS)
         self.interval = 1.0 / rate if 0.0 < rate < 1e4 else 0.0
         code = int(self._capture.get(self._cv2.CAP_PROP_FOURCC)) & 0xFFFFFFFF
-        if code.to_bytes(4, "little") in _LOSSY:
+        self._loss = math.inf if code.to_bytes(4, "little") in _LOSSY else 0.0
+        if self._loss:
             tell(
                 f"{self.name} compresses its frames with loss (Motion JPEG, H.264 or H.265): fine texture may be lost"
             )
@@ -733,7 +789,9 @@ class _CameraReader:
                 break
             _require_frame_size(self.name, *values.shape[1::-1])
             order = self._cv2.COLOR_BGR2GRAY if self._grey else self._cv2.COLOR_BGR2RGB
-            yield VideoFrame(values if values.ndim == 2 else self._cv2.cvtColor(values, order), arrival_time)
+            coded = _CodedFrame(values if values.ndim == 2 else self._cv2.cvtColor(values, order), arrival_time)
+            coded.loss = self._loss
+            yield coded
         raise VideoError(f"{self.name} gives no more frames: it was unplugged, or stopped")
 
     def close(self) -> None:
@@ -784,10 +842,12 @@ class _ImageReader:
                     reported = True
                     self._report(f"{validation.line(path)} is skipped: {_reason(error)}")
                 continue
+            coded = _CodedFrame(values, number * self.interval)
             if path.suffix.lower() in (".jpg", ".jpeg"):
                 self._bytes += size
                 self._pixels += values.shape[0] * values.shape[1]
-            yield VideoFrame(values, number * self.interval)
+                coded.loss = _jpeg_loss(path.read_bytes())
+            yield coded
 
     @property
     def bits(self) -> float | None:

@@ -181,8 +181,7 @@ def test_depth_of_compressed_video_is_right_within_larger_errors_or_not_known(fo
         assert (result.returncode == 3) is not depth.any()
     assert found[1]["unknown"]["compressed"] == found[3]["unknown"]["compressed"] == 1.0
     assert found[2]["known"] > 0.5  # quantization near the noise is a part of the noise
-    assert found[0]["noise_bits"] == pytest.approx(2.23, abs=0.02)  # of 1.1 levels
-    assert "fine texture is lost, and where less than the noise is left, depth is not known" in result.stderr
+    assert "fine texture is lost, and depth is less precise or not known" in result.stderr
 
 
 def test_what_moves_and_narrow_bands_have_no_depth_and_their_shares_are_stated(folder, call_lommel):
@@ -282,18 +281,16 @@ def test_a_block_is_known_up_to_the_largest_misfit_and_a_pixel_below_saturation(
     result = estimator(SimpleNamespace(time=5.0, first=frame, second=frame))
     np.testing.assert_array_equal(result.depth, [[1.0, 2.0, np.nan, np.nan]])
     np.testing.assert_array_equal(result.errors, [[0.1, 0.2, np.inf, np.inf]])
-    assert result.unknown == {"misfit": 0.25, "border": 0.0, "flat": 0.25, "ambiguous": 0.0}
+    assert result.unknown == {"compressed": 0.0, "misfit": 0.25, "border": 0.0, "flat": 0.25, "ambiguous": 0.0}
     assert result.numbers == pytest.approx((0.5, 0.25, 1.5, 0.15, 2.0))
-    assert result.electrons == 4.5
 
 
-def test_depth_that_jumps_by_six_errors_is_told_and_pairs_are_summarised():
+def test_pairs_are_summarised():
     def pair(depth, duration=0.0, known=0.5):
         return video_commands.PairResult(2.0, duration, numbers=(known, 0.25, depth, 0.01, 1.5))
 
     tally = video_commands.Tally(start=0.0, stop=2.0)
     tally.add(pair(2.0))
-    assert [bool(tally.jump(pair(depth))) for depth in (2.0599, 1.9401, 2.0601)] == [False, False, True]
     for k in range(1, 41):
         tally.add(pair(2.0 + 0.01 * k, 0.1 * k))
     tally.add(pair(math.nan, 4.1, known=0.0))
@@ -487,7 +484,7 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
     write, written = video_commands.Outputs.__call__, []
 
     class Camera:
-        live, levels, grey, bits, interval = True, 256, False, None, 0.005
+        live, levels, grey, interval = True, 256, False, 0.005
 
         def __init__(self, number: int, grey: bool, tell: object) -> None:
             self.name, (self.frame,) = f"camera {number}", eight_bits([recorded(1.5)[number]])

@@ -63,13 +63,11 @@ Map = NDArray[np.float32]
 
 _WHITE_PERCENTILE = 99.5  # percentile of the first all-in-focus image that is shown as white, for linear video
 _MAX_PAIRS = 2**16  # number of the most recent pairs over which statistics are computed
-_JUMP = 6.0  # change of the median depth from pair to pair that is reported, in standard errors of a block
 _MAX_LEVEL = 65535  # largest level of lossless depth
 _CURVE_LEVELS = 4096  # number of levels of linear light in the sRGB lookup table
 _COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "frame time (s)", "dropped"]
 
 _DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electrons, assumed for 8-bit sRGB
-_MIN_BITS_FRACTION = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits get a warning
 _TOP_MARGIN = 1e-5  # difference of white and saturation, as a fraction of white: less than half a 16-bit sRGB step
 _FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
 _DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
@@ -89,7 +87,6 @@ class PairResult(NamedTuple):
     depth: Map | None = None  # metres, NaN in blocks that are not known
     errors: Map | None = None  # standard errors of depth, metres, infinite in blocks that are not known
     image: Map | None = None  # all-in-focus image, electrons
-    electrons: float = math.nan  # mean electrons per pixel
     # Fractions of known and of unfit blocks; medians of depth and error of known blocks, of the misfit; or NaN.
     numbers: tuple[float, float, float, float, float] = (0.0, 0.0, math.nan, math.nan, math.nan)
     unknown: Mapping[str, float] = MappingProxyType({})  # fractions of blocks that are not known, by cause
@@ -208,9 +205,9 @@ def watch(
             largest_error = MAX_KNOWN_ERROR * (1.0 / between[0] - 1.0 / between[1])
             estimator = Estimator(live, coding, misfit, files.sharp, alternating, largest_error)
             outputs = Outputs(files, between, pairs, coding, stack)
-            end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
+            end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop)
             status("finishing")
-            bits, compression = coding.check_compression(pairs.bits, tally.electrons)
+            compression = video_faults.loss_note(pairs.loss, coding)
             if compression:
                 status.tell(compression)
             if not tally.pairs:
@@ -223,7 +220,6 @@ def watch(
             coding.facts.update(white=white, read_noise=noise.read, noise_is_a_guess=False)
         facts = {
             **coding.facts,
-            **bits,
             "shape": list(pairs.shape),
             "pixel": instrument.side,
             **lens_facts(lenses),
@@ -263,20 +259,16 @@ def _estimate_all(
     tally: Tally,
     status: Steps,
     stop: Stop,
-    *,
-    alternating: bool,
 ) -> str:
     """Estimate and write the depth of all pairs; return the reason why the pairs ended."""
     tally.start = time.perf_counter()
     closed = False
     while not closed and (pair := stop.next(pairs)) is not None:
-        result = estimator(pair, pairs.loss, pairs.bits)
+        result = estimator(pair, pairs.loss)
         if result.failure and not tally.failed:
             status.tell(
                 f"no depth at {result.time:.2f} s: {result.failure} (further pairs without depth are counted)"
             )
-        if alternating and not tally.jump_note and (jump := tally.jump(result)):
-            status.tell(jump)
         tally.add(result)
         closed = outputs(result)
         if not closed:
@@ -298,10 +290,10 @@ class Estimator:
     first_time: float = math.nan  # time of the first pair
     far: Values | None = None  # second frame of the previous pair of alternating frames
 
-    def __call__(self, pair: videos.FramePair, loss: float | Values = 0.0, bits: float | None = None) -> PairResult:
+    def __call__(self, pair: videos.FramePair, loss: float | Values = 0.0) -> PairResult:
         """Return the depth of a pair, or the reason why it has no depth, such as a black frame.
 
-        `loss` is that of its compression, and `bits` are those of a pixel; see :class:`lommel.io.videos.FramePairs`.
+        `loss` is that of its compression; see :class:`lommel.io.videos.VideoFrames`.
         """
         self.first_time = pair.time if math.isnan(self.first_time) else self.first_time
         elapsed, start = pair.time - self.first_time, time.perf_counter()
@@ -321,52 +313,33 @@ class Estimator:
             image *= np.float32(unit)
         depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
         estimated = np.isfinite(errors)
-        coding = self.coding._replace(noise=self.live.noise, white=self.coding.white / unit)
-        causes = self._faults(pair, frames[1], estimate, loss, bits, coding)
         # Each block has the first cause that applies.
-        causes |= {"misfit": estimated & (misfit > self.limit), "border": np.isnan(misfit)}
-        causes["flat"] = ~estimated & video_faults.is_flat(equal, coding)
-        left, unknown = ~estimated, {}
-        for mask in causes.values():
-            left |= mask
-        is_known = ~left
-        for cause, mask in causes.items():
-            unknown[cause] = float((left & mask).mean())
-            left &= ~mask
-        unknown["ambiguous"] = float(left.mean())
+        coding = self.coding._replace(noise=self.live.noise or self.coding.noise, white=self.coding.white / unit)
+        causes = self._faults(pair, frames[1], estimate, loss, coding)
+        causes |= {"misfit": estimated & (misfit > self.limit), "border": np.isnan(misfit), "known": estimated}
+        causes["flat"] = video_faults.is_flat(equal, coding)
+        cause = np.select(list(causes.values()), range(len(causes)), default=len(causes))
+        shares = np.bincount(cause.ravel(), minlength=len(causes) + 1) / cause.size
+        unknown = dict(zip([*causes, "ambiguous"], shares.tolist(), strict=True))
+        is_known = cause == list(causes).index("known")
         medians = _median(depth[is_known]), _median(errors[is_known]), _median(misfit[estimated])
         depth[~is_known], errors[~is_known] = np.nan, np.inf
+        numbers = unknown.pop("known"), unknown["misfit"], *medians
         duration = time.perf_counter() - start
-        numbers = float(is_known.mean()), unknown["misfit"], *medians
-        return PairResult(elapsed, duration, "", depth, errors, image, unit * estimate.light, numbers, unknown)
+        return PairResult(elapsed, duration, "", depth, errors, image, numbers, unknown)
 
     def _faults(
-        self,
-        pair: videos.FramePair,
-        far: Values,
-        estimate: LiveDepthMap,
-        loss: float | Values,
-        bits: float | None,
-        coding: Coding,
+        self, pair: videos.FramePair, far: Values, estimate: LiveDepthMap, loss: float | Values, coding: Coding
     ) -> dict[str, NDArray[np.bool_]]:
         """Return the blocks of each fault of the video; compression increases the errors of the others."""
-        faults = {}
-        if np.isnan(loss).any():  # the quantization cannot be read: compare bits
-            loss = math.inf if coding.check_compression(bits, estimate.light)[1] else 0.0
-        relative: float | Values = 0.0
-        if np.any(np.not_equal(loss, 0.0)):
-            relative = np.maximum(
-                *(video_faults.relative_loss(frame, loss, coding) for frame in (pair.first, pair.second))
-            )
-            estimate.errors[:] *= np.sqrt(1.0 + np.minimum(relative, video_faults.MAX_LOSS))
-            faults["compressed"] = (relative > video_faults.MAX_LOSS) | (
-                estimate.errors > self.largest_error * estimate.depth**2
-            )
+        relative = video_faults.relative_loss((pair.first, pair.second), loss, coding)
+        estimate.errors[:] *= np.sqrt(1.0 + np.minimum(relative, video_faults.MAX_LOSS))
+        too_large = estimate.errors > self.largest_error * estimate.depth**2
+        faults = {"compressed": (relative > video_faults.MAX_LOSS) | too_large}
         if self.alternating and self.far is not None:
-            change, bands = video_faults.changes(self.far, far, coding)
-            limit = 1.0 + 0.5 * (self.limit - 1.0)  # from pair to pair there is twice the motion within a pair
-            faults["moved"] = change > limit * (1.0 + relative)
-            faults["bands"] = bands & np.ones_like(faults["moved"])
+            change, faults["bands"] = video_faults.changes(self.far, far, coding)
+            # From pair to pair there is twice the motion within a pair.
+            faults["moved"] = change > (1.0 + 0.5 * (self.limit - 1.0)) * (1.0 + relative)
         self.far = far
         return faults
 
@@ -390,20 +363,7 @@ class Tally:
     failed: int = 0  # number of pairs without depth
     durations: deque[float] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # seconds
     rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # known, unfit, *median
-    electrons: float = math.nan  # mean electrons per pixel of the last pair with depth
     causes: Counter[str] = field(default_factory=Counter)  # sums of fractions of blocks that are not known
-    jump_note: str = ""  # sentence on a jump of depth, or ""
-
-    def jump(self, result: PairResult) -> str:
-        """Set and return `jump_note` if the median depth jumps, as it does after the loss of one frame."""
-        _, _, depth, error, _ = result.numbers
-        before = self.rows[-1][2] if self.rows else math.nan
-        if abs(depth - before) > _JUMP * error:
-            self.jump_note = (
-                f"Depth jumps at {result.time:.2f} s, from {before:.4g} to {depth:.4g} m: if nothing in the scene "
-                "moved, a frame was lost, and near and far have been exchanged since then."
-            )
-        return self.jump_note
 
     def add(self, result: PairResult) -> None:
         """Count a pair."""
@@ -411,10 +371,7 @@ class Tally:
         self.durations.append(result.duration)
         self.rows.append(result.numbers)
         self.causes.update(result.unknown)
-        if result.failure:
-            self.failed += 1
-        else:
-            self.electrons = result.electrons
+        self.failed += bool(result.failure)
 
     def progress(self, dropped: int) -> str:
         """Return the line of progress."""
@@ -446,7 +403,6 @@ class Tally:
             "known": known,
             "unfit": unfit,
             "unknown": {cause: total / self.pairs for cause, total in self.causes.most_common() if total},
-            "jump": self.jump_note or None,
             "depth": depth,
             "error": error,
             "misfit": misfit,
@@ -657,7 +613,6 @@ def sharpen(
             if live is None:
                 live = _filters(lens_in_use, instrument.side, distance, coding, light)
                 start, first_time = time.perf_counter(), frame.time
-                mean = float(coding.noise.electrons(float(np.nanmean(light))))
             write(live(light, distance) / np.float32(coding.white), frame.time - first_time)
             count += 1
             status(f"{count} frames, {count / (time.perf_counter() - start):.3g}/s")
@@ -686,9 +641,8 @@ def sharpen(
     }
     notes = [coding.guess]
     if video is not None:
-        bits, lossy = coding.check_compression(video.bits, mean)
-        notes.append(lossy)
-        facts |= bits | {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
+        notes.append(video_faults.loss_note(video.loss, coding))
+        facts |= {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
     lines = Report({}, [Wrapped(note) for note in notes if note])
     return told(facts, succeeded=failure is None) + lines + written([output])
 
@@ -770,26 +724,6 @@ class Coding(NamedTuple):
     def light(self, values: Values) -> Values:
         """Return values for the live filters: linear values stay unchanged, others are decoded."""
         return values if self.encoding == "linear" else to_light("the video", values, self.encoding, np.float32)
-
-    def noise_bits(self, electrons: float) -> float:
-        """Return the entropy of a stored pixel's noise, bits, at a number of electrons, for normal noise."""
-        sigma = math.hypot(math.sqrt(electrons), self.noise.read)
-        ends = np.clip(np.array([electrons - sigma, electrons + sigma]) / self.white, 0.0, 1.0)
-        low, high = from_light(ends[:, None].repeat(3, axis=1), self.encoding, np.float64)[:, 1]
-        steps = 0.5 * (self.levels - 1) * float(high - low)  # standard deviation in steps between levels
-        return max(0.0, math.log2(max(steps, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
-
-    def check_compression(self, bits: float | None, electrons: float) -> tuple[Facts, str]:
-        """Return (1) the bits per pixel of a compressed video and of its noise, (2) a warning if noise is lost."""
-        if bits is None or math.isnan(electrons):
-            return {"bits": None, "noise_bits": None}, ""
-        noise_bits, warning = self.noise_bits(electrons), ""
-        if bits < _MIN_BITS_FRACTION * noise_bits:
-            warning = (
-                f"Compression leaves {bits:.2g} bits a pixel, but the noise alone has {noise_bits:.2g}: fine texture "
-                "is lost, and where less than the noise is left, depth is not known. Record with less compression."
-            )
-        return {"bits": bits, "noise_bits": noise_bits}, warning
 
 
 def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]:

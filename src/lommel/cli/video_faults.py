@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +21,7 @@ MAX_LOSS = 16.0
 """Largest variance that compression adds, relative to noise, of blocks with depth."""
 
 _BLOCK_WINDOW = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16.0  # weights of neighbouring blocks, as those of depth
-_LOSS_REACH = 5  # blocks: side of the square whose largest loss counts, since depth is found from a neighbourhood
+_LOSS_REACH = 9  # blocks: side of the square whose largest loss counts, since depth is found from a neighbourhood
 _CODES = 256  # number of codes at which the step of the encoding is computed
 _ROW_SMOOTHING = 4.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
 _ROW_PASSES = 3  # number of times that the remainder of smoothing is smoothed and added: 1 - (1 - G)^3 for a filter G
@@ -31,16 +32,22 @@ _MEDIAN_NOISE = 1.25  # standard deviation of a median / that of the mean
 _FLAT = 1.5  # mean texture of blocks, relative to noise, below which they are called flat
 
 
-def block_means(values: Values) -> Values:
+def _electrons(frame: Values, coding: Coding) -> Values:
+    """Return the electrons of a frame of light, at least 1; 1 where it is not known."""
+    values = np.nan_to_num(frame.astype(np.float32)) - np.float32(coding.noise.offset)
+    return np.asarray(np.maximum(values * np.float32(coding.noise.white or 1.0), 1.0))
+
+
+def _block_means(values: Values) -> Values:
     """Return the means of blocks of 4 x 4 pixels."""
     height, width = (side // BLOCK for side in values.shape)
     parts = values[: height * BLOCK, : width * BLOCK].reshape(height, BLOCK, width, BLOCK)
     return np.asarray(parts.mean(axis=(1, 3)))
 
 
-def _over_window(blocks: Values) -> Values:
+def _over_window(blocks: Values, axes: tuple[int, ...] = (0, 1)) -> Values:
     """Return the mean over the window of blocks that determines the depth of a block."""
-    for axis in (0, 1):
+    for axis in axes:
         blocks = scipy.ndimage.convolve1d(blocks, _BLOCK_WINDOW, axis=axis, mode="nearest")
     return blocks
 
@@ -53,49 +60,58 @@ def smooth_rows(values: Array) -> Array:
     return smooth
 
 
-def relative_loss(stored: Values, loss: float | Values, coding: Coding) -> Values:
-    """Return the variance that compression adds to blocks of a stored frame, relative to that of noise."""
+def _loss_of_codes(coding: Coding) -> tuple[Array, Array]:
+    """Return stored values, 0 to 1, and (variance of light for a variance of 1 of the value) / (that of noise)."""
     codes = np.linspace(0.0, 1.0, _CODES)
     light = to_light("codes", codes[:, None].repeat(3, axis=1), coding.encoding, np.float64)[:, 1]
-    electrons = np.maximum(light - coding.noise.offset * coding.noise.white / coding.white, 0.0) * coding.white
-    step = np.gradient(light, codes) * coding.white  # electrons
-    largest = float(np.iinfo(stored.dtype).max) if stored.dtype.kind == "u" else 1.0
-    means = block_means(stored.astype(np.float32)) / largest
-    blocks = np.broadcast_to(np.float64(loss), means.shape) if np.ndim(loss) == 0 else np.asarray(loss)
-    if np.ndim(loss):
-        side = MACROBLOCK // BLOCK
-        blocks = np.kron(blocks, np.ones((side, side)))[: means.shape[0], : means.shape[1]]
-    relative = blocks * np.interp(means, codes, step**2 / (electrons + coding.noise.read**2 + 1.0))
+    dark = coding.noise.offset * float(coding.noise.white or 1.0)  # electrons
+    noise = np.maximum(light * coding.white - dark, 1.0) + coding.noise.read**2
+    return codes, (np.gradient(light, codes) * coding.white) ** 2 / noise
+
+
+def loss_note(loss: float | Values, coding: Coding) -> str:
+    """Return a sentence if compression adds more than noise to a medium value, otherwise an empty one."""
+    if not np.any(loss) or float(np.median(loss)) * _loss_of_codes(coding)[1][_CODES // 2] < 1.0:
+        return ""
+    return (
+        "Compression adds more than the noise, or its quantization cannot be read: fine texture is lost, and depth "
+        "is less precise or not known. Record with less compression, as Motion JPEG, or without."
+    )
+
+
+def relative_loss(frames: Sequence[Values], loss: float | Values, coding: Coding) -> Values:
+    """Return the largest variance that compression adds to blocks of stored frames, relative to that of noise."""
+    if not np.any(loss):
+        return np.zeros(())
+    largest = float(np.iinfo(frames[0].dtype).max) if frames[0].dtype.kind == "u" else 1.0
+    means = np.array([_block_means(frame.astype(np.float32)) for frame in frames]) / largest
+    side = MACROBLOCK // BLOCK
+    blocks = np.kron(loss, np.ones((side, side)))[: means.shape[1], : means.shape[2]] if np.ndim(loss) else loss
+    relative = (blocks * np.interp(means, *_loss_of_codes(coding))).max(axis=0)
     return np.asarray(scipy.ndimage.maximum_filter(relative, _LOSS_REACH))
 
 
 def changes(earlier: Values, later: Values, coding: Coding) -> tuple[Values, NDArray[np.bool_]]:
-    """Compare two frames of one focus, apart from the brightness of rows.
+    """Compare two frames of light of one focus, apart from the brightness of rows.
 
     Returns (1) the mean squared difference of blocks, relative to noise: 1 where nothing moved; (2) whether rows of
     blocks, shape (height // 4, 1), have bands of brightness that are too narrow to be undone.
     """
-    noise = coding.noise
-    white, floor = float(noise.white or 1.0), noise.read**2 + 1.0
-    first, second = (np.maximum((frame.astype(np.float32) - noise.offset) * white, 0.0) for frame in (earlier, later))
-    means = first.mean(axis=1)
-    ratio = np.where(means > _DARK_ROW * means.mean(), np.median((second + 1.0) / (first + 1.0), axis=1), 1.0)
-    second = second / np.maximum(ratio, 0.1)[:, None]
-    squares = (second - first) ** 2 / (first + second / np.maximum(ratio, 0.1)[:, None] + 2.0 * floor)
-    rows = np.log(np.maximum(ratio, 0.1))
-    bands = np.sqrt(scipy.ndimage.gaussian_filter1d((rows - smooth_rows(rows)) ** 2, _BAND_ROWS))
-    chance = _MEDIAN_NOISE * np.sqrt(2.0 * (means + floor) / first.shape[1]) / np.maximum(means, 1.0)
-    uneven = bands > np.hypot(_MAX_BANDS, 2.0 * chance)
-    blocks = len(rows) // BLOCK
-    return _over_window(block_means(squares)), uneven[: blocks * BLOCK].reshape(blocks, BLOCK).any(axis=1)[:, None]
+    first, second = (_electrons(frame, coding) for frame in (earlier, later))
+    means, read = first.mean(axis=1), coding.noise.read**2
+    lit = means > _DARK_ROW * means.mean()
+    ratio = np.where(lit, np.maximum(np.median(second / first, axis=1), _DARK_ROW), 1.0)
+    squares = (second / ratio[:, None] - first) ** 2 / (first + read + (second + read) / ratio[:, None] ** 2)
+    bands = (np.log(ratio) - smooth_rows(np.log(ratio))) ** 2
+    chance = 2.0 * _MEDIAN_NOISE**2 * (means + read) / (first.shape[1] * means**2)  # variance of the logarithm
+    uneven = scipy.ndimage.gaussian_filter1d(bands, _BAND_ROWS) > _MAX_BANDS**2 + 4.0 * chance
+    return _over_window(_block_means(squares)), _block_means(uneven[:, None].repeat(BLOCK, axis=1)) > 0.0
 
 
-def is_flat(frames: list[Values], coding: Coding) -> NDArray[np.bool_]:
-    """Return whether blocks of frames have hardly more structure along rows than noise."""
-    noise, texture = coding.noise, np.float64(0.0)
-    for frame in frames:
-        light = (block_means(np.nan_to_num(frame)) - noise.offset) * float(noise.white or 1.0)
-        smooth = scipy.ndimage.convolve1d(light, _BLOCK_WINDOW, axis=1, mode="nearest")
-        variance = (np.maximum(light, 0.0) + noise.read**2 + 1.0) / BLOCK**2
-        texture = texture + _over_window((light - smooth) ** 2 / variance) / len(frames)
-    return np.asarray(texture < _FLAT)
+def is_flat(frames: Sequence[Values], coding: Coding) -> NDArray[np.bool_]:
+    """Return whether blocks of frames of light have hardly more structure along rows than noise."""
+    light = [_block_means(_electrons(frame, coding)) for frame in frames]
+    structure = [
+        (one - _over_window(one, (1,))) ** 2 / (one + coding.noise.read**2) * (BLOCK**2 / len(light)) for one in light
+    ]
+    return np.asarray(_over_window(np.sum(structure, axis=0)) < _FLAT)

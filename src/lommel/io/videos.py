@@ -170,9 +170,9 @@ class VideoFrames(_ClosingIterator):
         Reason why the frames ended early, or None.
     loss : float or ndarray
         Variance that compression adds to the values of the latest frame, as a fraction of the squared largest value:
-        a number, or a map of squares of 16 pixels. 0 without compression; NaN where it is not known; infinite where
-        texture is lost. Of frames that H.264 predicts it is 30 times that of quantization, because differences from
-        a frame of another focus that are below the quantization step vanish.
+        a number, or a map of squares of 16 pixels. 0 without compression; infinite where texture is lost or the
+        quantization of the codec cannot be read. Of frames that H.264 predicts it is 30 times that of quantization,
+        because differences from a frame of another focus that are below the quantization step vanish.
 
     Raises
     ------
@@ -207,11 +207,6 @@ class VideoFrames(_ClosingIterator):
     def __repr__(self) -> str:
         height, width = self.shape[:2]
         return f"<VideoFrames of {self.name}: {width} x {height}, {self.dtype}>"
-
-    @property
-    def bits(self) -> float | None:
-        """Mean bits per pixel so far if the compression is lossy; None if it is lossless or unknown."""
-        return self._reader.bits
 
     @property
     def interval(self) -> float:
@@ -433,11 +428,6 @@ class FramePairs(_ClosingIterator):
         return (2.0 if len(self.sources) == 1 else 1.0) * max(one.interval for one in self.sources)
 
     @property
-    def bits(self) -> float | None:
-        """Bits per pixel of the source with the fewest; see :attr:`VideoFrames.bits`."""
-        return min((one.bits for one in self.sources if one.bits is not None), default=None)
-
-    @property
     def live(self) -> bool:
         """True if a source is a camera or a stream."""
         return any(one.live for one in self.sources)
@@ -623,14 +613,13 @@ def _require_frame_size(name: str, width: int, height: int) -> None:
 
 
 # Attributes of each reader class: `interval`, seconds between frames, 0 if unknown; `levels`, number of levels,
-# 0 for floats; `grey`, True without colour; `bits`, bits per pixel of a lossy compression, otherwise None.
+# 0 for floats; `grey`, True without colour.
 class _PyavReader:
     """A video file or a stream, read by PyAV."""
 
     def __init__(self, source: str, name: str, live: bool, grey: bool, tell: Report) -> None:
         self._av = optional.library("av", "reading video needs", "video")
         self.name, self.live, self._grey, self._report = name, live, grey, tell
-        self._bytes = self._pixels = 0
         # A file may be a playlist: refuse network addresses in it.
         options = {"protocol_whitelist": "file"}
         if live:
@@ -701,10 +690,8 @@ class _PyavReader:
                 if faults > _MAX_FAULTS:
                     raise VideoError(f"{self.name} is damaged: {_reason(error)}") from None
                 continue
-            self._bytes += packet.size
             for frame in decoded:
                 faults = 0
-                self._pixels += frame.width * frame.height
                 seconds = number * (self.interval or 1.0 / USUAL_RATE) if frame.time is None else frame.time
                 if self.live:
                     delays.append(time.monotonic() - seconds)
@@ -719,24 +706,18 @@ class _PyavReader:
         context = self._stream.codec_context
         if context.name == "mjpeg":
             return _jpeg_loss(bytes(packet))
-        sides = [bytes(side) for side in frame.side_data if side.type.name == "VIDEO_ENC_PARAMS"]
-        if context.name != "h264" or not sides:
-            return (math.nan if context.codec.intra_only else math.inf) if context.codec.lossy else 0.0
+        side = next((bytes(each) for each in frame.side_data if each.type.name == "VIDEO_ENC_PARAMS"), None)
+        if side is None or context.name != "h264":
+            return math.inf if context.codec.lossy else 0.0
         # AVVideoEncParams, and for each macroblock (x, y, width, height, change of the quantization parameter).
-        count, start, size, _, base = struct.unpack_from("@INNii", sides[0])
-        blocks = np.frombuffer(sides[0], np.int32, count * size // 4, start).reshape(count, -1)
-        steps = np.full((-(-frame.height // MACROBLOCK), -(-frame.width // MACROBLOCK)), np.inf)
-        parameter = base + blocks[:, 4]
-        loss = (0.625 * 2.0 ** (parameter / 6.0)) ** 2 / 12.0 * (1.0 if frame.pict_type == 1 else _PREDICTED_LOSS)
-        loss[parameter > _LAST_UNFILTERED + 6 * math.log2(self.levels / 256)] = np.inf
-        steps[blocks[:, 1] // MACROBLOCK, blocks[:, 0] // MACROBLOCK] = loss
-        return steps / (219.0 / 255.0 * (self.levels - 1)) ** 2  # levels of limited range; at most 36 % too large
-
-    @property
-    def bits(self) -> float | None:
-        """Mean bits per pixel of the packets read so far if the codec is lossy, otherwise None."""
-        lossy = self._stream.codec_context.codec.lossy
-        return 8.0 * self._bytes / self._pixels if lossy and self._pixels else None
+        count, start, size, _, base = struct.unpack_from("@INNii", side)
+        blocks = np.frombuffer(side, np.int32, count * size // 4, start).reshape(count, -1)
+        parameter = np.full((-(-frame.height // MACROBLOCK), -(-frame.width // MACROBLOCK)), np.inf)
+        parameter[blocks[:, 1] // MACROBLOCK, blocks[:, 0] // MACROBLOCK] = base + blocks[:, 4]
+        parameter[parameter > _LAST_UNFILTERED + 6.0 * math.log2(self.levels / 256)] = np.inf
+        # As if of limited range: at most 36 % too large.
+        step = 0.625 * 2.0 ** (parameter / 6.0) / (219.0 / 255.0 * (self.levels - 1))
+        return step**2 / 12.0 * (1.0 if frame.pict_type == 1 else _PREDICTED_LOSS)
 
     def _packets(self) -> Iterator[Packet[VideoStream]]:
         return self._container.demux(self._stream)
@@ -747,10 +728,10 @@ class _PyavReader:
 
 
 def _jpeg_loss(data: bytes) -> float:
-    """Return the loss by the first quantization table of a JPEG image, which is that of the luma; NaN without one."""
+    """Return the loss by the first quantization table of a JPEG image, which is that of the luma."""
     start = data.find(b"\xff\xdb") + 5
     if start < 5 or len(data) < start + 128:
-        return math.nan
+        return math.inf
     table = np.frombuffer(data, ">u2" if data[start - 1] >> 4 else "u1", 64, start)
     return float(np.square(table, dtype=np.float64).mean()) / 12.0 / 255.0**2
 
@@ -762,7 +743,7 @@ def _reason(error: Exception) -> str:
 class _CameraReader:
     """A camera, identified by its number and read by OpenCV."""
 
-    live, levels, grey, bits = True, 256, False, None
+    live, levels, grey = True, 256, False
 
     def __init__(self, number: int, grey: bool, tell: Report) -> None:
         self._cv2 = optional.library("cv2", "cameras need", "video")
@@ -806,7 +787,6 @@ class _ImageReader:
 
     def __init__(self, path: Path, grey: bool, tell: Report) -> None:
         self.name, self._grey, self._report = validation.line(path), grey, tell
-        self._bytes = self._pixels = 0
         folder, pattern = (path, r".*?(\d+)\D*\.\w+") if path.is_dir() else (path.parent, _number_pattern(path.name))
         suffixes = {suffix for photo_format in registry.formats("photo") for suffix in photo_format.suffixes}
         images = (file for file in folder.iterdir() if file.suffix.lower() in suffixes)
@@ -836,7 +816,7 @@ class _ImageReader:
         reported = False
         for number, path in self._files:
             try:
-                values, size = self._read(path), path.stat().st_size
+                values = self._read(path)
             except (OSError, ValueError) as error:
                 if not reported:
                     reported = True
@@ -844,15 +824,8 @@ class _ImageReader:
                 continue
             coded = _CodedFrame(values, number * self.interval)
             if path.suffix.lower() in (".jpg", ".jpeg"):
-                self._bytes += size
-                self._pixels += values.shape[0] * values.shape[1]
                 coded.loss = _jpeg_loss(path.read_bytes())
             yield coded
-
-    @property
-    def bits(self) -> float | None:
-        """Mean bits per pixel of the JPEG files read so far, None without JPEG files."""
-        return 8.0 * self._bytes / self._pixels if self._pixels else None
 
     def close(self) -> None:
         """Do nothing, since no file is kept open."""

@@ -37,8 +37,9 @@ export function tablesOf(bytes) {
   const { buffer } = bytes.slice();
   const head = new Float32Array(buffer, 0, 31);
   const [, , , , , frames, degree, , rank, count, around, imageDegree, , images] = head;
-  const floats = new Float32Array(buffer, 0, 37 + around);
-  const steps = floats.subarray(30 + around);
+  const floats = new Float32Array(buffer, 0, 39 + around + rank);
+  const steps = floats.subarray(30 + around, 39 + around);
+  const sizes = floats.subarray(39 + around);
   const left = wholes(bytes.subarray(4 * floats.length));
   const taken = (length) => left.splice(0, length);
   const basis = taken(rank * frames * (degree + 1));
@@ -47,7 +48,7 @@ export function tablesOf(bytes) {
   const mixes = curves(rank, steps[0]);
   const sharp = curves(images, steps[1]);
   const statistics = [...steps.slice(2)].flatMap((step) => curves(1, step)[0]);
-  const file = [...floats.subarray(14, 30), ...basis.map((value) => value / 32767), ...floats.subarray(30, 30 + around)];
+  const file = [...floats.subarray(14, 30), ...basis.map((value, i) => (value / 32767) * sizes[Math.floor((i * rank) / basis.length)]), ...floats.subarray(30, 30 + around)];
   for (let c = 0; c < count; c++)
     for (let k = 0; k < rank; k++) for (let l = k; l < rank; l++) file.push(mixes[k][c] * mixes[l][c] * (k === l ? 1 : 2));
   file.push(...statistics, ...kept.map((value) => value / 32767));

@@ -63,12 +63,13 @@ def packed(f_number: float) -> bytes:
     weights = np.asarray(engine._weights)
     basis, mixes = _scaled(tables.basis, tables.mixes[:, 0])
     kept, sharp = _scaled(images.basis, engine.factors(0, None))
-    curves = [(mixes, _TOP), (sharp, _SHARP)]
+    sizes = np.abs(tables.basis).max(axis=(1, 2))  # of images, which are of equal power: concentrations are of these
+    curves = [(mixes / sizes, _TOP), (sharp, _SHARP)]
     curves += [(one[:, None], _TOP) for one in tables.statistics()]
     steps = [float(np.abs(each).max()) / top for each, top in curves]
     smooth = [_differences(np.rint(each.T / step)) for (each, _), step in zip(curves, steps, strict=True)]
     values = np.concatenate([each.ravel() for each in (*(np.rint(_TOP * one) for one in (basis, kept)), *smooth)])
-    floats = np.asarray([*whole, *numbers, *weights, *steps], dtype="<f4")
+    floats = np.asarray([*whole, *numbers, *weights, *steps, *sizes], dtype="<f4")
     return floats.tobytes() + _planes(values)
 
 

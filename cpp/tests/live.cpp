@@ -391,7 +391,7 @@ struct Damage {
                 const std::size_t header[wholes] = {0,     0,     binning, block / binning, blur,    frames, degree,
                                                     reach, count, places,  around,          further, far,    kept};
                 const std::size_t body = numbers + count * frames * (degree + 1) + around + places * count * (count + 1) / 2 +
-                                         3 * places + kept * frames * (further + 1) + kept * places;
+                                         lommel::FocalCandidates::rows * places + kept * frames * (further + 1) + kept * places;
                 tables.resize(4 * (wholes + body));
                 for (std::size_t k = 2; k < wholes; ++k) {
                     put(k, static_cast<std::int32_t>(header[k]));

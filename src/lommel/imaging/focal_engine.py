@@ -181,7 +181,6 @@ _MIN_CANDIDATES = 61  # smallest default number of candidate depths
 _STEP = 0.75  # defocus between neighbouring candidates, radians at the pupil edge
 _EDGE = 0.3  # pixels: if the blur radius changes by less per radian, a change by this much counts as 1 rad of defocus
 _MAX_RANK = 48  # largest number of filtered images per channel
-_MARGIN = 0.02  # distance outside the range at which depths are accepted / vergence range of the candidates
 _CHANGE = 0.01  # finite difference for derivatives by lenses: relative change of f-numbers, or fraction of a step
 _DERIVATIVE_CANDIDATES = 15  # number of candidates at which derivatives by lenses are computed
 _FOCI = 5  # number of foci from which the basis of refocused images is computed
@@ -412,7 +411,7 @@ class FocalEngine:
             forms.append(channel.forms(rank))
         image_basis = self.images[0].basis if images else np.zeros((0, *tables.basis.shape[1:]))
         statistics = np.sum([channel.statistics() for channel in self.channels], axis=0)
-        statistics[[1, 3]] /= len(self.channels)
+        statistics[[1, 3, 5, 6]] /= len(self.channels)  # the others are sums, as energies are
         return self._stream(
             shape, self.binning, tables.taps, residuals, image_basis, np.concatenate(forms, axis=1), statistics
         )
@@ -421,7 +420,7 @@ class FocalEngine:
         """Return the stream that computes sharp images of a channel from frames of a shape."""
         tables = self.images[channel]
         no_residuals = np.zeros((1, 0, *tables.basis.shape[1:]))
-        return self._stream(shape, 1, tables.taps, no_residuals, tables.basis, np.zeros((0, 0)), np.zeros((5, 0)))
+        return self._stream(shape, 1, tables.taps, no_residuals, tables.basis, np.zeros((0, 0)), np.zeros((7, 0)))
 
     def tables(self, white: float, offset: float, saturation: float) -> bytes:
         """Return tables of one channel and of sharp images in the format of cpp/include/lommel/focal/file.hpp."""
@@ -432,7 +431,7 @@ class FocalEngine:
         mixes = np.zeros((count, 0)) if images is None else self.factors(0, None)
         header = [
             0x464D4C4C,  # the letters LLMF, little-endian
-            1,
+            2,
             channel.binning,
             BLOCK // channel.binning,
             math.ceil(self.task.blur / channel.binning),
@@ -454,15 +453,15 @@ class FocalEngine:
 
     def _numbers(self, binning: int) -> tuple[float, ...]:
         """Return the scalar parameters of a stream."""
-        tables, margin = self.channels[0], _MARGIN * len(self.task.vergence)
+        tables = self.channels[0]
         return (
             # The read-noise variance of a sum of binning^2 pixels is binning^2 read^2.
             (self.light.read * binning) ** 2,
             self._pixels / binning**2,
             float(tables.vergence[0]),
             tables.step,
-            self._low - margin,
-            self._high + margin,
+            self._low,
+            self._high,
             self.known / tables.step,
         )
 

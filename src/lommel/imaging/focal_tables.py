@@ -26,6 +26,13 @@ S_dd and S_ed are the spectrum of e, the spectrum of its derivative de/du, and t
 variance is proportional to kappa, the other part is due to noise alone: ``sigma_u^2 = (texture_ratio kappa +
 noise_variance) / (kappa^2 n)``. With little texture, noise dominates the measured curvature; kappa is then estimated
 as ``curvature_ratio`` times (mean energy - minimum energy), where the ratio is computed for the model's texture.
+
+A single frequency determines only the ratio of two transfer functions, which several vergences can share. Their
+energies then differ by what the fitted filters let through, the ``leak``, whatever the light, and the lowest can be
+that of another vergence. How few frequencies a texture has is measured by its ``concentration``, tr(P^2) / (tr P)^2
+for the matrix P of the mean products of basis images: it is 1 for a single frequency. Basis images of the model's
+texture are uncorrelated and of equal power: P is then about a multiple of the identity, and the concentration about
+1 / (number of basis images).
 """
 
 from __future__ import annotations
@@ -50,6 +57,11 @@ _SHARED_ALIASES = 0.4  # fraction of the model's alias power that is assumed: ma
 _SHARP_LOSS = 0.01  # relative increase of the squared error of the Wiener filter by discarded singular vectors
 _MARGIN = 0.08  # extension of the candidates at each end of the vergence range, as a fraction of this range
 _MAX_AVERAGED = 61  # largest number of candidates over which energies are averaged; `curvature_ratio` uses this mean
+_VISIBLE_CONTRAST, _VISIBLE = (
+    0.3,
+    9.0,
+)  # a frequency is visible if its sine of this contrast drops log-likelihood by more
+_LEAKING = 90.0  # percentile over visible frequencies whose median over candidates is the leak
 _MAX_BINNING_LOSS = 1.25  # largest factor by which binning may increase standard errors
 # Designs in the order tried: taps, degree, discarded fraction of the norm of all filters, and the largest accepted
 # median and maximum of standard error / Cramér-Rao bound. Short filters come first, because their residual at a pixel
@@ -119,6 +131,10 @@ class FocalTables:
         kappa / (mean energy of all candidates - energy at the true candidate), for the texture of the model.
     curvature_variance : ndarray, shape (c,)
         Variance of kappa due to noise alone, times the pixels of a window.
+    concentration : ndarray, shape (c,)
+        Concentration of the model's texture with noise: tr(P^2) / (tr P)^2 of the covariance P of the basis images.
+    leak : ndarray, shape (c,)
+        Energy at the true candidate / mean energy of all candidates, of single frequencies without noise.
     bias, errors, bound : ndarray, shape (c,)
         Bias, standard error and Cramér-Rao bound of the vergence from the texture of a single pixel, in units of
         `step`, the difference between neighbouring candidates.
@@ -142,6 +158,8 @@ class FocalTables:
     noise_variance: Array
     curvature_ratio: Array
     curvature_variance: Array
+    concentration: Array
+    leak: Array
     bias: Array
     errors: Array
     bound: Array
@@ -165,7 +183,7 @@ class FocalTables:
         return float(self.vergence[1] - self.vergence[0])
 
     def statistics(self) -> Array:
-        """Return the statistics in the order that :class:`FocalStream` expects, shape (5, c)."""
+        """Return the statistics in the order that :class:`FocalStream` expects, shape (7, c)."""
         return np.stack(
             [
                 self.noise,
@@ -173,6 +191,8 @@ class FocalTables:
                 self.noise_variance,
                 self.curvature_ratio,
                 self.curvature_variance,
+                self.concentration,
+                self.leak,
             ]
         )
 
@@ -346,6 +366,7 @@ def _tables(
     basis = basis.reshape(-1, frames, degree + 1)
     fitted = np.einsum("cpr,rim,mf->cpif", mixes, basis, terms, optimize=True)
     statistics = _Statistics.of(model, fitted, overlap)
+    basis, mixes, concentration = _uncorrelated(model, basis, terms, mixes)
     return FocalTables(
         model.vergence,
         binning,
@@ -357,6 +378,8 @@ def _tables(
         statistics.noise_variance,
         statistics.curvature_ratio,
         statistics.curvature_variance,
+        concentration,
+        _leak(model, fitted, light.binned(binning), overlap),
         statistics.bias,
         statistics.errors,
         _bound(model),
@@ -364,6 +387,43 @@ def _tables(
         model.white,
         discarded,
     )
+
+
+def _uncorrelated(model: FocalModel, basis: Array, terms: Array, mixes: Array) -> tuple[Array, Array, Array]:
+    """Return the basis and mixes of uncorrelated basis images, and the concentration of the texture, shape (c,).
+
+    The covariances of texture and noise in these basis images have the identity as their mean over candidates.
+    """
+    filters, power = basis @ terms, model.band.share * model.texture
+
+    def covariances(filters: Array) -> Array:
+        texture = np.einsum("rif,cif->crf", filters, model.transfer, optimize=True)
+        noise = np.einsum("rif,sif,i,f->rs", filters, filters, model.white, model.band.share, optimize=True)
+        return np.asarray((texture * power) @ texture.swapaxes(1, 2) + noise)
+
+    root = np.linalg.cholesky(covariances(filters).mean(axis=0))
+    basis = np.linalg.solve(root, basis.reshape(len(basis), -1)).reshape(basis.shape)
+    each = covariances(basis @ terms)
+    return basis, mixes @ root, (each**2).sum(axis=(1, 2)) / np.trace(each, axis1=1, axis2=2) ** 2
+
+
+def _leak(model: FocalModel, filters: Array, light: FocalLight, overlap: Array) -> Array:
+    """Return the leak of fitted filters, the same for all candidates, shape (c,): see :class:`FocalTables`."""
+    f, count = np.hypot(model.band.fx, model.band.fy), len(filters)
+    pixels = (2.0 * overlap.sum() - 1.0) ** 2  # effective number in a window
+    through, mean = np.empty((2, count, f.size))
+    averaged = filters[np.unique(np.linspace(0, count - 1, _MAX_AVERAGED).astype(int))]
+    for c, h in enumerate(model.transfer):
+        through[c] = (np.einsum("pif,if->pf", filters[c], h) ** 2).sum(axis=0)
+        mean[c] = (np.einsum("cpif,if->cpf", averaged, h, optimize=True) ** 2).sum(axis=1).mean(axis=0)
+    power = 0.5 * (_VISIBLE_CONTRAST * light.mean) ** 2 / light.variance
+    visible = (0.5 * pixels * power * mean > _VISIBLE) & (f > _HIGH_PASS)
+    leaks = [
+        np.percentile((q / m)[seen], _LEAKING)
+        for q, m, seen in zip(through, mean, visible, strict=True)
+        if seen.any()
+    ]
+    return np.full(count, np.median(leaks) if leaks else 1.0)
 
 
 def _low_rank(rows: Array, metric: Array, weights: Array, fraction: float, per_row: float) -> tuple[Array, Array]:
@@ -552,7 +612,7 @@ class SharpTables:
             return np.ascontiguousarray(values, dtype=np.float32)
 
         no_mixes = float32(np.zeros((1, 0, *self.basis.shape[1:])))
-        forms, statistics = float32(np.zeros((0, 0))), float32(np.zeros((5, 0)))
+        forms, statistics = float32(np.zeros((0, 0))), float32(np.zeros((7, 0)))
         taps, basis, window = float32(self.taps.values), float32(self.basis), float32([1.0])
         numbers = (0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0)
         return FocalStream((*size, 1, 4, 1, 0, threads), taps, no_mixes, basis, window, forms, statistics, numbers)

@@ -14,9 +14,11 @@ namespace lommel {
 // Depth candidates, at equal steps of vergence (1 / distance). The energy E of a candidate is the sum of forms[candidate][product]
 // times products of residual images. E', E'': derivatives of E with respect to the index of the candidate; kappa = E'' / 2.
 // statistics[row][candidate]; row 0: E of white noise; 1: (variance of E' / 2 due to texture) / kappa; 2: variance of E' / 2 due to
-// noise; 3: kappa / (mean of E over candidates - minimum of E); 4: variance of kappa due to noise.
+// noise; 3: kappa / (mean of E over candidates - minimum of E); 4: variance of kappa due to noise; 5: concentration (see
+// FocalSearch) of a texture of all frequencies; 6: leak, the part of the mean E of a single frequency that the filters of its
+// own candidate let through.
 struct FocalCandidates {
-    static constexpr std::size_t rows = 5;
+    static constexpr std::size_t rows = 7;
 
     std::size_t count;  // number of candidates, 4 n + 1 with an integer n >= 2
     const float *forms, *statistics;
@@ -34,12 +36,22 @@ struct FocalPlace {
 };
 
 // Depth search for blocks: energies at every fourth candidate, then the exact minimum around the lowest of them.
+//
+// A single frequency, as of a periodic texture, determines the ratio of two transfer functions, which several depths can share.
+// Energies of these depths differ by the leak of the fitted filters, and the lowest may be of another depth than the true one. The
+// concentration of a texture is tr(P^2) / (tr P)^2, where P is the matrix of the products of the residual images of a channel: 1 for
+// a single frequency, and about 1 / images for a texture of all frequencies, because the tables make such images uncorrelated. The
+// more concentrated a texture is, the more of its energy may be leak.
 class FocalSearch {
    public:
-    FocalSearch(const FocalCandidates& given, std::size_t products)
-        : given_(given), products_(products), padded_((products + 3) / 4 * 4), width_(given.count + near),
-          rough_width_((roughs() + several - 1) / several * several), forms_(padded_ * width_), rough_(products * rough_width_),
-          noise_(given.count + near), statistics_(given.statistics, given.statistics + given.rows * given.count) {
+    // Products of the residual images k <= l of each channel, in the order of FocalStream.
+    FocalSearch(const FocalCandidates& given, std::size_t channels, std::size_t images)
+        : given_(given), channels_(channels), images_(images), products_(channels * images * (images + 1) / 2),
+          padded_((products_ + 3) / 4 * 4), width_(given.count + near),
+          rough_width_((roughs() + several - 1) / several * several), forms_(padded_ * width_),
+          rough_(products_ * rough_width_), noise_(given.count + near),
+          statistics_(given.statistics, given.statistics + given.rows * given.count) {
+        const std::size_t products = products_;
         for (std::size_t q = 0; q < products; ++q) {
             for (std::size_t c = 0; c < given.count; ++c) {
                 forms_[q * width_ + c] = given.forms[c * products + q];
@@ -56,8 +68,8 @@ class FocalSearch {
 
     // Working memory of one thread.
     struct Scratch {
-        explicit Scratch(const FocalSearch& of) : energies(of.rough_width_ * lanes_) {}
-        Floats energies;
+        explicit Scratch(const FocalSearch& of) : energies(of.rough_width_ * lanes_), concentration(lanes_) {}
+        Floats energies, concentration;
     };
 
     // Estimate the depths of up to one vector of blocks. sums[product * pitch + block]: products of residual images, averaged
@@ -84,6 +96,7 @@ class FocalSearch {
                 store(energies + (c + t) * lanes, total[t]);
             }
         }
+        concentrate<V>(sums, pitch, scratch.concentration.data());
         for (std::size_t l = 0; l < std::min(lanes, blocks); ++l) {
             // Energies of `near` candidates, each in four partial sums to hide the latency of additions.
             const auto energy = [&](std::size_t start, float* to) LOMMEL_INLINE_LAMBDA {
@@ -104,13 +117,13 @@ class FocalSearch {
                 }
             };
             const auto rough = [&](std::size_t c) { return energies[c * lanes + l] - noise_[rough_step * c]; };
-            out[l] = trust[l] >= least_trust ? place(energy, rough, given_.pixels * trust[l])
+            out[l] = trust[l] >= least_trust ? place(energy, rough, given_.pixels * trust[l], scratch.concentration[l])
                                              : FocalPlace{unknown, infinite, unknown};
         }
     }
 
    private:
-    enum Row { ByTexture = 1, ByNoise, Steepness, OfCurvature };
+    enum Row { ByTexture = 1, ByNoise, Steepness, OfCurvature, Concentration, Leak };
     static float square(float x) { return x * x; }
     static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
@@ -120,11 +133,36 @@ class FocalSearch {
     static constexpr float unlike = 0.4f;  // relative standard deviation of the curvature between textures
     static constexpr float drop = 9.0f, sure = 3.0f,
                            distinct = 6.0f;  // thresholds: drop, distinct in log-likelihood, sure in standard deviations
+    // A texture counts as one of few frequencies from this excess of concentration on, and fully as one after `concentrating` more.
+    static constexpr float concentrated = 0.15f, concentrating = 0.4f;
+    // Multiples of the leak, of textures of all frequencies and in addition of few: difference of energy from other valleys that are
+    // excluded, difference below which a candidate may be the true one, and, of few frequencies alone, energy that shifts a minimum.
+    static constexpr float apart = 5.0f, apart_of_few = 50.0f, alike = 1.3f, alike_of_few = 10.0f, shifted_of_few = 1.0f;
+    static constexpr float hidden = 0.3f;  // drop of a valley between rough candidates / energy of wrong candidates, at most
 
     std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
 
+    // Concentration of the textures of the blocks of one vector; of several channels, with their energies as weights.
+    template <class V>
+    LOMMEL_INLINE void concentrate(const float* sums, std::size_t pitch, float* to) const {
+        V trace{}, diagonal{}, others{};
+        std::size_t q = 0;
+        for (std::size_t channel = 0; channel < channels_; ++channel) {
+            for (std::size_t k = 0; k < images_; ++k, ++q) {
+                const V own = load<V>(sums + q * pitch);
+                trace = trace + own, diagonal = diagonal + own * own;
+                for (std::size_t l = k + 1; l < images_; ++l) {
+                    const V product = load<V>(sums + ++q * pitch);
+                    others = others + product * product;
+                }
+            }
+        }
+        const V tiny = splat<V>(1e-30f);
+        store(to, splat<V>(static_cast<float>(channels_)) * (diagonal + others + others) / (trace * trace + tiny));
+    }
+
     template <class Energy, class Rough>
-    LOMMEL_INLINE FocalPlace place(const Energy& energy, const Rough& rough, float pixels) const {
+    LOMMEL_INLINE FocalPlace place(const Energy& energy, const Rough& rough, float pixels, float concentration) const {
         const std::size_t count = roughs(), last = given_.count - 1;
         std::size_t best = 0;
         float least = rough(0), sum = least;
@@ -189,16 +227,33 @@ class FocalSearch {
         while (high + 1 < count && rough(high + 1) >= rough(high)) {
             ++high;
         }
-        float second = infinite;
+        // Other valleys must be higher than the minimum by more than noise and leak can make them. Those that rough candidates show
+        // from beside are searched.
+        const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
+        const float few = std::min(1.0f, std::max(0.0f, (concentration - statistic(Concentration) - concentrated) / concentrating));
+        const float strength = valley + std::max(0.0f, here), leak = statistic(Leak) * strength;
+        const float least_second = here + distinct / likelihood + (apart + apart_of_few * few) * leak;
+        const auto excluded = [&](std::size_t c) LOMMEL_INLINE_LAMBDA {
+            const float e = rough(c), beside = std::min(c > 0 ? rough(c - 1) : infinite, c + 1 < count ? rough(c + 1) : infinite);
+            if (!(e >= least_second) || !(e < least_second + hidden * strength) || e > beside) {
+                return e >= least_second;
+            }
+            const std::size_t from = rough_step * c > 5 ? rough_step * c - 5 : 0, to = std::min(rough_step * c + 5, last);
+            energy(from, around);
+            float lowest = infinite;
+            for (std::size_t k = from; k <= to; ++k) {
+                const bool inside = k + 1 >= rough_step * low && k <= rough_step * high + 1;
+                lowest = inside ? lowest : std::min(lowest, around[k - from]);
+            }
+            return lowest >= least_second;
+        };
         for (std::size_t c = 0; c < count; ++c) {
-            second = c < low || c > high ? std::min(second, rough(c)) : second;
-        }
-        if (!(likelihood * (second - here) >= distinct)) {
-            return found;
+            if ((c < low || c > high) && !excluded(c)) {
+                return found;
+            }
         }
         // Noise makes the measured curvature too large: average it with the curvature expected from the depth of the valley. The
         // weights are inverse variances: by noise for the measured curvature, by texture for the expected curvature.
-        const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
         const float expected = statistic(Steepness) * valley, by_noise = worse * std::sqrt(statistic(OfCurvature) / pixels);
         const float share = 1.0f / (1.0f + by_noise * by_noise / std::max(square(unlike * expected), 1e-30f));
         const float curvature = share * measured + (1.0f - share) * expected;
@@ -218,12 +273,21 @@ class FocalSearch {
             }
             variance = std::max(variance, moment / std::max(total, 1e-3f));
         }
-        found.error = std::sqrt(variance);
+        // By Schwarz's inequality, leak shifts the minimum by at most the square root of (its energy / curvature).
+        variance += shifted_of_few * few * leak / curvature;
+        // The distance of the farthest candidate that leak could have made higher than the minimum, as two standard errors.
+        const float level = here + (alike + alike_of_few * few) * leak;
+        float reach = 0.0f;
+        for (std::size_t c = 0; c < count; ++c) {
+            const float away = std::abs(static_cast<float>(rough_step * c) - found.position) - 0.5f * rough_step;
+            reach = rough(c) < level ? std::max(reach, away) : reach;
+        }
+        found.error = std::sqrt(std::max(variance, square(0.5f * reach)));
         return found;
     }
 
     FocalCandidates given_;
-    std::size_t products_, padded_, width_, rough_width_;  // forms_ is padded_ x width_, with zeros as padding
+    std::size_t channels_, images_, products_, padded_, width_, rough_width_;  // forms_ is padded_ x width_, with zeros as padding
     Floats forms_, rough_, noise_, statistics_;
 };
 

@@ -18,7 +18,7 @@ namespace lommel {
 
 // Table file, little-endian: 32-bit integers, then floats, in the order of the fields below.
 struct FocalFile {
-    static constexpr std::int32_t magic = 0x464d4c4c, version = 1;  // the letters "LLMF"
+    static constexpr std::int32_t magic = 0x464d4c4c, version = 2;  // the letters "LLMF"
     static constexpr std::int32_t block = 4;  // side of the blocks of the depth map, in pixels
     enum Whole {
         Magic,
@@ -70,7 +70,7 @@ struct FocalFile {
         };
         take(whole.data(), sizeof whole);
         require(whole[Magic] == magic, "these are no tables of live depth");
-        require(whole[Version] == version, "these tables are of another version of lommel");
+        require(whole[Version] == version, "these tables are of another version of lommel: save them again");
         const auto sound = [](bool holds) { require(holds, "the tables are damaged"); };
         const auto within = [&](Whole which, std::int32_t least, std::int32_t most) {
             sound(whole[which] >= least && whole[which] <= most);

@@ -47,7 +47,7 @@ class FocalStream {
         if (plan.residual_count > 0) {
             each_ = plan.residual_count * (plan.residual_count + 1) / 2;
             products_ = plan.channels * each_;
-            search_ = std::make_unique<FocalSearch>(*candidates, products_);
+            search_ = std::make_unique<FocalSearch>(*candidates, plan.channels, plan.residual_count);
             rows_ = products_ + plan.channels + 1;
             kept_ = 2 * neighbours() + 2;
             places_.resize(down() * across());

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -99,3 +100,24 @@ def test_precision_is_a_table_and_a_picture(folder, call_lommel):
     best = json.loads(call_lommel("precision", *options, "--best", "--json", folder=folder).stdout)
     foci = [one.focus_distance for one in lm.best_depth_foci(lens, 1.5, PIXEL, noise=lm.Noise(white=1e4, read=3.0))]
     assert best["focus_distances"] == pytest.approx(foci)
+
+
+def test_no_noise_needs_to_be_stated_and_half_of_it_is_refused(folder, call_lommel):
+    arguments = "depth", "near.tif", "far.tif", "lens.toml", *FOCI, "--between", "1.2 m", "2 m"
+    result = call_lommel(*arguments, "-o", "depth.tif", folder=folder)
+    assert result.returncode == 0, result.stderr
+    text = " ".join(result.stdout.split())
+    white, read = re.search(
+        r"noise estimated from the images: white (\S+), read noise (\S+) electrons", text
+    ).groups()
+    mean = 0.5 * float(white)
+    assert mean**2 / (mean + float(read) ** 2) == pytest.approx(5000.0, rel=0.15)
+    assert "registration and noise are not tested" in text
+    assert "nothing could be tested" in text
+    assert np.nanmedian(lm.imaging.read_depth(folder / "depth.tif")) == pytest.approx(1.5, abs=2e-3)
+    for options, missing in (
+        (["--read", 3], "--white"),
+        (["--white", 1e4], "--read"),
+        (["--offset", 0.1], "--white"),
+    ):
+        assert f"{missing} is missing" in call_lommel(*arguments, *options, folder=folder).stderr

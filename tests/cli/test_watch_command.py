@@ -509,3 +509,19 @@ def test_a_camera_that_is_unplugged_ends_with_what_was_written_and_exit_code_3(f
     assert "gives no more frames: it was unplugged, or stopped" in result.stderr
     assert re.search(r"ended +camera . gives no more frames", result.stdout)
     assert len(frames_of(folder / "out.mkv")[0]) == len(written) >= 3
+
+
+@pytest.mark.parametrize("linear", [False, True])
+def test_the_noise_of_video_is_estimated_from_its_first_pair_and_told(linear, folder, call_lommel):
+    write_video(
+        folder / "both.mkv", shots() if linear else eight_bits(shots()), stored="gray16le" if linear else "gray"
+    )
+    source = ["--source", "both.mkv", "--alternating", "--table", "found.csv", "--json"]
+    result = call_lommel("watch", *SCENE, *source, folder=folder)
+    assert result.returncode == 0, result.stderr
+    found = json.loads(result.stdout)
+    assert (found["white"], found["noise_is_a_guess"]) == (pytest.approx(65535 if linear else WHITE, rel=0.15), False)
+    assert "estimated_noise" in [finding["code"] for finding in found["findings"]]
+    for row, distance in zip(rows(folder / "found.csv"), DISTANCES, strict=True):
+        assert abs(row["depth (m)"] - distance) < 0.6 * row["error (m)"]
+        assert row["misfit"] == pytest.approx(1.0, abs=0.15)

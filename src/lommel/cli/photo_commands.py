@@ -574,6 +574,9 @@ def depth(
     encoding
         Encoding of the photos' values: srgb, linear, or a number, as 1.8 for light = value ** 1.8; by default as the
         photos state (ICC profile), else integers are sRGB; floats are linear.
+    white
+        Number of electrons at white, such as 5000; by default the full well of the camera. Without --white, --read
+        and a camera that states them, the noise is estimated from the photos.
     mask
         Image that is not 0 at pixels to ignore; one for all photos, or one for each.
 

@@ -164,6 +164,9 @@ def watch(
         Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.
     misfit
         Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all.
+    white
+        Number of electrons at white, such as 5000; by default the full well of the camera. Without --white, --read
+        and a camera that states them, the noise is estimated from the first pair.
 
     Examples
     --------

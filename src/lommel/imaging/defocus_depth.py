@@ -194,7 +194,8 @@ def depth_from_defocus(
         Encoding of the photographs; a number states ``light = value ** number``.
     noise : Noise, optional
         Noise of the linear photographs, where white is 1: ``noise.white`` is the number of electrons at white. By
-        default it is estimated from the photographs.
+        default it is estimated from the photographs, as that of the residual at the depths found: `verdict` does not
+        test it.
     between : (float, float)
         Nearest and farthest candidate distance, metres; the farthest may be infinite.
     transfer : callable, optional

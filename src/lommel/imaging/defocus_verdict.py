@@ -197,9 +197,11 @@ class DefocusVerdict(FitReport):
             by_f_number, by_foci = (format_length(abs(change), digits=2) for change in changes)
             text += f"; 1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci}"
         add("untested", "note", text, details)
+        disagrees = any(finding.severity != "note" for finding in findings)
+        nothing = "nothing that was tested agrees" if disagrees else "nothing could be tested"
         return cls(
             findings=Findings(findings),
-            summary="; ".join(agreements) or "nothing that was tested agrees",
+            summary="; ".join(agreements) or nothing,
             misfit=misfit,
             scale=scale,
             scale_error=scale_error,

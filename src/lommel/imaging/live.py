@@ -381,7 +381,7 @@ class LiveDepth:
             self._prepare(Noise(white=white, read=read), (max(float(white * np.nanmean(images[0, 0])), 1.0),))
             excess = residual_variance(self(*frames, known=known).misfit)
         finally:
-            self._levels = []
+            self.noise, self._levels = None, []
         self._prepare(Noise(white=white / excess, read=read / math.sqrt(excess)))
 
     def _tables(self) -> list[_Level]:

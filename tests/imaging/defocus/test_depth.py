@@ -316,3 +316,44 @@ def test_a_slope_is_found_with_a_deviation_that_knows_of_it():
     assert known[24:-24, 24:-24].mean() > 0.75
     assert 0.5 < 1.4826 * np.median(np.abs(error / found.errors[known])) < 1.4
     assert abs(np.median(error / found.errors[known])) < 0.5
+
+
+def electrons(found, light):
+    """Electrons whose photon noise is the noise that was estimated, photon and read noise, at a light below 1."""
+    noise = found.verdict.findings.get("estimated_noise").numbers
+    mean = light * noise["white"]
+    return mean**2 / (mean + noise["read"] ** 2)
+
+
+@pytest.mark.parametrize(("white", "read"), [(2e4, 12.0), (1500.0, 3.0)])
+def test_the_noise_of_8_bit_photographs_is_estimated_and_errors_are_those_made(white, read):
+    light = np.clip(shoot(texture(contrast=0.5, mean=0.35), 1.55, PAIR, noise=lm.Noise(white=white, read=read)), 0, 1)
+    srgb = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+    photos = np.round(255 * srgb).astype(np.uint8)
+    found = lm.imaging.depth_from_defocus(photos, PAIR, PIXEL, encoding="srgb", between=(1.2, 2.0))
+    z = errors(found, 1.55)
+    assert found.known > 0.75
+    assert abs(np.median(z)) < 0.6
+    assert 0.7 < robust(z) < 1.3
+    step = 2.4 / 1.055 * light ** (1 - 1 / 2.4) / 255
+    variance = np.mean(light / white + (read / white) ** 2 + step**2 / 12)
+    assert electrons(found, light.mean()) == pytest.approx(light.mean() ** 2 / variance, rel=0.15)
+    codes = {finding.code for finding in found.verdict.findings}
+    assert {"estimated_noise", "untested"} <= codes <= {"estimated_noise", "untested", "lens_scale"}
+    assert "registration and noise (" in found.verdict.findings.get("untested").text
+    assert "noise agree" not in found.verdict.summary
+
+
+def test_channels_of_different_noise_unknown_pixels_and_exposures_need_no_noise_stated():
+    whites = [2000.0, 4000.0, 2500.0]  # white balance: a pixel of red has half the electrons of one of green
+    channels = [
+        shoot(texture(seed=5), 1.5, PAIR, 9 * c, (1.0, 0.7), lm.Noise(white=white, read=3.0))
+        for c, white in enumerate(whites)
+    ]
+    photos = np.moveaxis(channels, 0, -1)
+    photos[:, ::25, 40:] = np.nan
+    found = lm.imaging.depth_from_defocus(photos, PAIR, PIXEL, encoding="linear", between=(1.2, 2.0))
+    assert 0.7 < robust(errors(found, 1.5)) < 1.3
+    assert found.exposures == pytest.approx((1.0, 0.7), rel=0.01)
+    assert electrons(found, 0.5) == pytest.approx(0.5 * np.mean(whites), rel=0.15)
+    assert np.nanmedian(found.sharp) == pytest.approx(0.5, rel=0.05)

@@ -253,3 +253,25 @@ def test_shifted_frames_and_wrong_noise_show_in_the_misfit(mild):
     assert np.median(mild(pair[0], np.roll(pair[1], 1, axis=1)).misfit[4:-4, 4:-4]) > 3.0
     loud = made(MILD, noise=lm.Noise(read=60.0, offset=100.0))
     assert np.median(loud(*pair).misfit[4:-4, 4:-4]) < 0.8
+
+
+def test_the_noise_of_the_first_frames_is_that_of_the_camera_and_depth_is_as_far_off_as_is_told():
+    counts = frames(MILD, 1.5, light=2000.0)
+    stored = [0.25 * (one.astype(np.float32) - 100.0) for one in counts]  # 4 electrons a count
+    live = made(MILD, noise=None, light=None)
+    assert repr(live).endswith("noise from the first frames>")
+    with pytest.raises(ValueError, match="it is estimated from the first frames"):
+        live.binning  # noqa: B018
+    with pytest.raises(ValueError, match="must hold light"):
+        live(stored[0], 1e-3 * stored[1])
+    assert live.noise is None
+    found = live(*stored)
+    z = errors(found, 1.5)
+    assert 0.75 < 1.4826 * np.median(np.abs(z - np.median(z))) < 1.25
+    assert 500.0 * live.noise.white / (1.0 + live.noise.read**2 / (500.0 * live.noise.white)) == pytest.approx(
+        2000.0, rel=0.1
+    )
+    assert live.verdict().findings.get("estimated_noise").numbers == live.noise.to_dict()
+    noise = live.noise
+    live(*(0.5 * one for one in stored))
+    assert live.noise is noise

@@ -7,6 +7,7 @@ import pytest
 from scipy.ndimage import map_coordinates
 
 import lommel as lm
+from lommel.imaging import defocus_verdict
 from scenes import ThinLens, averaged, before, blurred, lommel_lens, plane, record, texture
 
 SIDE, LIGHT = 128, 5000.0
@@ -255,10 +256,10 @@ def test_shifted_frames_and_wrong_noise_show_in_the_misfit(mild):
     assert np.median(loud(*pair).misfit[4:-4, 4:-4]) < 0.8
 
 
-def test_the_noise_of_the_first_frames_is_that_of_the_camera_and_depth_is_as_far_off_as_is_told():
+def test_the_noise_of_the_first_frames_is_that_of_the_camera_and_depth_is_as_far_off_as_is_told(monkeypatch):
     counts = frames(MILD, 1.5, light=2000.0)
     stored = [0.25 * (one.astype(np.float32) - 100.0) for one in counts]  # 4 electrons a count
-    live = made(MILD, noise=None, light=None)
+    live = made(MILD, noise=None)
     assert repr(live).endswith("noise from the first frames>")
     with pytest.raises(ValueError, match="it is estimated from the first frames"):
         live.binning  # noqa: B018
@@ -271,7 +272,21 @@ def test_the_noise_of_the_first_frames_is_that_of_the_camera_and_depth_is_as_far
     assert 500.0 * live.noise.white / (1.0 + live.noise.read**2 / (500.0 * live.noise.white)) == pytest.approx(
         2000.0, rel=0.1
     )
+    monkeypatch.setattr(defocus_verdict, "_scale_minima", lambda *_: [])  # the size of blur, which takes seconds
     assert live.verdict().findings.get("estimated_noise").numbers == live.noise.to_dict()
     noise = live.noise
     live(*(0.5 * one for one in stored))
     assert live.noise is noise
+
+
+@pytest.mark.parametrize("noise", [NOISE, None])
+def test_two_apertures_of_one_focus_are_as_good_as_two_foci_on_one_of_its_sides(noise):
+    apertures = [ThinLens(35e-3, f_number, 1.2, 540e-9, 4e-6) for f_number in (4.0, 8.0)]
+    live = made(apertures, between=(1.25, 2.0), noise=noise)
+    for distance in (1.3, 1.6):
+        counts = frames(apertures, distance, "pink")
+        found = live(*counts if noise else [one - np.float32(100.0) for one in counts])
+        z = errors(found, distance)
+        assert len(z) > 0.6 * found.depth.size  # the rest is within the blur of the border
+        assert abs(np.median(z)) < 0.6
+        assert 0.7 < 1.4826 * np.median(np.abs(z - np.median(z))) < 1.3

@@ -17,11 +17,11 @@ from lommel.io.videos import MACROBLOCK
 if TYPE_CHECKING:
     from lommel.cli.video_commands import Coding
 
-MAX_LOSS = 16.0
+MAX_LOSS = 32.0
 """Largest variance that compression adds, relative to noise, of blocks with depth."""
 
 _BLOCK_WINDOW = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16.0  # weights of neighbouring blocks, as those of depth
-_LOSS_REACH = 9  # blocks: side of the square whose largest loss counts, since depth is found from a neighbourhood
+_LOSS_REACH = 7  # blocks: side of the square whose largest loss counts, since depth is found from a neighbourhood
 _CODES = 256  # number of codes at which the step of the encoding is computed
 _ROW_SMOOTHING = 4.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
 _ROW_PASSES = 3  # number of times that the remainder of smoothing is smoothed and added: 1 - (1 - G)^3 for a filter G

@@ -110,6 +110,12 @@ class _CodedFrame(VideoFrame):
 
     loss: float | Values = 0.0
 
+    @classmethod
+    def of(cls, values: Values, seconds: float, loss: float | Values) -> Self:
+        frame = cls(values, seconds)
+        frame.loss = loss
+        return frame
+
 
 _NumberedFrame: TypeAlias = tuple[int, VideoFrame]
 
@@ -697,9 +703,8 @@ class _PyavReader:
                     delays.append(time.monotonic() - seconds)
                 number += 1
                 end_time = max(end_time, seconds + self.interval)
-                coded = _CodedFrame(frame.to_ndarray(format=self._form), seconds + min(delays))
-                coded.loss = self._loss(packet, frame)
-                yield coded
+                values = frame.to_ndarray(format=self._form)
+                yield _CodedFrame.of(values, seconds + min(delays), self._loss(packet, frame))
 
     def _loss(self, packet: Packet[VideoStream], frame: av.VideoFrame) -> float | Values:
         """Return the loss of a frame of a packet; see :class:`VideoFrames`."""
@@ -770,9 +775,8 @@ class _CameraReader:
                 break
             _require_frame_size(self.name, *values.shape[1::-1])
             order = self._cv2.COLOR_BGR2GRAY if self._grey else self._cv2.COLOR_BGR2RGB
-            coded = _CodedFrame(values if values.ndim == 2 else self._cv2.cvtColor(values, order), arrival_time)
-            coded.loss = self._loss
-            yield coded
+            values = values if values.ndim == 2 else self._cv2.cvtColor(values, order)
+            yield _CodedFrame.of(values, arrival_time, self._loss)
         raise VideoError(f"{self.name} gives no more frames: it was unplugged, or stopped")
 
     def close(self) -> None:
@@ -822,10 +826,8 @@ class _ImageReader:
                     reported = True
                     self._report(f"{validation.line(path)} is skipped: {_reason(error)}")
                 continue
-            coded = _CodedFrame(values, number * self.interval)
-            if path.suffix.lower() in (".jpg", ".jpeg"):
-                coded.loss = _jpeg_loss(path.read_bytes())
-            yield coded
+            loss = _jpeg_loss(path.read_bytes()) if path.suffix.lower() in (".jpg", ".jpeg") else 0.0
+            yield _CodedFrame.of(values, number * self.interval, loss)
 
     def close(self) -> None:
         """Do nothing, since no file is kept open."""

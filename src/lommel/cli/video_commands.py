@@ -739,7 +739,7 @@ def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]
     valid = np.logical_and(*(frame < limit for frame in frames))
     if not valid.all():
         frames = [np.where(valid, frame, np.float32(np.nan)) for frame in frames]
-    sums = [np.nansum(frame, axis=1, dtype=np.float64) for frame in frames]
+    sums = [np.asarray(np.nansum(frame, axis=1, dtype=np.float64)) for frame in frames]
     rows = [video_faults.smooth_rows(row_sums) for row_sums in sums]
     equalized = np.minimum(*rows) > _DARK_ROW * max(rows[0].mean(), rows[1].mean())
     if equalized.any():

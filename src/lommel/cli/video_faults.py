@@ -52,7 +52,7 @@ def _over_window(blocks: Values, axes: tuple[int, ...] = (0, 1)) -> Values:
     return blocks
 
 
-def smooth_rows(values: Array) -> Array:
+def smooth_rows(values: Values) -> Values:
     """Return values of rows without changes over few rows: 99.5 % of a period of 40 rows is left, 83 % of 20."""
     smooth = np.zeros_like(values)
     for _ in range(_ROW_PASSES):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-import struct
 import threading
 import time
 import warnings
@@ -18,7 +17,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from statistics import median
 from types import TracebackType
-from typing import TYPE_CHECKING, NamedTuple, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeAlias
 
 import numpy as np
 
@@ -447,7 +446,6 @@ class FramePairs(_ClosingIterator):
         """Yield each even-numbered frame with the next; dropped frames are counted, so that near remains first."""
         (source,) = self.sources
         near_frame: VideoFrame | None = None
-        near_loss: float | Values = 0.0
         first_number = next_number = -1
         order = _FocusOrder()
         for frame in source:
@@ -464,12 +462,12 @@ class FramePairs(_ClosingIterator):
                     )
                 order.exchanges += 1
             if is_far and near_frame is not None and source.number == next_number:
-                self.loss = np.maximum(near_loss, source.loss)
+                self.loss = np.maximum(*(getattr(each, "loss", 0.0) for each in (near_frame, frame)))
                 yield FramePair(near_frame.values, frame.values, near_frame.time)
                 near_frame = None
                 continue
             self.alone += (near_frame is not None) + is_far
-            near_frame, near_loss, next_number = None if is_far else frame, source.loss, source.number + 1
+            near_frame, next_number = None if is_far else frame, source.number + 1
         if near_frame is not None:
             self.alone += 1
             if source.lost is None:
@@ -711,18 +709,14 @@ class _PyavReader:
         context = self._stream.codec_context
         if context.name == "mjpeg":
             return _jpeg_loss(bytes(packet))
-        side = next((bytes(each) for each in frame.side_data if each.type.name == "VIDEO_ENC_PARAMS"), None)
-        if side is None or context.name != "h264":
+        encoding: Any = frame.side_data.get("VIDEO_ENC_PARAMS")
+        if encoding is None or context.name != "h264":
             return math.inf if context.codec.lossy else 0.0
-        # AVVideoEncParams, and for each macroblock (x, y, width, height, change of the quantization parameter).
-        count, start, size, _, base = struct.unpack_from("@INNii", side)
-        blocks = np.frombuffer(side, np.int32, count * size // 4, start).reshape(count, -1)
-        parameter = np.full((-(-frame.height // MACROBLOCK), -(-frame.width // MACROBLOCK)), np.inf)
-        parameter[blocks[:, 1] // MACROBLOCK, blocks[:, 0] // MACROBLOCK] = base + blocks[:, 4]
+        parameter = encoding.qp_map().astype(np.float64)
         parameter[parameter > _LAST_UNFILTERED + 6.0 * math.log2(self.levels / 256)] = np.inf
         # As if of limited range: at most 36 % too large.
         step = 0.625 * 2.0 ** (parameter / 6.0) / (219.0 / 255.0 * (self.levels - 1))
-        return step**2 / 12.0 * (1.0 if frame.pict_type == 1 else _PREDICTED_LOSS)
+        return np.asarray(step**2 / 12.0 * (1.0 if frame.pict_type == 1 else _PREDICTED_LOSS))
 
     def _packets(self) -> Iterator[Packet[VideoStream]]:
         return self._container.demux(self._stream)

@@ -462,7 +462,7 @@ class FramePairs(_ClosingIterator):
                     )
                 order.exchanges += 1
             if is_far and near_frame is not None and source.number == next_number:
-                self.loss = np.maximum(*(getattr(each, "loss", 0.0) for each in (near_frame, frame)))
+                self.loss = np.maximum(getattr(near_frame, "loss", 0.0), source.loss)
                 yield FramePair(near_frame.values, frame.values, near_frame.time)
                 near_frame = None
                 continue

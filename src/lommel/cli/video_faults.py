@@ -41,8 +41,8 @@ def _electrons(frame: Values, coding: Coding) -> Values:
 def _block_means(values: Values) -> Values:
     """Return the means of blocks of 4 x 4 pixels."""
     height, width = (side // BLOCK for side in values.shape)
-    parts = values[: height * BLOCK, : width * BLOCK].reshape(height, BLOCK, width, BLOCK)
-    return np.asarray(parts.mean(axis=(1, 3)))
+    rows = values[: height * BLOCK, : width * BLOCK].reshape(height, BLOCK, width * BLOCK).mean(axis=1)
+    return np.asarray(rows.reshape(height, width, BLOCK).mean(axis=2))  # in two steps: a third of the time
 
 
 def _over_window(blocks: Values, axes: tuple[int, ...] = (0, 1)) -> Values:
@@ -100,10 +100,11 @@ def changes(earlier: Values, later: Values, coding: Coding) -> tuple[Values, NDA
     first, second = (_electrons(frame, coding) for frame in (earlier, later))
     means, read = first.mean(axis=1), coding.noise.read**2
     lit = means > _DARK_ROW * means.mean()
-    ratio = np.where(lit, np.maximum(np.median(second / first, axis=1), _DARK_ROW), 1.0)
+    half = np.median(second[:, ::2] / first[:, ::2], axis=1)  # of half the columns: a fifth of the time
+    ratio = np.where(lit, np.maximum(half, _DARK_ROW), 1.0).astype(np.float32)
     squares = (second / ratio[:, None] - first) ** 2 / (first + read + (second + read) / ratio[:, None] ** 2)
     bands = (np.log(ratio) - smooth_rows(np.log(ratio))) ** 2
-    chance = 2.0 * _MEDIAN_NOISE**2 * (means + read) / (first.shape[1] * means**2)  # variance of the logarithm
+    chance = 4.0 * _MEDIAN_NOISE**2 * (means + read) / (first.shape[1] * means**2)  # variance of the logarithm
     uneven = scipy.ndimage.gaussian_filter1d(bands, _BAND_ROWS) > _MAX_BANDS**2 + 4.0 * chance
     return _over_window(_block_means(squares)), _block_means(uneven[:, None].repeat(BLOCK, axis=1)) > 0.0
 

@@ -346,8 +346,8 @@ class _FocusOrder:
         sharpness = self._sharpness(frame)
         exchanged = False
         if len(self._maps) == 2:
-            # Mean squared changes from the latest frame that should have the same focus, and from the other.
-            same, other = (float(np.mean((sharpness - self._maps[far]) ** 2)) for far in (is_far, not is_far))
+            # Squared changes from the latest frame that should have the same focus, and from the other.
+            same, other = (float(np.sum((sharpness - self._maps[far]) ** 2)) for far in (is_far, not is_far))
             history = self._changes or [(other, same)]
             largest_same, least_other = max(one[0] for one in history), min(one[1] for one in history)
             exchanged = (
@@ -363,13 +363,13 @@ class _FocusOrder:
     @staticmethod
     def _sharpness(frame: Values) -> Values:
         """Return the logarithm of (squared differences of neighbours / squared mean) of squares of the frame."""
-        cell = min(_SHARPNESS_CELL, *frame.shape)
-        height, width = (side // cell for side in frame.shape)
-        cells = frame[: height * cell, : width * cell].astype(np.float32)
-        steps = np.diff(cells, axis=1, append=cells[:, -1:]) ** 2
-        shape = height, cell, width, cell
-        energy, mean = (np.nan_to_num(each).reshape(shape).mean(axis=(1, 3)) for each in (steps, cells))
-        floor = 1e-9 * float(np.square(mean).mean()) + np.finfo(np.float32).tiny
+        height, width = (side // _SHARPNESS_CELL for side in frame.shape)
+        # A quarter of the rows is enough.
+        rows = frame[: height * _SHARPNESS_CELL : 4, : width * _SHARPNESS_CELL].astype(np.float32)
+        steps = np.diff(rows, axis=1, append=rows[:, -1:]) ** 2
+        shape = height, _SHARPNESS_CELL // 4, width, _SHARPNESS_CELL
+        energy, mean = (np.nan_to_num(each).reshape(shape).mean(axis=(1, 3)) for each in (steps, rows))
+        floor = 1e-9 * float(np.square(mean).sum()) + np.finfo(np.float32).tiny
         return np.asarray(np.log((energy + floor) / (mean**2 + floor)))
 
 

@@ -172,7 +172,7 @@ def test_the_misfit_of_blocks_is_judged_where_slopes_explain_little_of_it(share,
     fine = np.repeat(np.repeat(variation, block, 0), block, 1) * RNG.choice([0.5, 1.5], (side * block,) * 2)
     monkeypatch.setattr(defocus_verdict, "_depth_variation", lambda *_: fine)
     filters = SimpleNamespace(minimum=lambda tile: (misfit, curvature))
-    monkeypatch.setattr(defocus_verdict, "_Filters", lambda *_: filters)
+    monkeypatch.setattr(defocus_verdict._Filters, "exact", lambda *_: filters)
     found, judged = [], 0
     for i in range(side):
         for j in range(side):
@@ -185,10 +185,12 @@ def test_the_misfit_of_blocks_is_judged_where_slopes_explain_little_of_it(share,
     if judged / len(found) < 0.15:
         kept += [m for m, o in found if o >= 0.5]
     tile = SimpleNamespace(inside=(slice(None), slice(None)))
-    whole = defocus_verdict._judged_misfit(None, 0, [tile], None)
+    vergence = np.ones((side * block, side * block))
+    whole = defocus_verdict._judged_misfit(None, 0, [tile], vergence)
     assert whole == pytest.approx((np.median(kept), judged / len(found)), rel=1e-9)
-    misfit[:17] = np.nan  # of 1024 blocks less than eight cells of 64
-    assert defocus_verdict._judged_misfit(None, 0, [tile], None) is None
+    misfit[:] = np.nan
+    misfit[0, :15] = 1.0  # of 1024 blocks less than 16
+    assert defocus_verdict._judged_misfit(None, 0, [tile], vergence) is None
 
 
 @pytest.mark.parametrize(("depth", "several"), [(0.061, True), (0.079, False)])

@@ -36,10 +36,10 @@ def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_an
 ):
     errors, misfit = np.array([[0.5, np.inf], [1e-7, 0.1]]), np.array([[1.1, 9.0], [1.7, 1.2]])
     vergence, slopes = np.array([[1.0, 1.0], [2.0, 4.0]]), np.array([[8.0, -40.0, 5.0], [2.0, 3.0, 1.0]])
-    engine = SimpleNamespace(lens_derivatives=lambda at: slopes)
+    engine = SimpleNamespace(lens_derivatives=lambda at: slopes, binning=1)
     minima = [_Minimum(scale, error, 1.0, 0, 0.0), _Minimum(1.9, 0.1, 1.0, 8, 0.0)]
     weights = []
-    monkeypatch.setattr(defocus_verdict, "_tiles", lambda frames, valid, weight, _: weights.append(weight) or [])
+    monkeypatch.setattr(defocus_verdict, "_tiles", lambda frames, valid, weight, *_: weights.append(weight) or [])
     monkeypatch.setattr(defocus_verdict, "_judged_misfit", lambda *_: None if few else (1.25, 0.6))
     monkeypatch.setattr(defocus_verdict, "_scale_minima", lambda *_: minima)
     images = np.ones((1, 2, 2, 2))
@@ -55,13 +55,15 @@ def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_an
     assert found.changes == pytest.approx((0.08, -0.0075))
 
 
+@pytest.mark.parametrize("steps", [1, 2])
 @pytest.mark.parametrize("least", [4.3, 8.4])
-def test_the_misfit_of_a_block_is_its_least_energy_over_that_of_noise(least):
+def test_the_misfit_of_a_block_is_its_least_energy_over_that_of_noise(least, steps):
     """Filters of one factor g pass g^2 of the light: a parabola of the candidate."""
     squares, white, excess = 1.0 + 0.1 * (np.arange(10) - least) ** 2, 0.4, 0.07
     made = SimpleNamespace(
         _filters=np.sqrt(squares)[:, None, None, None, None] * np.ones((1, 1, 1, 3, 3)), _white=np.array([white]),
-        _engine=SimpleNamespace(window_means=lambda blocks: blocks, mean_excess=excess),
+        _engine=SimpleNamespace(window_means=lambda blocks: blocks, mean_excess=lambda binning: excess * binning),
+        _binning=1, _steps=steps,
     )  # fmt: skip
     light, variance = RNG.normal(size=(8, 8)), RNG.uniform(0.5, 1.0, (2, 2))
     spectra = defocus_verdict.scipy.fft.dctn(light, axes=(0, 1), norm="ortho")[None]
@@ -72,7 +74,7 @@ def test_the_misfit_of_a_block_is_its_least_energy_over_that_of_noise(least):
     for y, x in np.argwhere((lowest == inner) & (power > 0.0)):
         noise = white * squares[inner]
         assert misfit[y, x] == pytest.approx(1.0 + (power[y, x] + excess) / noise, rel=1e-9)
-        assert curvature[y, x] == pytest.approx(0.1 * power[y, x] / noise, rel=1e-6)
+        assert curvature[y, x] == pytest.approx(steps**2 * 0.1 * power[y, x] / noise, rel=1e-6)
     assert np.isnan(misfit[lowest != inner]).all()
     assert (power > 0.0).any()
 

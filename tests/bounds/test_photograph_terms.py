@@ -158,8 +158,8 @@ def test_errors_of_lenses_add_in_squares_and_frames_of_one_focus_share_theirs(sa
 @pytest.mark.parametrize(
     ("misfit", "judged", "code", "severity"),
     [
-        (0.69, 1.0, "too_quiet", "error"), (0.71, 1.0, None, None), (1.29, 1.0, None, None),
-        (1.31, 1.0, "misfit", "doubt"), (1.79, 1.0, "misfit", "doubt"), (1.81, 1.0, "misfit", "error"),
+        (0.69, 1.0, "too_quiet", "error"), (0.71, 1.0, None, None), (1.19, 1.0, None, None),
+        (1.21, 1.0, "misfit", "doubt"), (1.79, 1.0, "misfit", "doubt"), (1.81, 1.0, "misfit", "error"),
         (1.81, 0.14, "left_out", "doubt"),
         (1.81, 0.16, "misfit", "error"), (math.nan, 1.0, "no_depth", "error"),
     ],

@@ -209,9 +209,17 @@ class FocalTask(NamedTuple):
         return max(float(lens.pupil(ends).geometric_radius().max()) for lens in self.lenses) / self.pixel
 
     def model(
-        self, light: FocalLight, channel: int = 0, binning: int = 1, lenses: Sequence[Lens] | None = None
+        self,
+        light: FocalLight,
+        channel: int = 0,
+        binning: int = 1,
+        lenses: Sequence[Lens] | None = None,
+        count: int = 48,
     ) -> FocalModel:
-        """Return the model of a channel with pixels binned, for `lenses` or by default those of the task."""
+        """Return the model of a channel with pixels binned, for `lenses` or by default those of the task.
+
+        `count` is the number of frequencies along each axis.
+        """
         return FocalModel.of(
             lenses or self.lenses,
             self.vergence,
@@ -220,6 +228,7 @@ class FocalTask(NamedTuple):
             light,
             transfer=self.transfer,
             binning=binning,
+            count=count,
             scales=self.scales,
         )
 
@@ -373,10 +382,9 @@ class FocalEngine:
         nearest, farthest = self.task.between
         return MAX_KNOWN_ERROR * (1.0 / nearest - 1.0 / farthest)
 
-    @property
-    def mean_excess(self) -> float:
-        """Mean of (energy at the true depth) - (minimum energy), in units of the noise variance."""
-        return self.binning**2 / self._pixels
+    def mean_excess(self, binning: int) -> float:
+        """Return the mean of (energy at the true depth) - (minimum energy) of pixels with this binning / variance."""
+        return binning**2 / self._pixels
 
     def window_means(self, blocks: Array) -> Array:
         """Return weighted means of blocks, (rows, columns), over the window of each block."""

@@ -64,7 +64,31 @@ def test_lenses_whose_spherical_aberration_is_stated_tell_exchanged_foci():
     found = live(images, lenses(spherical=0.5)).verdict()
     assert found.agrees
     assert abs(found.scale - 1.0) < 2.0 * found.scale_error < 0.1  # apertures that are larger, too, were looked at
-    assert live(images, lenses(foci=FOCI[::-1], spherical=0.5)).verdict().status == "misfit"
+    exchanged = live(images, lenses(foci=FOCI[::-1], spherical=0.5)).verdict()
+    assert exchanged.misfit > 1.3 > 1.1 > found.misfit
+    assert not exchanged.agrees
+
+
+@pytest.mark.parametrize(("f_number", "foci", "distance"), [
+    (4.0, (1.8, 2.4), 2.3),  # aliases of binned pixels: 1.6 by the filters of the depth map
+    (4.0, (1.35, 1.8), 1.6),  # energies in whole steps: 1.9
+    (2.8, (1.35, 1.8), 1.4),  # wide blur, whose transfer function oscillates between the frequencies of the tables
+])  # fmt: skip
+def test_the_misfit_of_exact_lenses_is_one_and_that_of_a_shift_is_not(f_number, foci, distance, monkeypatch):
+    monkeypatch.setattr("lommel.imaging.defocus_verdict._scale_minima", lambda *_: [])
+    thin = [ThinLens(35e-3, f_number, focus, 540e-9, PIXEL) for focus in foci]
+    images = record(plane(texture("pink", 128, 5), thin, distance, LIGHT), seed=3)
+    made = lm.imaging.LiveDepth(
+        [lommel_lens(one) for one in thin], PIXEL, between=(0.85 * foci[0], 1.2 * foci[1]), noise=NOISE,
+        shape=images[0].shape, light=LIGHT,
+    )  # fmt: skip
+    made(*images)
+    exact = made.verdict()
+    assert exact.misfit == pytest.approx(1.0, abs=0.1)
+    assert exact.reliable
+    made(images[0], np.roll(images[1], 1, axis=1))
+    shifted = made.verdict()
+    assert shifted.findings.get("misfit") is not None
 
 
 def test_a_size_of_blur_that_frames_do_not_tell_is_named_with_what_it_costs(pair):

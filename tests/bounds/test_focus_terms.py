@@ -36,7 +36,7 @@ def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_an
 ):
     errors, misfit = np.array([[0.5, np.inf], [1e-7, 0.1]]), np.array([[1.1, 9.0], [1.7, 1.2]])
     vergence, slopes = np.array([[1.0, 1.0], [2.0, 4.0]]), np.array([[8.0, -40.0, 5.0], [2.0, 3.0, 1.0]])
-    engine = SimpleNamespace(lens_derivatives=lambda at: slopes, binning=1)
+    engine = SimpleNamespace(lens_derivatives=lambda at: slopes, lens_errors=lambda at, *_: 0.3 * at**2, binning=1)
     minima = [_Minimum(scale, error, 1.0, 0, 0.0), _Minimum(1.9, 0.1, 1.0, 8, 0.0)]
     weights = []
     monkeypatch.setattr(defocus_verdict, "_tiles", lambda frames, valid, weight, *_: weights.append(weight) or [])
@@ -53,6 +53,7 @@ def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_an
     assert (found.scale, found.scale_error, *found.others) == pytest.approx(expected, nan_ok=True)
     # Of 8 / 1, 40 / 4 and 5 / 16; and of 2 / 1, 3 / 4 and 1 / 16.
     assert found.changes == pytest.approx((0.08, -0.0075))
+    assert found.lens_error == pytest.approx(0.3)
 
 
 @pytest.mark.parametrize("steps", [1, 2])
@@ -247,4 +248,5 @@ def test_depth_and_its_error_follow_from_those_of_a_candidate(stated, monkeypatc
     assert (seen.light.mean, *found.exposures) == pytest.approx((2000.0, 1.0, 1.5), rel=1e-6)
     assert seen.images.mean(axis=(0, 2, 3)) == pytest.approx([2000.0, 2000.0], rel=1e-5)
     assert (seen.window, seen.limit) == (defocus_depth.WINDOW, pytest.approx(0.15 / step))
-    assert found.verdict[-1] == (0.77 if stated else 0.0)
+    errors_of_lens = stated.get("f_number_error"), stated.get("focus_error")
+    assert found.verdict[-2:] == (0.77 if stated else 0.0, errors_of_lens)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -14,6 +15,7 @@ from lommel.imaging import (
     defocus_depth,
     defocus_verdict,
     field_blur,
+    focal_engine,
     focal_tables,
     spline_nodes,
     traced_windows,
@@ -138,10 +140,11 @@ def test_errors_of_lenses_add_in_squares_and_frames_of_one_focus_share_theirs(sa
     lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.25, wavelength=540e-9)
     lenses = [lens, lens.focused(1.25 if same else 2.0), lens.focused(1.25)]
     slopes = np.array([[2.0, 3.0], [1.0, 0.5], [0.4, 0.2], [-0.3, 0.7]])
-    engine = SimpleNamespace(known=1.5, lens_derivatives=lambda at: slopes[:, : at.size])
+    task = SimpleNamespace(lenses=lenses)
+    engine = SimpleNamespace(known=1.5, lens_derivatives=lambda at: slopes[:, : at.size], task=task)
+    engine.lens_errors = partial(focal_engine.FocalEngine.lens_errors, engine)
     estimate, errors, steps = np.array([0.7, 0.6, np.nan]), np.array([0.1, 1.2, np.inf]), np.array([1.0, 2.0, np.inf])
-    stated = SimpleNamespace(f_number_error=0.3, focus_error=0.5)
-    found = defocus_depth._add_lens_errors(engine, lenses, stated, estimate, errors, steps)
+    found = defocus_depth._add_lens_errors(engine, (0.3, 0.5), estimate, errors, steps)
     expected = []
     for k, own in enumerate((0.1, 1.2)):
         first = slopes[1, k] + slopes[3, k] + (slopes[2, k] if same else 0.0)
@@ -153,6 +156,12 @@ def test_errors_of_lenses_add_in_squares_and_frames_of_one_focus_share_theirs(sa
         assert np.isnan(estimate[1])
         assert np.isinf(steps[1])
     assert found == (0.3 if same else pytest.approx(math.hypot(0.3, math.sqrt(2.0) * 0.5 / 0.3), rel=1e-9))
+    # Of a lens that was not measured: 3 % of the f-number, 2 % of each focus distance. If one is stated, only this.
+    (assumed,) = engine.lens_errors(np.ones(1), None, None)
+    foci = [0.8, 0.8 if same else 0.5]
+    parts = [0.02 * 0.8 * (0.7 + (0.4 if same else 0.0)), 0.0 if same else 0.02 * foci[1] * 0.4]
+    assert assumed == pytest.approx(math.hypot(0.03 * 2.0, *parts), rel=1e-9)
+    assert engine.lens_errors(np.ones(1), 0.3, None) == pytest.approx([0.6])
 
 
 @pytest.mark.parametrize(

@@ -172,11 +172,11 @@ def test_results_tell_in_plain_data_what_they_are_and_the_median_and_ends_of_the
     depth, errors = np.append(depth, [np.nan] * 9)[None], np.append(errors, [np.inf] * 9)[None]
     made = SimpleNamespace(
         verdict=SimpleNamespace(to_dict=dict), errors=errors, depth=depth, candidates=np.ones(5), exposures=(1.0,),
-        known=0.9,
+        known=0.9, _sources="noise",
     )  # fmt: skip
     facts = DefocusDepth.to_dict(made)
     assert facts["depth"] == pytest.approx({"5 %": 1.1, "50 %": 2.0, "95 %": 2.9})
-    assert facts["error"] == pytest.approx(0.2)
+    assert (facts["error"], facts["error_of"]) == (pytest.approx(0.2), "noise")
     made.errors = np.full_like(errors, np.inf)
     assert (DefocusDepth.to_dict(made)["depth"], DefocusDepth.to_dict(made)["error"]) == (None, None)
 
@@ -192,7 +192,7 @@ def test_defaults_are_those_that_their_pages_state():
     kinds = (microscopy.confocal, microscopy.two_photon, microscopy.light_sheet, microscopy.bead, microscopy.sted)
     assert {inspect.signature(one).parameters["tol"].default for one in kinds} == {1e-6}
     assert (TableOptions().tol, FieldPhotographOptions().tol) == (1e-4, 1e-3)
-    assert (DefocusOptions().f_number_error, DefocusOptions().focus_error) == (0.0, 0.0)
+    assert (DefocusOptions().f_number_error, DefocusOptions().focus_error) == (None, None)
 
 
 def test_depletion_is_relative_to_the_crest_of_the_doughnut_and_a_sheet_needs_a_bound(monkeypatch):

@@ -63,7 +63,8 @@ class DefocusDepth:
     depth : ndarray, shape (height, width)
         Distance from the lens, metres; NaN where depth cannot be determined.
     errors : ndarray, shape (height, width)
-        Standard error of `depth`, metres; inf where depth cannot be determined.
+        Standard error of `depth`, metres, of noise alone unless errors of the lens are stated; inf where depth cannot
+        be determined. ``verdict.lens_error`` is that of the lens, which whole surfaces share.
     misfit : ndarray, shape (height, width)
         Residual difference of the photographs at the estimated depth, relative to the noise: 1 where registration and
         noise model are right, more at depth edges, borders and moving objects. `errors` increase with it.
@@ -83,6 +84,7 @@ class DefocusDepth:
     encoding: Encoding
     _sharpen: Callable[[Array], Values]
     _judge: Callable[[], DefocusVerdict]
+    _sources: str  # of `errors`
 
     @property
     def known(self) -> float:
@@ -108,8 +110,8 @@ class DefocusDepth:
         -------
         dict
             The entries of ``verdict.to_dict()``, shape, number of candidates, exposures and fraction of pixels with
-            known depth; for these pixels, percentiles of depth and the median of its standard error, metres. None if
-            no depth is known, and for values that are not finite.
+            known depth; for these pixels, percentiles of depth, and the median of `errors` and its sources, metres.
+            None if no depth is known, and for values that are not finite.
         """
         facts, inner = self.verdict.to_dict(), np.isfinite(self.errors)
         ends = np.percentile(self.depth[inner], [5.0, 50.0, 95.0]).tolist() if inner.any() else None
@@ -121,6 +123,7 @@ class DefocusDepth:
                 "known": self.known,
                 "depth": ends and dict(zip(("5 %", "50 %", "95 %"), ends, strict=True)),
                 "error": float(np.median(self.errors[inner])) if inner.any() else None,
+                "error_of": self._sources,
             }
         )
         return facts | depth_facts
@@ -141,7 +144,7 @@ class DefocusDepth:
         low, high = np.percentile(self.depth[inner], [5.0, 95.0])
         return (
             f"<DefocusDepth: known at {100.0 * self.known:.3g} %, {low:.4g} m to {high:.4g} m (5 to 95 %), "
-            f"+- {1e3 * np.median(self.errors[inner]):.3g} mm>"
+            f"+- {1e3 * np.median(self.errors[inner]):.3g} mm of {self._sources}>"
         )
 
 
@@ -151,15 +154,17 @@ class DefocusOptions(Magnified):
 
     Parameters
     ----------
-    f_number_error : float, default 0.0
-        Common relative standard error of all f-numbers, below 0.5; for example 0.05 for a lens that was not measured.
-        A relative error of the pixel pitch has the same effect, an error of the focal length twice this effect.
-    focus_error : float, default 0.0
-        Standard error of each focus distance, independent of the other distances, dioptres (1 / m).
+    f_number_error : float, optional
+        Common relative standard error of all f-numbers, below 0.5, as part of `errors`. A relative error of the pixel
+        pitch has the same effect, an error of the focal length twice this effect.
+    focus_error : float, optional
+        Standard error of each focus distance, independent of the other distances, dioptres (1 / m), as part of
+        `errors`. If neither error is stated, `errors` are of noise alone, and the verdict states beside them what 3 %
+        of the f-number and 2 % of each focus distance add, for a lens that was not measured.
     """
 
-    f_number_error: Annotated[float, In(least=0.0, below=0.5)] = 0.0
-    focus_error: Annotated[float, In(least=0.0, unit="dioptres")] = 0.0
+    f_number_error: Annotated[float | None, In(least=0.0, below=0.5)] = None
+    focus_error: Annotated[float | None, In(least=0.0, unit="dioptres")] = None
 
 
 @listed(DefocusOptions)
@@ -312,9 +317,8 @@ def depth_from_defocus(
     step = float(vergence[1] - vergence[0])
     _add_slope_errors(position, index_errors, WINDOW, engine.known / step)
     estimate, errors = vergence[0] + step * position.astype(np.float64), step * index_errors
-    scale_error = o.f_number_error
-    if o.f_number_error or o.focus_error:
-        scale_error = _add_lens_errors(engine, lenses, o, estimate, errors, index_errors)
+    lens_errors = o.f_number_error, o.focus_error
+    scale_error = _add_lens_errors(engine, lens_errors, estimate, errors, index_errors) if any(lens_errors) else 0.0
     with np.errstate(invalid="ignore", divide="ignore"):
         depth, distances = 1.0 / estimate, 1.0 / vergence
         # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
@@ -331,8 +335,11 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, scene.dtype)
 
-    judge = partial(judge_frames, engine, images, valid, index_errors, misfit, estimate, scale_error, noise)
-    return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge)
+    sources = "noise and lens" if any(lens_errors) else "noise"
+    judge = partial(
+        judge_frames, engine, images, valid, index_errors, misfit, estimate, scale_error, lens_errors, noise
+    )
+    return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
 
 
 def _list_photographs(photographs: object, lenses: Sequence[Lens]) -> list[object]:
@@ -381,8 +388,7 @@ def _add_slope_errors(position: Values, errors: Values, window: float, limit: fl
 
 def _add_lens_errors(
     engine: FocalEngine,
-    lenses: Sequence[Lens],
-    stated: DefocusOptions,
+    stated: tuple[float | None, float | None],
     estimate: Array,
     errors: Array,
     index_errors: Values,
@@ -392,21 +398,15 @@ def _add_lens_errors(
     `index_errors` are standard errors in steps between candidates. Where the combined standard error is too large,
     depth becomes unknown in all three arrays. Return the relative standard error of the scale of blur.
     """
-    f_number_error, focus_error = stated.f_number_error, stated.focus_error
-    foci = [1.0 / lens.focus_distance for lens in lenses]
     inner = np.isfinite(errors)
-    of_f_number, *of_foci = engine.lens_derivatives(estimate[inner])
-    # Frames with equal focus distances share one focus error.
-    by_focus = [np.sum([of_foci[k] for k, other in enumerate(foci) if other == focus], 0) for focus in set(foci)]
-    errors[inner] = np.sqrt(
-        errors[inner] ** 2 + (f_number_error * of_f_number) ** 2 + focus_error**2 * np.square(by_focus).sum(axis=0)
-    )
+    errors[inner] = np.hypot(errors[inner], engine.lens_errors(estimate[inner], *stated))
     unknown = inner & (errors > engine.known)
     estimate[unknown], errors[unknown], index_errors[unknown] = math.nan, math.inf, math.inf
-    if len(by_focus) == 1:
-        return f_number_error
+    f_number_error, focus_error = (error or 0.0 for error in stated)
+    foci = [1.0 / lens.focus_distance for lens in engine.task.lenses]
+    extent = max(foci) - min(foci)
     # The blurs of two frames differ in proportion to the difference of their foci; its error is sqrt(2) focus_error.
-    return math.hypot(f_number_error, math.sqrt(2.0) * focus_error / (max(foci) - min(foci)))
+    return math.hypot(f_number_error, math.sqrt(2.0) * focus_error / extent) if extent else f_number_error
 
 
 def _bands(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:

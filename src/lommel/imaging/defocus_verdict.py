@@ -25,7 +25,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length, percent
 from lommel.estimation.depth_precision import WINDOW
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
-from lommel.imaging.focal_engine import BLOCK, FocalEngine
+from lommel.imaging.focal_engine import BLOCK, UNMEASURED, FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 from lommel.recorded.noise import Noise
 
@@ -95,6 +95,10 @@ class DefocusVerdict(FitReport):
     judged : float
         Fraction of the examined pixels whose misfit is judged. Others are near edges or steep slopes of depth: a
         window has one depth in the model.
+    lens_error : float
+        Median standard error of depth, metres, due to the errors of the lens that are stated, or to 3 % of the
+        f-number and 2 % of each focus distance if none is stated. Whole surfaces share it, and standard errors of
+        depth include it only if it is stated; NaN if no depth is known.
     """
 
     misfit: float
@@ -103,6 +107,7 @@ class DefocusVerdict(FitReport):
     others: tuple[float, ...] = ()
     changes: tuple[float, float] = (math.nan, math.nan)
     judged: float = 1.0
+    lens_error: float = math.nan
 
     @classmethod
     def of(
@@ -114,17 +119,18 @@ class DefocusVerdict(FitReport):
         changes: tuple[float, float] = (math.nan, math.nan),
         *,
         judged: float = 1.0,
-        stated: float = 0.0,
+        stated: float | None = None,
+        lens_error: float = math.nan,
         noise: Noise | None = None,
     ) -> Self:
         """Return the verdict for a misfit and a scale.
 
         Parameters
         ----------
-        misfit, scale, scale_error, others, changes, judged
+        misfit, scale, scale_error, others, changes, judged, lens_error
             See the attributes.
-        stated : float
-            Standard error of the scale that follows from the stated errors of the lenses.
+        stated : float, optional
+            Standard error of the scale that follows from the stated errors of the lenses; None if none is stated.
         noise
             Noise estimated from these frames, which `misfit` therefore cannot test; None for a stated noise.
 
@@ -133,6 +139,7 @@ class DefocusVerdict(FitReport):
         DefocusVerdict
         """
         findings, agreements, untested = list[Finding](), list[str](), [*_UNTESTED]
+        unmeasured, stated = stated is None, stated or 0.0
 
         def add(code: str, severity: Severity, text: str, numbers: Mapping[str, object] | None = None) -> None:
             findings.append(Finding(code, severity, text, numbers or {}))
@@ -200,6 +207,15 @@ class DefocusVerdict(FitReport):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}
             by_f_number, by_foci = (format_length(abs(change), digits=2) for change in changes)
             text += f"; 1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci}"
+        if not math.isnan(lens_error):
+            details |= {"lens_error": lens_error}
+            size, (f_number, focus) = format_length(lens_error, digits=2), map(percent, UNMEASURED)
+            text += (
+                f"; standard errors are of noise alone: a lens that was not measured (f-number within {f_number}, "
+                f"foci within {focus}) adds {size}, the same for whole surfaces"
+                if unmeasured
+                else f"; standard errors are of noise and of the lens as stated, {size}, the same for whole surfaces"
+            )
         add("untested", "note", text, details)
         disagrees = any(finding.severity != "note" for finding in findings)
         nothing = "nothing that was tested agrees" if disagrees else "nothing could be tested"
@@ -212,6 +228,7 @@ class DefocusVerdict(FitReport):
             others=others,
             changes=changes,
             judged=judged,
+            lens_error=lens_error,
         )
 
     @property
@@ -228,14 +245,15 @@ def judge_frames(
     misfit: Values,
     vergence: Array,
     stated_error: float = 0.0,
+    lens_errors: tuple[float | None, float | None] = (None, None),
     noise: Noise | None = None,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
 
     The other arrays are maps of shape (height, width): `valid` is True for known pixels, `errors` are standard errors
     of depth in any unit, inf if depth is unknown, `vergence` is 1 / distance in 1 / m. `stated_error` is the
-    standard error of the scale that follows from the stated errors of the lenses, and `noise` the noise that was
-    estimated from the images, if none was stated.
+    standard error of the scale that follows from `lens_errors`, those stated of f-number and foci, and `noise` the
+    noise that was estimated from the images, if none was stated.
     """
     known = np.isfinite(errors)
     if not known.any():
@@ -250,8 +268,10 @@ def judge_frames(
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     frames = partial(_tiles, images[brightest], valid, weight, engine)
     median, judged = _judged_misfit(engine, brightest, frames(1), vergence) or (float(np.median(misfit[known])), 1.0)
+    lens_error = float(np.median(engine.lens_errors(known_vergence, *lens_errors) / known_vergence**2))
+    stated = None if lens_errors == (None, None) else stated_error
     make_verdict = partial(
-        DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated_error, noise=noise
+        DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated, lens_error=lens_error, noise=noise
     )
     minima = _scale_minima(engine, brightest, list(frames(engine.binning)))
     if not minima:

@@ -171,6 +171,9 @@ class FrameForm:
 BLOCK = 4
 """Side, in pixels, of the blocks over which the energies of filtered images are summed."""
 
+UNMEASURED = 0.03, 0.02
+"""Relative standard errors of the f-number and of each focus distance of a lens that was not measured."""
+
 CONTRAST = 0.2
 """Texture contrast for which filters are designed: rms / mean, for structures of 2 to 128 pixels."""
 
@@ -356,6 +359,22 @@ class FocalEngine:
         """
         vergences, changes = self._lens_derivatives
         return np.stack([np.interp(vergence, vergences, derivatives) for derivatives in changes])
+
+    def lens_errors(self, vergence: Array, f_number_error: float | None, focus_error: float | None) -> Array:
+        """Return standard errors of the estimated vergence due to errors of the lenses, which whole surfaces share.
+
+        `f_number_error` is the relative error of all f-numbers, `focus_error` that of each focus vergence in 1 / m.
+        If both are None, the lens was not measured: see :data:`UNMEASURED`.
+        """
+        foci = [1.0 / lens.focus_distance for lens in self.task.lenses]
+        assumed = f_number_error is None and focus_error is None
+        by_f_number, *by_foci = self.lens_derivatives(vergence)
+        variance = np.square(by_f_number * (UNMEASURED[0] if assumed else f_number_error or 0.0))
+        for focus in set(foci):
+            # Frames with equal focus distances share one focus error.
+            shift = np.sum([by_foci[k] for k, other in enumerate(foci) if other == focus], axis=0)
+            variance += np.square(shift * (UNMEASURED[1] * focus if assumed else focus_error or 0.0))
+        return np.asarray(np.sqrt(variance))
 
     @cached_property
     def _lens_derivatives(self) -> tuple[Array, Array]:

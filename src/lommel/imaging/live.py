@@ -185,7 +185,8 @@ class LiveDepthMap:
     depth : ndarray of float32, shape (height // 4, width // 4)
         Distance from the lens, metres; NaN where depth is unknown.
     errors : ndarray of float32
-        Standard error of `depth`, metres; inf where depth is unknown.
+        Standard error of `depth`, metres, of noise alone; inf where depth is unknown. Errors of the lens add that of
+        ``LiveDepth.verdict().lens_error``.
     misfit : ndarray of float32
         Residual difference of the frames at the estimated depth, relative to noise: 1 if registration and noise are
         as stated. Larger values indicate motion, misregistration or depth edges. Values below 0.7 indicate overstated
@@ -214,7 +215,8 @@ class LiveDepthMap:
         low, high = np.percentile(self.depth[inner], [5.0, 95.0])
         return (
             f"<LiveDepthMap: known at {100.0 * self.known:.3g} %, {low:.4g} m to {high:.4g} m (5 to 95 %), "
-            f"+- {1e3 * np.median(self.errors[inner]):.3g} mm, misfit {np.nanmedian(self.misfit[inner]):.2f}>"
+            f"+- {1e3 * np.median(self.errors[inner]):.3g} mm of noise, "
+            f"misfit {np.nanmedian(self.misfit[inner]):.2f}>"
         )
 
 

@@ -87,6 +87,20 @@ def test_errors_stated_of_lenses_are_what_lenses_that_are_wrong_do(near_focus):
     assert added(focus_error=0.003) == pytest.approx(np.hypot(*map(moved, apart)), rel=0.1)
 
 
+def test_a_focus_scale_that_is_off_is_within_the_error_of_a_lens_that_was_not_measured(images, monkeypatch):
+    monkeypatch.setattr("lommel.imaging.defocus_verdict._scale_minima", lambda *_: [])
+    shown = [one.focused(1.02 * one.focus_distance) for one in PAIR]
+    found = lm.imaging.depth_from_defocus(images, shown, PIXEL, **CAMERA)
+    off = abs(float(np.nanmedian(found.depth)) - 1.5)
+    assert off > 3.0 * float(np.median(found.errors[np.isfinite(found.errors)]))
+    assert found.verdict.lens_error / 3.0 < off < 2.0 * found.verdict.lens_error
+    assert "a lens that was not measured (f-number within 3 %, foci within 2 %) adds" in found.verdict.message
+    assert repr(found).endswith("mm of noise>")
+    stated = lm.imaging.depth_from_defocus(images, shown, PIXEL, focus_error=0.01, **CAMERA)
+    assert repr(stated).endswith("mm of noise and lens>")
+    assert "standard errors are of noise and of the lens as stated, " in stated.verdict.message
+
+
 def test_without_texture_there_is_no_depth():
     flat = np.full((144 * 8, 144 * 8), 0.5)
     found = lm.imaging.depth_from_defocus(shoot(flat, 1.5, PAIR), PAIR, PIXEL, **CAMERA)

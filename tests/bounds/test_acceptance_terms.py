@@ -172,7 +172,7 @@ def test_the_misfit_of_blocks_is_judged_where_slopes_explain_little_of_it(share,
     fine = np.repeat(np.repeat(variation, block, 0), block, 1) * RNG.choice([0.5, 1.5], (side * block,) * 2)
     monkeypatch.setattr(defocus_verdict, "_depth_variation", lambda *_: fine)
     filters = SimpleNamespace(minimum=lambda tile: (misfit, curvature))
-    monkeypatch.setattr(defocus_verdict._Filters, "exact", lambda *_: filters)
+    monkeypatch.setattr(defocus_verdict, "_Filters", lambda *_: filters)
     found, judged = [], 0
     for i in range(side):
         for j in range(side):

@@ -12,7 +12,7 @@ blocks, independent of other cells.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import NamedTuple, Self
@@ -209,13 +209,11 @@ class DefocusVerdict(FitReport):
             text += f"; 1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci}"
         if not math.isnan(lens_error):
             details |= {"lens_error": lens_error}
-            size, (f_number, focus) = format_length(lens_error, digits=2), map(percent, UNMEASURED)
-            text += (
-                f"; standard errors are of noise alone: a lens that was not measured (f-number within {f_number}, "
-                f"foci within {focus}) adds {size}, the same for whole surfaces"
-                if unmeasured
-                else f"; standard errors are of noise and of the lens as stated, {size}, the same for whole surfaces"
-            )
+            f_number, focus = map(percent, UNMEASURED)
+            part = f"noise alone: a lens that was not measured (f-number within {f_number}, foci within {focus}) adds"
+            part = part if unmeasured else "noise and of the lens as stated,"
+            size = format_length(lens_error, digits=2)
+            text += f"; standard errors are of {part} {size}, the same for whole surfaces"
         add("untested", "note", text, details)
         disagrees = any(finding.severity != "note" for finding in findings)
         nothing = "nothing that was tested agrees" if disagrees else "nothing could be tested"
@@ -299,7 +297,7 @@ def _judged_misfit(
     variation = _depth_variation(engine, vergence)
     block, misfits, predictions = BLOCK, list[Array](), list[Array]()
     for tile in tiles:
-        misfit, curvature = _Filters.exact(engine, channel, vergence[tile.inside]).minimum(tile)
+        misfit, curvature = _Filters(engine, channel, 1.0, vergence[tile.inside]).minimum(tile)
         parts = len(misfit), block, len(misfit), block
         prediction = curvature * variation[tile.inside].reshape(parts).mean(axis=(1, 3))
         examined = np.isfinite(misfit)
@@ -487,37 +485,33 @@ class _Filters:
     """Residual filters for apertures whose diameters are multiplied by `scale`.
 
     Aberrations keep their waves at the edge: where they are stated, they are those of the aperture that is stated.
+
+    With `vergence`, the map of one tile, the filters are exact, for the depths of this tile and one use: at half
+    steps, of pixels without binning. A quartic through energies at whole steps, aliases due to binning, and
+    interpolation between few frequencies raise the misfit of exact lenses by up to 0.9.
     """
 
-    def __init__(self, engine: FocalEngine, channel: int, scale: float) -> None:
-        lenses = [replace(lens, aperture_diameter=scale * lens.aperture_diameter) for lens in engine.task.lenses]
-        model = engine.task.model(engine.light, channel, engine.binning, lenses)
-        self._filters: Iterable[Array] = residual_filters(model)[..., model.band.places()]
-        self._white, self._steps, self._engine, self._binning = model.white, 1, engine, engine.binning
-
-    @classmethod
-    def exact(cls, engine: FocalEngine, channel: int, vergence: Array) -> Self:
-        """Return filters for the depths of one tile, to be used once: at half steps, and of pixels without binning.
-
-        A quartic through energies at whole steps, aliases due to binning, and interpolation between few frequencies
-        raise the misfit of exact lenses by up to 0.9.
-        """
-        made, task = cls.__new__(cls), engine.task
-        made._white, made._steps, made._engine, made._binning = engine.light.relative_variances(), 2, engine, 1
-        start, step = float(task.vergence[0]), float(task.vergence[1] - task.vergence[0])
-        ends = (np.nanpercentile(vergence, [1.0, 99.0]) - start) / step + [-_REACH, _REACH]
-        first, last = np.clip(np.rint(2.0 * ends), 0, 2 * len(task.vergence) - 2).astype(int).tolist()
-        places = start + 0.5 * step * np.arange(first, last + 1)
-        # Transfer functions oscillate with a period of 1 / (2 blur) in cycles per pixel.
-        count = min(max(_MIN_COUNT, math.ceil(_COUNT_PER_PIXEL * task.blur)), _TILE_SIDE)
+    def __init__(self, engine: FocalEngine, channel: int, scale: float, vergence: Array | None = None) -> None:
+        task, count, self._steps, self._binning = engine.task, _MIN_COUNT, 1, engine.binning
+        lenses = [replace(lens, aperture_diameter=scale * lens.aperture_diameter) for lens in task.lenses]
+        places, chunk = task.vergence, len(task.vergence)
+        if vergence is not None:
+            start, step = float(places[0]), float(places[1] - places[0])
+            ends = (np.nanpercentile(vergence, [1.0, 99.0]) - start) / step + [-_REACH, _REACH]
+            first, last = np.clip(np.rint(2.0 * ends), 0, 2 * len(places) - 2).astype(int).tolist()
+            places, chunk = start + 0.5 * step * np.arange(first, last + 1), _CHUNK
+            # Transfer functions oscillate with a period of 1 / (2 blur) in cycles per pixel.
+            count = min(max(_MIN_COUNT, math.ceil(_COUNT_PER_PIXEL * task.blur)), _TILE_SIDE)
+            self._steps, self._binning = 2, 1
 
         def filters() -> Iterator[Array]:
-            for k in range(0, len(places), _CHUNK):
-                model = task._replace(vergence=places[k : k + _CHUNK]).model(engine.light, channel, count=count)
+            for k in range(0, len(places), chunk):
+                part = task._replace(vergence=places[k : k + chunk])
+                model = part.model(engine.light, channel, self._binning, lenses, count=count)
                 yield from residual_filters(model)[..., model.band.places()]
 
-        made._filters = filters()
-        return made
+        self._engine, self._white = engine, engine.light.relative_variances()
+        self._filters = filters() if self._steps > 1 else tuple(filters())
 
     def __call__(self, tile: _Tile) -> Array:
         """Return the misfit of each block; NaN for unused blocks, and where the minimum is at an end of the range."""

@@ -212,17 +212,9 @@ class FocalTask(NamedTuple):
         return max(float(lens.pupil(ends).geometric_radius().max()) for lens in self.lenses) / self.pixel
 
     def model(
-        self,
-        light: FocalLight,
-        channel: int = 0,
-        binning: int = 1,
-        lenses: Sequence[Lens] | None = None,
-        count: int = 48,
+        self, light: FocalLight, channel: int = 0, binning: int = 1, lenses: Sequence[Lens] | None = None, **more: int
     ) -> FocalModel:
-        """Return the model of a channel with pixels binned, for `lenses` or by default those of the task.
-
-        `count` is the number of frequencies along each axis.
-        """
+        """Return the model of a channel with pixels binned, for `lenses` or by default those of the task."""
         return FocalModel.of(
             lenses or self.lenses,
             self.vergence,
@@ -231,8 +223,8 @@ class FocalTask(NamedTuple):
             light,
             transfer=self.transfer,
             binning=binning,
-            count=count,
             scales=self.scales,
+            **more,
         )
 
 

@@ -46,6 +46,7 @@ from lommel.show import estimates
 if TYPE_CHECKING:
     from lommel.imaging.defocus_verdict import DefocusVerdict
     from lommel.imaging.photograph import Pixels
+    from lommel.lensfiles.instrument import Instrument
 
 _READ = 3.0  # default read noise, rms electrons, without a camera
 _ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
@@ -505,10 +506,12 @@ class PairCamera(Sensor):
     f_numbers: Annotated[tuple[float, ...], Shown(("--f-number",))] = ()
 
 
-def each_lens(
-    lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...], images: str = "photos"
-) -> list[Lens]:
-    """Return the lens of each photo."""
+def each_lens(instrument: Instrument, count: int, stated: PairCamera, images: str = "photos") -> list[Lens]:
+    """Return the lens of each photo, by the calibration of the lens file where options do not state it."""
+    lens, calibration = instrument.lens, instrument.calibration
+    foci, f_numbers = stated.foci, stated.f_numbers
+    if calibration is not None:
+        foci, f_numbers = foci or calibration.focus_distances, f_numbers or calibration.f_numbers
     for name, numbers in (("--focus", foci), ("--f-number", f_numbers)):
         if len(numbers) not in (0, 1, count):
             raise ValueError(f"{name} must be given once, or for each of {count} {images}, got {len(numbers)}")
@@ -516,7 +519,8 @@ def each_lens(
     lenses *= count // len(lenses)
     if foci:
         lenses = [copy.focused(focus) for copy, focus in zip(lenses, foci * (count // len(foci)), strict=True)]
-    return lenses
+    scale = 1.0 if calibration is None else calibration.f_number_scale
+    return [replace(copy, aperture_diameter=copy.aperture_diameter / scale) for copy in lenses]
 
 
 def lens_facts(lenses: list[Lens]) -> Facts:
@@ -593,7 +597,10 @@ def depth(
     instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
     stated, camera = vars(photo_noise), instrument.camera
     noise = noise_of(stated, camera, photographs=True) if states_noise(stated, camera) else None
-    lenses = each_lens(instrument.lens, len(photos), cameras.foci, cameras.f_numbers)
+    lenses = each_lens(instrument, len(photos), cameras)
+    if instrument.calibration is not None:
+        names = {"f_number_error", "focus_error"} - given_flags().keys()
+        options = replace(options, **{name: getattr(instrument.calibration, name) for name in names})
     with progress("reading") as status:
         pictures = [imaging.read_photo(path, encoding) for path in photos]
         if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:

@@ -176,7 +176,7 @@ def watch(
     with Stop().signals() as stop:
         _require_two(sources, alternating=alternating)
         instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
-        lenses = each_lens(instrument.lens, 2, cameras.foci, cameras.f_numbers, "frames")
+        lenses = each_lens(instrument, 2, cameras, "frames")
         if lenses[0] == lenses[1]:
             raise ValueError(
                 "--focus must be given for each of two frames, or --f-number: the frames must differ in one of these"

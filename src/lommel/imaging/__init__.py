@@ -7,6 +7,7 @@ from lommel.imaging.datasets import DatasetOptions, DatasetPicture, LensRanges, 
 from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions, depth_from_defocus
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.field_blur import FieldBlur
+from lommel.imaging.focal_calibration import CalibratedPlane, FocalCalibration, calibrate_focus
 from lommel.imaging.live import LiveDepth, LiveDepthMap, LiveDepthOptions, LiveSharpen
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass
@@ -22,6 +23,7 @@ from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 __all__ = [
     "RED_GREEN_BLUE",
     "BlurOptions",
+    "CalibratedPlane",
     "DatasetOptions",
     "DatasetPicture",
     "DefocusDepth",
@@ -31,6 +33,7 @@ __all__ = [
     "DepthMapOptions",
     "Exif",
     "FieldBlur",
+    "FocalCalibration",
     "FocusPlan",
     "LensRanges",
     "LinearBlur",
@@ -47,6 +50,7 @@ __all__ = [
     "RestoreOptions",
     "RichardsonLucy",
     "TotalVariation",
+    "calibrate_focus",
     "depth_from_defocus",
     "depth_of_field",
     "field_photograph",

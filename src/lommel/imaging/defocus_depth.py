@@ -493,3 +493,17 @@ def _electrons(name: str, counts: Counts, encoding: Encoding, noise: Noise) -> t
     if pixels.any():
         planes = np.stack([fill_missing(np.where(pixels, plane, np.nan), "nearest") for plane in planes])
     return planes, pixels
+
+
+def counts_in_electrons(
+    photographs: Sequence[ArrayLike], lenses: Sequence[Lens], encoding: Encoding, noise: Noise
+) -> tuple[Values, NDArray[np.bool_], tuple[int, ...]]:
+    """Return photographs in electrons, (channels, frames, height, width), known pixels, and the shape of one."""
+    counts = _counts(_list_photographs(photographs, lenses))
+    if all(_is_grey(photo.values) for photo in counts):  # three copies of one channel
+        counts = [photo[..., 0] for photo in counts]
+    electrons, known = zip(
+        *(_electrons(f"photographs[{k}]", photo, encoding, noise) for k, photo in enumerate(counts)), strict=True
+    )
+    images = np.stack(electrons, axis=1).astype(np.float32, order="C")
+    return images, np.ascontiguousarray(np.all(known, axis=0)), counts[0].values.shape

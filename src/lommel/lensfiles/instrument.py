@@ -105,6 +105,27 @@ class Camera:
         return Noise(white=self.gain, read=self.read, offset=self.offset or 0.0, excess=self.excess)
 
 
+@dataclass(frozen=True)
+class Calibration:
+    """Calibration of a lens by :meth:`lommel.imaging.FocalCalibration.save`.
+
+    Attributes
+    ----------
+    focus_distances, f_numbers : tuple of float
+        Focus distance (metres) and engraved f-number of each photograph.
+    f_number_scale : float
+        True f-number / engraved f-number.
+    f_number_error, focus_error : float
+        Relative standard error of f-numbers, and standard error of 1 / focus distance, 1/m.
+    """
+
+    focus_distances: tuple[float, ...]
+    f_numbers: tuple[float, ...]
+    f_number_scale: float
+    f_number_error: float
+    focus_error: float
+
+
 _MAX_SHOWN = 129  # largest side in pixels of the PSF shown in notebooks
 
 
@@ -145,6 +166,8 @@ class Instrument:
         Colour channels of the sensor, if the file states them.
     camera : Camera or None
         Camera, if the file names one.
+    calibration : Calibration or None
+        Calibration of foci and f-numbers for depth from defocus, if the file has one.
 
     Examples
     --------
@@ -187,6 +210,7 @@ class Instrument:
     fill: tuple[float, float] = (1.0, 1.0)
     channels: Channels | None = None
     camera: Camera | None = None
+    calibration: Calibration | None = None
 
     def __repr__(self) -> str:
         pixel = " x ".join(format_length(side) for side in dict.fromkeys(self.pitch))

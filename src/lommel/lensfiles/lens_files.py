@@ -26,7 +26,7 @@ from lommel.io.photos import PhotoError, read_raster
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import camera_files, tables, toml_files
 from lommel.lensfiles.camera_files import PhotoSensor
-from lommel.lensfiles.instrument import Instrument
+from lommel.lensfiles.instrument import Calibration, Instrument
 from lommel.lensfiles.tables import FieldTable, load_channels
 from lommel.lensfiles.toml_files import (
     Angle,
@@ -666,6 +666,23 @@ class _Report(Section):
     encircled_energy: list[Annotated[Any, BeforeValidator(_radius)]] = Field(default_factory=list)
 
 
+_Positive = Annotated[Number, Field(gt=0)]
+
+
+class _Calibration(BuiltSection):
+    focus_distances: Annotated[list[Distance], Field(min_length=2)]
+    f_numbers: Annotated[list[_Positive], Field(min_length=2)]
+    f_number_scale: _Positive
+    f_number_error: Annotated[Number, Field(ge=0, lt=0.5)]
+    focus_error: Annotated[Number, Field(ge=0)]
+
+    def build(self) -> Calibration:
+        """Return the calibration."""
+        if len(self.focus_distances) != len(self.f_numbers):
+            raise ValueError(f"needs as many f_numbers as focus_distances, {len(self.focus_distances)}")
+        return Calibration(**{key: tuple(v) if isinstance(v, list) else v for key, v in dict(self).items()})
+
+
 class _File(Section):
     name: str | None = None
     source: str = ""
@@ -678,6 +695,7 @@ class _File(Section):
     colour: ColourSection | None = None
     channels: ChannelsSection | None = None
     report: _Report = _Report()
+    calibration: _Calibration | None = None
 
 
 def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> Instrument:
@@ -730,6 +748,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     either file, a CSV file for :func:`lommel.load_channels`, with its options filters, illuminant, tol and paths; or
     wavelengths, and weights by the name of each channel (``weights.red = [0.1, 0.9]``). Without weights each
     wavelength is a channel.
+
+    ``[calibration]``, which :meth:`lommel.imaging.FocalCalibration.save` writes: lists focus_distances and f_numbers
+    of photographs for depth from defocus, f_number_scale (true / engraved), f_number_error and focus_error (1/m).
 
     Parameters
     ----------
@@ -793,6 +814,7 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
             "object.distance: must be given for a sensor closer than the focal length, since no object is in focus"
         )
     name, pixels = stem if file.name is None else file.name, dict(file.sensor)
+    pixels["calibration"] = None if file.calibration is None else file.calibration.build()
     channels = None if file.channels is None else file.channels.build()
     instrument = Instrument(name, file.source, lens, distance, radii=radii, channels=channels, **pixels)
     if file.field is None:

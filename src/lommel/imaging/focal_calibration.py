@@ -1,0 +1,605 @@
+"""Calibration of lenses for depth from defocus: f-number and foci from planes at known distances.
+
+At the true depth the residual of two frames, each filtered by the transfer function of the other, is noise. Here the
+depth is known and the lens is not: the estimate minimises the sum over tiles of log(energy / energy of noise), the
+likelihood of residuals whose variance is unknown in each tile. Strong texture, which shows errors of the model
+(sharpening, glare, compression) best, counts no more than its tile. The filters are exact and act on whole frames, by
+cosine transforms. Standard errors are those of the sandwich H^-1 V H^-1, with V from the scatter of the gradients of
+tiles (Huber 1967, White 1982, doi:10.2307/1912526).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from os import PathLike
+from typing import Literal, NamedTuple
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import atomic, reading, validation
+from lommel.base.arrays import Array, Json
+from lommel.base.encoding import Encoding
+from lommel.base.units import format_length, percent, with_error
+from lommel.estimation.focal_model import FocalLight, Spectrum, transfer_curve
+from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.imaging.defocus_depth import counts_in_electrons
+from lommel.imaging.focal_engine import CONTRAST, Registration, processors
+from lommel.imaging.settings import channel_spectra, spectra
+from lommel.optics.lens import Lens, pixel_of
+from lommel.recorded.noise import Noise
+
+_SIDE = 32  # pixels: side of a tile
+_LOG = 0.5 * _SIDE**2  # factor of log(energy) in -log(likelihood)
+_MIN_TILES = 8  # least number of tiles of a plane
+_MIN_SHARE = 0.5  # least share of the pixels of a tile that are used
+_BORDER = 16  # pixels between tiles and the border, in addition to the blur radius
+_RADII = np.linspace(0.0, math.sqrt(0.5) + 1e-4, 2048)  # cycles per pixel, at which filters are computed
+_TABLE_RADII = np.linspace(0.0, 1.4, 4096)  # cycles per pixel, at which transfer functions are tabulated
+_LOWEST = 0.012  # cycles per pixel: lower frequencies, of uneven light, are suppressed
+_EDGE = 0.3  # pixels: a change of the blur radius by this much, or one radian of defocus, is the unit of shifts
+_SCAN = np.arange(-12.0, 12.1, 1.5)  # common shifts of focus from which the search starts, in these units
+_TABLE = np.arange(-16.0, 16.1, 0.25)  # shifts at which transfer functions are tabulated, in these units
+_STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
+_MAX_STEPS, _ROUNDS, _GAIN_STEPS = 12, 2, 8  # Newton steps of a round, rounds with new weights, steps of the gain
+_F_NUMBER_ERROR = 0.03  # relative standard error of f-numbers that are held as stated
+_MAX_ERRORS = {"shift": 1.0, "f-number": 0.05, "difference": 1.0, "origin": 0.03}  # units, relative, units, metres
+_DOUBTFUL, _WRONG = 4.0, 8.0  # deviations, in standard errors
+_MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
+_MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
+_MAX_MISFIT = 1.8  # misfit above which the photographs do not follow the noise
+_ASSUMED = Noise(white=5e3, read=3.0)  # for the weights of frequencies, where no noise is stated
+
+
+def _tiled(values: NDArray[np.generic]) -> NDArray[np.generic]:
+    """Return an image as tiles, (rows of tiles, side, columns of tiles, side); the last pixels are left out."""
+    height, width = (side // _SIDE for side in values.shape)
+    return values[: height * _SIDE, : width * _SIDE].reshape(height, _SIDE, width, _SIDE)
+
+
+class _Changed(NamedTuple):
+    """A lens whose f-number is `scale` times the stated one, and which is focused at the vergence `focus`, 1/m."""
+
+    stated: Lens
+    focus: float
+    scale: float
+
+    @property
+    def lens(self) -> Lens:
+        """The lens; its aberrations, in radians at the edge of the aperture, do not change."""
+        distance = 1.0 / (1.0 / self.stated.focal_length - self.focus)
+        diameter = self.stated.aperture_diameter / self.scale
+        return replace(self.stated, sensor_distance=distance, aperture_diameter=diameter)
+
+
+class _Plane:
+    """Spectra of two photographs of a plane, with tiles in which their residual is evaluated."""
+
+    def __init__(self, images: Array, valid: NDArray[np.bool_], distance: float, blur: float, read: float) -> None:
+        self.distance = distance
+        reach = math.ceil(blur) + _BORDER
+        frame = np.pad(np.ones([max(side - 2 * reach, 0) for side in valid.shape], dtype=np.bool_), reach)
+        known = scipy.ndimage.minimum_filter(valid, 2 * math.ceil(blur) + 5)
+        self._inner = inner = known & frame[: valid.shape[0], : valid.shape[1]]
+        shares = _tiled(inner).mean(axis=(1, 3))
+        self._tiles = shares >= _MIN_SHARE
+        self._shares = shares[self._tiles]
+        if np.count_nonzero(self._tiles) < _MIN_TILES:
+            raise ValueError(
+                f"photographs of the plane at {format_length(distance)} must have {_MIN_TILES} tiles of {_SIDE} x "
+                f"{_SIDE} known pixels, {reach} pixels from the border, got {np.count_nonzero(self._tiles)}"
+            )
+        means = images[:, inner].mean(axis=1)
+        if not (means > 0.0).all():
+            raise ValueError(f"photographs must have a mean above 0, got {means[0]:.4g} and {means[1]:.4g} electrons")
+        self._light = FocalLight(float(means[0]), read, (1.0, float(means[1] / means[0])), CONTRAST)
+        self._spectra = scipy.fft.dctn(images * (means[0] / means)[:, None, None], axes=(1, 2), norm="ortho")
+        self._f = np.hypot(*np.meshgrid(*(np.arange(side) / (2.0 * side) for side in valid.shape), indexing="ij"))
+        edges = [-1.0, *(0.5 * (_RADII[1:] + _RADII[:-1])), 1.0]
+        self._density = np.histogram(self._f, edges)[0] / self._f.size
+        # Centres of tiles, relative to the middle of the frame, in halves of its diagonal.
+        centres = (np.argwhere(self._tiles) + 0.5) * _SIDE - 0.5 * np.array(valid.shape)
+        self.places = centres / (0.5 * math.hypot(*valid.shape))
+
+    def tabulate(
+        self, lenses: Sequence[Lens], vergences: Array, spectrum: Spectrum, pitches: Sequence[float]
+    ) -> None:
+        """Compute the transfer functions of the stated lenses at equally spaced vergences."""
+        self._tables = [
+            scipy.interpolate.CubicSpline(
+                vergences, transfer_curve(lens, vergences, spectrum, pitch)(_TABLE_RADII), extrapolate=False
+            )
+            for lens, pitch in zip(lenses, pitches, strict=True)
+        ]
+
+    def _transfer(self, lenses: Sequence[_Changed], vergence: float, f: Array) -> Array:
+        """Return transfer functions, (frames, frequencies), without the area of a pixel."""
+        result = []
+        for (stated, focus, scale), table in zip(lenses, self._tables, strict=True):
+            # The same defocus in radians at the radius R / scale of the pupil, and the same fraction of the cutoff.
+            place = 1.0 / stated.focus_distance + (vergence - focus) / scale**2
+            cutoff = stated.sensor_distance / scale * (1.0 / stated.focal_length - focus)
+            result.append(np.interp(f / cutoff, _TABLE_RADII, table(place)))
+        return np.array(result)
+
+    def weigh(self, lenses: Sequence[_Changed], vergence: float) -> None:
+        """Set the weights of frequencies to those of the Wiener filter for lenses and a vergence."""
+        h = self._transfer(lenses, vergence, _RADII)
+        # Two of the four nearest aliases count on an axis.
+        beyond = self._transfer(lenses, vergence, 1.0 - _RADII) * np.sinc(1.0 - _RADII)
+        noise = self._light.relative_variances()[:, None] + 2.0 * self._light.power(1.0 - _RADII) * beyond**2
+        pixel = np.sinc(_RADII / math.sqrt(2.0)) ** 2
+        signal = self._light.power(_RADII) * ((h * pixel) ** 2 / noise).sum(axis=0)
+        wiener = signal / (1.0 + signal) * -np.expm1(-0.5 * (_RADII / _LOWEST) ** 2)
+        self._weights = np.sqrt(wiener / np.maximum((h[::-1] ** 2 * noise).sum(axis=0), 1e-12))
+
+    def energies(self, lenses: Sequence[_Changed], vergence: float) -> Array:
+        """Return the mean square of the residual in each tile, relative to that of noise, at the likeliest gain."""
+        filters = self._weights * self._transfer(lenses, vergence, _RADII)[::-1] * [[1.0], [-1.0]]
+        noise = self._light.variance * self._light.relative_variances() * (filters**2 @ self._density)
+        first, second = (
+            scipy.fft.idctn(np.interp(self._f, _RADII, values) * spectrum, norm="ortho")
+            for values, spectrum in zip(filters, self._spectra, strict=True)
+        )
+        products = (first**2, first * second, second**2)
+        a, b, c = (_tiled(p * self._inner).mean(axis=(1, 3))[self._tiles] / self._shares for p in products)
+        gain = 1.0
+        for _ in range(_GAIN_STEPS):  # Newton steps to the likeliest gain of the second frame
+            energy, variance = a + gain * (2.0 * b + gain * c), noise[0] + gain**2 * noise[1]
+            slope, mean = ((b + gain * c) / energy).mean() - gain * noise[1] / variance, (c / energy).mean()
+            gain -= slope / max(mean - noise[1] / variance, 0.5 * mean)
+        return np.asarray((a + gain * (2.0 * b + gain * c)) / (noise[0] + gain**2 * noise[1]))
+
+
+class _Search:
+    """Search for lenses that explain planes: shift of 1 / focus, f-number, difference of foci, origin of distances.
+
+    Parameters are in units that change the blur by about one radian of defocus, or 0.3 pixels.
+    """
+
+    def __init__(
+        self,
+        lenses: Sequence[Lens],
+        planes: Sequence[_Plane],
+        pixel: float,
+        origin: float | None,
+        scales: Sequence[float],
+        spectrum: Spectrum,
+    ) -> None:
+        self.lenses, self.planes, self._origin = lenses, planes, origin or 0.0
+        shift = math.inf
+        for lens in lenses:
+            radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
+            radius_rate = 4.0 * lens.wavelength * lens.working_f_number / (math.pi * pixel)
+            shift = min(shift, radian / min(1.0, radius_rate / _EDGE))
+        distances = np.array([plane.distance + self._origin for plane in planes])
+        for plane, distance in zip(planes, distances, strict=True):
+            vergences = 1.0 / distance + shift * _TABLE
+            plane.tabulate(lenses, vergences[vergences > 0.0], spectrum, [pixel * scale for scale in scales])
+        self.unit, self.foci = shift, [1.0 / lens.focus_distance for lens in lenses]
+        defocus = max(float(np.abs(1.0 / distances - focus).max()) for focus in self.foci)
+        # Changes of log f-number, of both foci (1/m), and of the origin (metres) by a unit of each parameter, in the
+        # order in which planes determine them.
+        self.basis = {"shift": [0.0, shift, shift, 0.0], "f-number": [0.5 * shift / defocus, 0.0, 0.0, 0.0]}
+        if self.foci[0] != self.foci[1]:
+            self.basis["difference"] = [0.0, shift, -shift, 0.0]
+        if origin is None:
+            self.basis["origin"] = [0.0, 0.0, 0.0, shift * float(np.median(distances)) ** 2]
+        self.free = list(self.basis)[: len(planes)]
+
+    def changes(self, at: Array, names: Sequence[str] = ()) -> Array:
+        """Return the changes of log f-number, foci and origin for parameters `at`."""
+        return np.asarray(at @ np.array([self.basis[name] for name in names or self.free]))
+
+    def calibrated(self, changes: Array) -> tuple[list[_Changed], float]:
+        """Return the changed lenses, and the origin of distances, metres."""
+        foci, scale = np.add(self.foci, changes[1:3]), math.exp(float(changes[0]))
+        return [_Changed(*one, scale) for one in zip(self.lenses, foci, strict=True)], self._origin + float(
+            changes[3]
+        )
+
+    def weigh(self, changes: Array) -> None:
+        """Set new weights of frequencies."""
+        lenses, origin = self.calibrated(changes)
+        for plane in self.planes:
+            plane.weigh(lenses, 1.0 / (plane.distance + origin))
+
+    def costs(self, changes: Array, shift: float = 0.0) -> Array:
+        """Return -log(likelihood) of each tile, of planes that are moved by `shift` in 1/m."""
+        lenses, origin = self.calibrated(changes)
+        energies = [plane.energies(lenses, 1.0 / (plane.distance + origin) + shift) for plane in self.planes]
+        costs = _LOG * np.log(np.concatenate(energies))
+        return np.where(np.isnan(costs), math.inf, costs)  # beyond the tables
+
+    def derivatives(self, at: Array, names: Sequence[str]) -> tuple[Array, Array]:
+        """Return gradients, (parameters, tiles), and Hessians, (parameters, parameters, tiles), of `costs`."""
+        steps = [_STEP * self.changes(row, names) for row in np.eye(len(names))]
+        middle = self.costs(at)
+        ahead, behind = ([self.costs(at + sign * step) for step in steps] for sign in (1.0, -1.0))
+        gradients = np.subtract(ahead, behind) / (2.0 * _STEP)
+        hessian = np.empty((len(names), len(names), len(middle)))
+        for i, step in enumerate(steps):
+            hessian[i, i] = ahead[i] + behind[i] - 2.0 * middle
+            for j in range(i):
+                hessian[i, j] = hessian[j, i] = self.costs(at + step + steps[j]) - ahead[i] - ahead[j] + middle
+        return gradients, hessian / _STEP**2
+
+    def start(self) -> Array:
+        """Return the nearest common shift of foci at which the planes agree about as well as anywhere; ValueError."""
+        self.weigh(np.zeros(4))
+        common, planes = (
+            np.array(self.basis["shift"]),
+            np.array([1.0 / (p.distance + self._origin) for p in self.planes]),
+        )
+        # With one focus the blur is the same on both of its sides: stay on the stated one.
+        sides = planes - self.foci[0] if self.foci[0] == self.foci[1] else np.full(1, math.inf)
+        units = [k for k in sorted(_SCAN, key=abs) if ((sides - k * self.unit) * sides > 0.0).all()]
+        costs = {k: float(self.costs(k * common).sum()) for k in units}
+        limit = min(costs.values()) + 0.1 * (max(costs.values()) - min(costs.values()))
+        step = float(_SCAN[1] - _SCAN[0])
+        near = [costs.get(k - step, math.inf) >= costs[k] <= costs.get(k + step, math.inf) for k in units]
+        best = next(k for k, least in zip(units, near, strict=True) if least and costs[k] <= limit)
+        if abs(best) == _SCAN[-1]:
+            raise ValueError(
+                f"distances and photographs disagree: no focus within {_SCAN[-1] * self.unit:.2g} dioptres of those "
+                f"of lenses explains planes at {', '.join(format_length(plane.distance) for plane in self.planes)}"
+            )
+        return np.asarray(best * common)
+
+    def minimum(self, at: Array, rounds: int = _ROUNDS) -> Array:
+        """Return the changes at the minimum over the parameters `free` that Newton steps from `at` reach."""
+        for _ in range(rounds):
+            self.weigh(at)
+            for _ in range(_MAX_STEPS):
+                gradients, hessians = self.derivatives(at, self.free)
+                values, vectors = np.linalg.eigh(hessians.sum(axis=2))
+                sizes = np.maximum(np.abs(values), 1e-3 * np.abs(values).max())
+                step = -vectors @ (vectors.T @ gradients.sum(axis=1) / sizes)
+                step *= min(1.0, _MAX_STEP / float(np.abs(step).max()))
+                cost = self.costs(at).sum()
+                while np.abs(step).max() > _TOLERANCE and self.costs(at + self.changes(step)).sum() > cost:
+                    step /= 3.0
+                at = at + self.changes(step)
+                if np.abs(step).max() <= _TOLERANCE:
+                    break
+        return at
+
+    def best(self) -> tuple[Array, Array]:
+        """Return changes and their covariance, of as many parameters as planes determine; ValueError if none."""
+        start = self.start()
+        for count in range(len(self.free), 0, -1):
+            self.free = self.free[:count]
+            at = self.minimum(start)
+            names = [*self.free, *(["f-number"] if "f-number" not in self.free else [])]
+            gradients, hessians = self.derivatives(at, names)
+            total = hessians.sum(axis=2)
+            if np.linalg.eigvalsh(total[:count, :count])[0] <= 0.0:
+                continue
+            # Jackknife: the change of the minimum without each of the tiles.
+            others = (total[..., None] - hessians).transpose(2, 0, 1)[:, :count, :count]
+            moves = np.linalg.solve(others, gradients.T[:, :count, None])[..., 0]
+            covariance = np.zeros((len(names), len(names)))
+            covariance[:count, :count] = moves.T @ moves
+            scales = [1.0 if name in ("shift", "difference") else max(self.basis[name]) for name in self.free]
+            if all(np.sqrt(np.diag(covariance))[:count] * scales <= [_MAX_ERRORS[name] for name in self.free]):
+                # A held f-number adds its error to those of the other parameters.
+                held = _F_NUMBER_ERROR / self.basis["f-number"][0]
+                slope = [*(-np.linalg.solve(total[:count, :count], total[:count, -1])), 1.0]
+                if "f-number" not in self.free:
+                    covariance += held**2 * np.outer(slope, slope)
+                rows = np.array([self.basis[name] for name in names])
+                return at, rows.T @ covariance @ rows
+        raise ValueError(
+            "photographs do not determine the focus: use planes with more texture or light, or farther from the foci"
+        )
+
+    def seen(self, at: Array) -> Iterator[CalibratedPlane]:
+        """Yield the planes as lenses with these changes see them."""
+        origin, step = self.calibrated(at)[1], _STEP * self.unit
+        behind, middle, ahead = (self.costs(at, k * step) for k in (-1.0, 0.0, 1.0))
+        ends = np.cumsum([len(plane.places) for plane in self.planes])[:-1]
+        parts = (np.split(part, ends) for part in ((ahead - behind) / 2.0, ahead + behind - 2.0 * middle, middle))
+        for plane, gradient, curvature, cost in zip(self.planes, *parts, strict=True):
+            # Weighted least squares of the shifts of tiles, -gradient / curvature: a constant, and a slope.
+            terms = np.column_stack([np.ones(len(gradient)), plane.places])
+            inverse = np.linalg.pinv(terms.T @ (curvature[:, None] * terms), hermitian=True)
+            shift, *slope = fit = -inverse @ (terms.T @ gradient)
+            scatter = terms * (gradient + curvature * (terms @ fit))[:, None] @ inverse
+            covariance = scatter.T @ scatter
+            tilt = math.hypot(*slope)
+            tilt_error = math.sqrt(slope @ covariance[1:, 1:] @ slope) / max(tilt, 1e-300)
+            away = plane.distance + origin
+            found, metres = 1.0 / (1.0 / away + step * float(shift)) - origin, step * away**2
+            numbers = metres * math.sqrt(covariance[0, 0]), 2.0 * metres * tilt, 2.0 * metres * tilt_error
+            yield CalibratedPlane(plane.distance, found, *numbers, math.exp(float(np.median(cost)) / _LOG))
+
+
+class CalibratedPlane(NamedTuple):
+    """A plane of known distance, as the calibrated lenses see it.
+
+    Attributes
+    ----------
+    distance : float
+        Stated distance, metres.
+    found, error : float
+        Distance at which the photographs agree best, and its standard error for exact lenses, metres.
+    tilt, tilt_error : float
+        Difference of the distances of opposite corners, at most, and its standard error, metres.
+    misfit : float
+        Median of (difference of the photographs) / (difference expected of noise) at the stated distance.
+    """
+
+    distance: float
+    found: float
+    error: float
+    tilt: float
+    tilt_error: float
+    misfit: float
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class FocalCalibration(FitReport):
+    """Lenses calibrated by :func:`lommel.imaging.calibrate_focus`.
+
+    The findings have the codes "exchanged", "contradiction", "not_flat", "misfit" and "stated". ``print(found)``
+    prints a table.
+
+    Attributes
+    ----------
+    lenses : tuple of Lens
+        The calibrated lenses, in the order of the photographs.
+    f_number_scale : float
+        True f-number / stated f-number; 1 where it is held as stated.
+    f_number_error : float
+        Standard error of log(f-number); 0.03 where it is held as stated.
+    focus_shifts : (float, float)
+        True less stated 1 / focus distance of each photograph, 1/m.
+    focus_error : float
+        Larger standard error of `focus_shifts`, 1/m.
+    origin : float
+        Position of the point from which `distances` count, in front of the lens (its entrance pupil), metres.
+    origin_error : float
+        Standard error of `origin`, metres; 0 where it is not estimated.
+    covariance : ndarray, shape (4, 4)
+        Covariance of log(f-number), `focus_shifts` and `origin`.
+    planes : tuple of CalibratedPlane
+        The planes as these lenses see them.
+    """
+
+    lenses: tuple[Lens, ...]
+    f_number_scale: float
+    f_number_error: float
+    focus_shifts: tuple[float, float]
+    focus_error: float
+    origin: float
+    origin_error: float
+    covariance: Array
+    planes: tuple[CalibratedPlane, ...]
+
+    @property
+    def errors(self) -> dict[str, float]:
+        """Standard errors as keywords of :func:`lommel.imaging.depth_from_defocus`: f_number_error, focus_error."""
+        return {"f_number_error": self.f_number_error, "focus_error": self.focus_error}
+
+    def to_dict(self) -> Json:
+        """Return the result as plain data for JSON.
+
+        Returns
+        -------
+        dict
+            Verdict, findings and attributes; of lenses the focus distances (metres) and f-numbers.
+        """
+        lenses = [{"focus_distance": lens.focus_distance, "f_number": lens.f_number} for lens in self.lenses]
+        return {**super().to_dict(), "lenses": lenses}
+
+    def __str__(self) -> str:
+        rows = [("f-number, true / stated", self.f_number_scale, self.f_number_error, "")]
+        foci = dict.fromkeys(lens.focus_distance for lens in self.lenses)
+        rows += [("focus distance", focus, self.focus_error * focus**2, " m") for focus in foci]
+        rows += [("origin before the lens", self.origin, self.origin_error, " m")]
+        rows += [(f"plane at {plane.distance:.4g} m", plane.found, plane.error, " m") for plane in self.planes]
+        lines = [f"{name:<25}{' +- '.join(with_error(value, error))}{unit}" for name, value, error, unit in rows]
+        return "\n".join(lines if len(lines) <= 12 else [*lines[:11], f"and {len(lines) - 11} planes more"])
+
+    def save(self, path: str | PathLike[str], lens_file: str | PathLike[str]) -> None:
+        """Write a lens file with a section [calibration], which ``lommel depth`` and ``lommel watch`` use.
+
+        Parameters
+        ----------
+        path : path
+            File to write: .toml.
+        lens_file : path
+            Lens file of the lens before calibration, whose text is copied.
+
+        Raises
+        ------
+        ValueError
+            If `path` does not end in .toml, or `lens_file` is no TOML or has a section [calibration].
+        OSError
+            If a file cannot be read or written.
+        """
+        target, source = validation.path("path", path), validation.path("lens_file", lens_file)
+        text = reading.decoded(reading.contents(source, reading.MAX_TOML))
+        if target.suffix.lower() != ".toml" or "calibration" in reading.toml(text):
+            raise ValueError(f"path must end in .toml, and {source} have no [calibration], got {target}")
+        section = [
+            "[calibration]",
+            f"focus_distances = {[f'{lens.focus_distance:.9g} m' for lens in self.lenses]}",
+            f"f_numbers = {[float(f'{lens.f_number / self.f_number_scale:.9g}') for lens in self.lenses]}",
+            f"f_number_scale = {self.f_number_scale:.9g}",
+            *(f"{name} = {value:.3g}" for name, value in self.errors.items()),
+        ]
+        atomic.write(target, "\n".join([text.rstrip(), "", *section, ""]).encode())
+
+
+def calibrate_focus(
+    photographs: Sequence[Sequence[ArrayLike]],
+    distances: Sequence[float],
+    lenses: Sequence[Lens],
+    pixel: float,
+    *,
+    encoding: Encoding,
+    noise: Noise | None = None,
+    origin: float | None = None,
+    magnification: Literal["registered", "lens"] = "registered",
+) -> FocalCalibration:
+    """Calibrate f-number and focus of two lens settings from planes at known distances.
+
+    Parameters
+    ----------
+    photographs : sequence of pairs of array_like, each of shape (height, width) or (height, width, channels)
+        Two photographs of each plane, one with each of `lenses`, as for
+        :func:`lommel.imaging.depth_from_defocus`: a flat textured surface, parallel to the sensor, that fills the
+        frame. Photographs of a camera that sharpens or compresses can be used, too.
+    distances : sequence of float
+        Distance of each plane, metres. Choose distances on both sides of the foci.
+    lenses : sequence of two Lens
+        The lens at the stated foci and f-numbers, which differ in focus or in f-number.
+    pixel : float
+        Pixel pitch, metres.
+    encoding : {"srgb", "linear"} or float
+        Encoding of the photographs; a number states ``light = value ** number``.
+    noise : Noise
+        Noise of the linear photographs, where white is 1. Results depend on it little: the variance is estimated.
+    origin : float, optional
+        Distance of the point from which `distances` count in front of the lens (its entrance pupil), metres: about
+        -(focal length) or a little less for distances from the sensor, 0.01 to 0.03 for those from the front rim of
+        a photographic lens. By default it is estimated where the planes determine it, and else 0.
+
+    Returns
+    -------
+    FocalCalibration
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range or of another shape; if the photographs do not determine the focus; or if no
+        lens near the stated one agrees with distances and photographs.
+
+    Notes
+    -----
+    One plane determines one number, the shift of 1 / focus that both photographs share; the f-number is then held,
+    with a standard error of 3 % that `focus_error` includes. A second plane adds the f-number, a third the foci of
+    both photographs, a further one the origin of distances: each is estimated only where its standard error is below
+    5 % of the f-number or 3 cm of the origin. Standard errors follow from the scatter between tiles of 32 x 32
+    pixels. They do not include errors of the model that all tiles share, such as spherical aberration that the lens
+    does not state.
+
+    Examples
+    --------
+    >>> lens = lm.Lens(focal_length=35e-3, f_number=4.0, focus_distance=1.35, wavelength=540e-9)
+    >>> true = [lens, lens.focused(1.8)]
+    >>> scene = np.random.default_rng(0).random((224, 224))
+    >>> def shoot(distance):
+    ...     flat = np.full(scene.shape, distance)
+    ...     return [lm.imaging.depth_of_field(scene, flat, one, 4e-6, encoding="linear").values for one in true]
+    >>> found = lm.imaging.calibrate_focus(
+    ...     [shoot(1.25)],
+    ...     [1.25],
+    ...     [lens.focused(1.33), lens.focused(1.77)],
+    ...     4e-6,
+    ...     encoding="linear",
+    ...     noise=lm.Noise(white=1e4, read=3),
+    ... )
+    >>> [round(one.focus_distance, 2) for one in found.lenses]
+    [1.35, 1.8]
+    """
+    pitch = pixel_of(lenses, pixel)
+    if len(lenses) != 2 or lenses[0] == lenses[1]:
+        raise ValueError(f"lenses must be two that differ in focus or f-number, got {validation.shown(lenses)}")
+    if not all(lens.focus_distance > 0.0 for lens in lenses):
+        raise ValueError("lenses must be focused at a distance or at infinity: state focus_distance")
+    metres = np.atleast_1d(validation.real_array("distances", distances, unit="metres"))
+    if metres.ndim != 1 or not len(metres) or len(photographs) != len(metres):
+        raise ValueError(f"distances must be one for each of {len(photographs)} pairs, got shape {metres.shape}")
+    zero = 0.0 if origin is None else validation.real("origin", origin, unit="metres")
+    if not (metres + zero > lenses[0].focal_length).all():
+        raise ValueError(f"distances from the lens must be above its focal length, got {metres.min() + zero:g} m")
+    used = _ASSUMED if noise is None else validation.instance("noise", noise, Noise).poisson
+    planes = []
+    for pair, distance in zip(photographs, metres.tolist(), strict=True):
+        electrons, valid, shape = counts_in_electrons(pair, lenses, encoding, used)
+        images = electrons.sum(axis=0, dtype=np.float32)
+        registered = Registration(magnification, lenses, valid.shape, processors())
+        if registered:
+            images = np.stack(registered(list(images), math.inf, valid.view(np.uint8)))
+            valid, images = valid & np.isfinite(images).all(axis=0), np.nan_to_num(images)
+        blur = max(float(lens.pupil(distance + zero).geometric_radius()) for lens in lenses) / pitch
+        read = math.sqrt(float(np.mean(np.square(used.read))) * len(electrons))
+        planes.append(_Plane(images.astype(np.float64), valid, distance, blur, read))
+    colours = spectra("channels", channel_spectra(shape, lenses[0].wavelength))
+    spectrum = [line for colour in colours for line in colour]  # channels are summed
+    search = _Search(lenses, planes, pitch, origin, registered.scales, spectrum)
+    at, covariance = search.best()
+    seen = tuple(search.seen(at))
+    costs = search.costs(at)
+    other = _Search(lenses[::-1], planes, pitch, origin, registered.scales, spectrum)
+    findings = [*_findings(search, seen, noise is not None), *_exchanged(search, at, costs, other)]
+    f_number_error, *focus_errors, origin_error = np.sqrt(np.diag(covariance)).tolist()
+    changed, origin = search.calibrated(at)
+    return FocalCalibration(
+        findings=Findings(findings),
+        summary=f"{len(planes)} planes, {sum(len(plane.places) for plane in planes)} tiles",
+        lenses=tuple(one.lens for one in changed),
+        f_number_scale=changed[0].scale,
+        f_number_error=f_number_error,
+        focus_shifts=(float(at[1]), float(at[2])),
+        focus_error=max(focus_errors),
+        origin=origin,
+        origin_error=origin_error,
+        covariance=covariance,
+        planes=seen,
+    )
+
+
+_HELD = {
+    "f-number": f"the f-number (+- {percent(_F_NUMBER_ERROR)})",
+    "difference": "the difference of the foci",
+    "origin": "the origin of distances",
+}
+
+
+def _findings(search: _Search, planes: Sequence[CalibratedPlane], stated: bool) -> Iterator[Finding]:
+    """Yield the findings on planes, on noise if it was stated, and on parameters that are held."""
+    for plane in planes:
+        name, (found, error) = f"the plane at {format_length(plane.distance)}", with_error(plane.found, plane.error)
+        deviation = abs(plane.found - plane.distance) / plane.error
+        if len(planes) > 1 and deviation > _DOUBTFUL:
+            text = (
+                f"distances contradict each other: lenses that fit all planes best see {name} at {found} +- {error} m"
+            )
+            yield Finding("contradiction", "error" if deviation > _WRONG else "doubt", text, plane._asdict())
+        if plane.tilt > max(_DOUBTFUL * plane.tilt_error, _MIN_TILT * plane.distance):
+            text = f"{name} is tilted: its distance changes by {format_length(plane.tilt)} across the photographs"
+            yield Finding("not_flat", "doubt", text, plane._asdict())
+    misfit = max(plane.misfit for plane in planes)
+    if stated and misfit > _MAX_MISFIT:
+        text = (
+            f"photographs differ by {misfit:.3g} times their noise (sharpened, compressed, moved): standard errors "
+            "follow from the scatter of tiles, but do not include what all tiles share"
+        )
+        yield Finding("misfit", "note", text, {"misfit": misfit, "limit": _MAX_MISFIT})
+    if held := [text for name, text in _HELD.items() if name in search.basis and name not in search.free]:
+        text = f"held as stated: {', '.join(held)}; planes at other distances determine more"
+        yield Finding("stated", "note", text, {"held": held})
+
+
+def _exchanged(search: _Search, at: Array, costs: Array, other: _Search) -> Iterator[Finding]:
+    """Yield a finding if photographs in the other order agree better, or as well with smaller shifts of foci."""
+    try:
+        other.free = search.free
+        best = other.minimum(other.start(), rounds=1)
+    except ValueError:
+        return
+    change = costs - other.costs(best)
+    deviation = float(change.sum() / max(float(np.std(change)) * math.sqrt(len(change)), 1e-12))
+    stated, needed = (np.abs(x[1:3] / each.foci).max() for x, each in ((at, search), (best, other)))
+    if deviation > _DOUBTFUL or (deviation > -_DOUBTFUL and stated > max(_MAX_SHIFT, 3.0 * needed)):
+        text = (
+            f"the photographs seem exchanged: in the other order foci are off by {percent(needed, 1)}, in this order "
+            f"by {percent(stated, 1)}"
+        )
+        yield Finding("exchanged", "error", text, {"deviation": deviation, "stated": stated, "other": needed})

@@ -59,7 +59,7 @@ def calibrate(
 
     Examples
     --------
-      lommel calibrate a1.tif a2.tif b1.tif b2.tif lens.toml --focus 1.3m 2m --distance 1.2m 2.1m -o mine.toml
+      lommel calibrate near-1.tif far-1.tif phone.toml --focus 0.5m --focus 2m --distance 0.6m --origin 0m -o mine.toml
     """
     require_file(output, ".toml")
     if len(photos) != 2 * len(distances):

@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from os import PathLike
 from typing import Literal, NamedTuple
 
@@ -47,10 +48,14 @@ _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest ste
 _MAX_STEPS, _ROUNDS, _GAIN_STEPS = 12, 2, 8  # Newton steps of a round, rounds with new weights, steps of the gain
 _F_NUMBER_ERROR = 0.03  # relative standard error of f-numbers that are held as stated
 _MAX_ERRORS = {"shift": 1.0, "f-number": 0.05, "difference": 1.0, "origin": 0.03}  # units, relative, units, metres
-_DOUBTFUL, _WRONG = 4.0, 8.0  # deviations, in standard errors
+_DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
 _MAX_MISFIT = 1.8  # misfit above which the photographs do not follow the noise
+_MIN_CHANGE = 0.2  # least change of the mean log(energy) of tiles by shifts of the foci
+_UNDETERMINED = (
+    "photographs do not determine the focus: use planes with more texture or light, or farther from the foci"
+)
 _ASSUMED = Noise(white=5e3, read=3.0)  # for the weights of frequencies, where no noise is stated
 
 
@@ -217,10 +222,15 @@ class _Search:
     def derivatives(self, at: Array, names: Sequence[str]) -> tuple[Array, Array]:
         """Return gradients, (parameters, tiles), and Hessians, (parameters, parameters, tiles), of `costs`."""
         steps = [_STEP * self.changes(row, names) for row in np.eye(len(names))]
+        with np.errstate(invalid="ignore"):  # infinite costs
+            return self._differences(at, steps)
+
+    def _differences(self, at: Array, steps: Sequence[Array]) -> tuple[Array, Array]:
+        """Return gradients and Hessians by finite differences."""
         middle = self.costs(at)
         ahead, behind = ([self.costs(at + sign * step) for step in steps] for sign in (1.0, -1.0))
         gradients = np.subtract(ahead, behind) / (2.0 * _STEP)
-        hessian = np.empty((len(names), len(names), len(middle)))
+        hessian = np.empty((len(steps), len(steps), len(middle)))
         for i, step in enumerate(steps):
             hessian[i, i] = ahead[i] + behind[i] - 2.0 * middle
             for j in range(i):
@@ -237,17 +247,29 @@ class _Search:
         # With one focus the blur is the same on both of its sides: stay on the stated one.
         sides = planes - self.foci[0] if self.foci[0] == self.foci[1] else np.full(1, math.inf)
         units = [k for k in sorted(_SCAN, key=abs) if ((sides - k * self.unit) * sides > 0.0).all()]
-        costs = {k: float(self.costs(k * common).sum()) for k in units}
-        limit = min(costs.values()) + 0.1 * (max(costs.values()) - min(costs.values()))
+        sums = ((k, float(self.costs(k * common).sum())) for k in units)
+        costs = {k: cost for k, cost in sums if cost < math.inf}
+        span = max(costs.values()) - min(costs.values())
+        if span < _MIN_CHANGE * _LOG * sum(len(plane.places) for plane in self.planes):
+            raise ValueError(_UNDETERMINED)
+        limit = min(costs.values()) + 0.1 * span
         step = float(_SCAN[1] - _SCAN[0])
-        near = [costs.get(k - step, math.inf) >= costs[k] <= costs.get(k + step, math.inf) for k in units]
-        best = next(k for k, least in zip(units, near, strict=True) if least and costs[k] <= limit)
-        if abs(best) == _SCAN[-1]:
-            raise ValueError(
-                f"distances and photographs disagree: no focus within {_SCAN[-1] * self.unit:.2g} dioptres of those "
-                f"of lenses explains planes at {', '.join(format_length(plane.distance) for plane in self.planes)}"
-            )
+        best = next(
+            k
+            for k, cost in costs.items()
+            if costs.get(k - step, math.inf) >= cost <= min(costs.get(k + step, math.inf), limit)
+        )
+        if abs(best) == max(map(abs, costs)):
+            raise self._disagreement()
         return np.asarray(best * common)
+
+    def _disagreement(self) -> ValueError:
+        """Return the error where no lens near the stated one agrees."""
+        planes = ", ".join(format_length(plane.distance) for plane in self.planes)
+        return ValueError(
+            f"distances and photographs disagree: no focus within {_SCAN[-1] * self.unit:.2g} dioptres of those of "
+            f"lenses explains planes at {planes}"
+        )
 
     def minimum(self, at: Array, rounds: int = _ROUNDS) -> Array:
         """Return the changes at the minimum over the parameters `free` that Newton steps from `at` reach."""
@@ -255,6 +277,8 @@ class _Search:
             self.weigh(at)
             for _ in range(_MAX_STEPS):
                 gradients, hessians = self.derivatives(at, self.free)
+                if not np.isfinite(hessians).all():
+                    raise self._disagreement()
                 values, vectors = np.linalg.eigh(hessians.sum(axis=2))
                 sizes = np.maximum(np.abs(values), 1e-3 * np.abs(values).max())
                 step = -vectors @ (vectors.T @ gradients.sum(axis=1) / sizes)
@@ -292,23 +316,23 @@ class _Search:
                     covariance += held**2 * np.outer(slope, slope)
                 rows = np.array([self.basis[name] for name in names])
                 return at, rows.T @ covariance @ rows
-        raise ValueError(
-            "photographs do not determine the focus: use planes with more texture or light, or farther from the foci"
-        )
+        raise ValueError(_UNDETERMINED)
 
     def seen(self, at: Array) -> Iterator[CalibratedPlane]:
         """Yield the planes as lenses with these changes see them."""
         origin, step = self.calibrated(at)[1], _STEP * self.unit
         behind, middle, ahead = (self.costs(at, k * step) for k in (-1.0, 0.0, 1.0))
         ends = np.cumsum([len(plane.places) for plane in self.planes])[:-1]
-        parts = (np.split(part, ends) for part in ((ahead - behind) / 2.0, ahead + behind - 2.0 * middle, middle))
+        # Relative energies, which are parabolas over depth, and not their logarithms.
+        behind, ahead = np.exp((behind - middle) / _LOG), np.exp((ahead - middle) / _LOG)
+        parts = (np.split(part, ends) for part in ((ahead - behind) / 2.0, ahead + behind - 2.0, middle))
         for plane, gradient, curvature, cost in zip(self.planes, *parts, strict=True):
             # Weighted least squares of the shifts of tiles, -gradient / curvature: a constant, and a slope.
             terms = np.column_stack([np.ones(len(gradient)), plane.places])
             inverse = np.linalg.pinv(terms.T @ (curvature[:, None] * terms), hermitian=True)
             shift, *slope = fit = -inverse @ (terms.T @ gradient)
             scatter = terms * (gradient + curvature * (terms @ fit))[:, None] @ inverse
-            covariance = scatter.T @ scatter
+            covariance = scatter.T @ scatter * (len(gradient) / (len(gradient) - 3.0))
             tilt = math.hypot(*slope)
             tilt_error = math.sqrt(slope @ covariance[1:, 1:] @ slope) / max(tilt, 1e-300)
             away = plane.distance + origin
@@ -533,11 +557,17 @@ def calibrate_focus(
     colours = spectra("channels", channel_spectra(shape, lenses[0].wavelength))
     spectrum = [line for colour in colours for line in colour]  # channels are summed
     search = _Search(lenses, planes, pitch, origin, registered.scales, spectrum)
-    at, covariance = search.best()
-    seen = tuple(search.seen(at))
-    costs = search.costs(at)
-    other = _Search(lenses[::-1], planes, pitch, origin, registered.scales, spectrum)
-    findings = [*_findings(search, seen, noise is not None), *_exchanged(search, at, costs, other)]
+    other = partial(_Search, lenses[::-1], planes, pitch, origin, registered.scales, spectrum)
+    try:
+        at, covariance = search.best()
+    except ValueError as error:
+        if _agrees(other()):
+            raise ValueError(
+                f"{error}; in the other order they agree: exchange the photographs of each pair"
+            ) from None
+        raise
+    seen, costs = tuple(search.seen(at)), search.costs(at)
+    findings = [*_findings(search, seen, noise is not None), *_exchanged(search, at, costs, other())]
     f_number_error, *focus_errors, origin_error = np.sqrt(np.diag(covariance)).tolist()
     changed, origin = search.calibrated(at)
     return FocalCalibration(
@@ -572,7 +602,7 @@ def _findings(search: _Search, planes: Sequence[CalibratedPlane], stated: bool) 
                 f"distances contradict each other: lenses that fit all planes best see {name} at {found} +- {error} m"
             )
             yield Finding("contradiction", "error" if deviation > _WRONG else "doubt", text, plane._asdict())
-        if plane.tilt > max(_DOUBTFUL * plane.tilt_error, _MIN_TILT * plane.distance):
+        if plane.tilt > max(_WRONG * plane.tilt_error, _MIN_TILT * plane.distance):
             text = f"{name} is tilted: its distance changes by {format_length(plane.tilt)} across the photographs"
             yield Finding("not_flat", "doubt", text, plane._asdict())
     misfit = max(plane.misfit for plane in planes)
@@ -587,6 +617,15 @@ def _findings(search: _Search, planes: Sequence[CalibratedPlane], stated: bool) 
         yield Finding("stated", "note", text, {"held": held})
 
 
+def _agrees(search: _Search) -> bool:
+    """Return whether some lens near the stated one agrees."""
+    try:
+        search.best()
+    except ValueError:
+        return False
+    return True
+
+
 def _exchanged(search: _Search, at: Array, costs: Array, other: _Search) -> Iterator[Finding]:
     """Yield a finding if photographs in the other order agree better, or as well with smaller shifts of foci."""
     try:
@@ -597,7 +636,9 @@ def _exchanged(search: _Search, at: Array, costs: Array, other: _Search) -> Iter
     change = costs - other.costs(best)
     deviation = float(change.sum() / max(float(np.std(change)) * math.sqrt(len(change)), 1e-12))
     stated, needed = (np.abs(x[1:3] / each.foci).max() for x, each in ((at, search), (best, other)))
-    if deviation > _DOUBTFUL or (deviation > -_DOUBTFUL and stated > max(_MAX_SHIFT, 3.0 * needed)):
+    # One plane between two foci agrees about as well in either order, with another shift of the foci.
+    one = len(search.planes) == 1 and search.foci[0] != search.foci[1]
+    if (stated > max(_MAX_SHIFT, 3.0 * needed)) if one else deviation > _DOUBTFUL:
         text = (
             f"the photographs seem exchanged: in the other order foci are off by {percent(needed, 1)}, in this order "
             f"by {percent(stated, 1)}"

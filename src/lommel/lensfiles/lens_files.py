@@ -680,7 +680,8 @@ class _Calibration(BuiltSection):
         """Return the calibration."""
         if len(self.focus_distances) != len(self.f_numbers):
             raise ValueError(f"needs as many f_numbers as focus_distances, {len(self.focus_distances)}")
-        return Calibration(**{key: tuple(v) if isinstance(v, list) else v for key, v in dict(self).items()})
+        foci, numbers = tuple(self.focus_distances), tuple(self.f_numbers)
+        return Calibration(foci, numbers, self.f_number_scale, self.f_number_error, self.focus_error)
 
 
 class _File(Section):

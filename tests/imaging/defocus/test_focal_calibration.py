@@ -1,0 +1,170 @@
+"""Calibration of f-number and foci by planes at known distances, rendered without the PSFs of this package."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.lensfiles.lens_files import load_instrument
+from planes import NOISE, PIXEL, shoot, texture
+
+TRUE = [lm.Lens(focal_length=35e-3, f_number=4.0, focus_distance=f, wavelength=540e-9) for f in (1.35, 1.8)]
+STATED = [lm.Lens(focal_length=35e-3, f_number=4.32, focus_distance=f, wavelength=540e-9) for f in (1.3095, 1.746)]
+DISTANCES = [1.25, 1.5, 1.95]
+OPTIONS = {"encoding": "linear", "noise": NOISE}
+LENS_FILE = """# mine
+[lens]
+focal_length = "35 mm"
+f_number = 4.32
+focus_distance = "1.3 m"
+wavelength = "540 nm"
+[sensor]
+pixel = "4 um"
+"""
+
+
+def plane(distance, lenses=TRUE):
+    return shoot(texture(side=192, seed=int(100 * distance)), distance, lenses, seed=int(10 * distance))
+
+
+@pytest.fixture(scope="module")
+def pairs():
+    return [plane(distance) for distance in DISTANCES]
+
+
+@pytest.fixture(scope="module")
+def found(pairs):
+    return lm.imaging.calibrate_focus(pairs, DISTANCES, STATED, PIXEL, **OPTIONS)
+
+
+def depth(pair, lenses, **errors):
+    more = {"between": (1.1, 2.2), **OPTIONS, **errors}
+    got = lm.imaging.depth_from_defocus(pair, lenses, PIXEL, **more)
+    known = np.isfinite(got.errors)
+    return got.depth[known], got.errors[known]
+
+
+def test_three_planes_tell_the_f_number_and_both_foci_within_their_errors(found):
+    assert found.reliable
+    assert found.findings.codes == ("stated",)
+    true = [
+        math.log(4.0 / 4.32),
+        *(1.0 / a.focus_distance - 1.0 / b.focus_distance for a, b in zip(TRUE, STATED, strict=True)),
+    ]
+    estimate = [math.log(found.f_number_scale), *found.focus_shifts]
+    errors = np.sqrt(np.diag(found.covariance))[:3]
+    assert (errors < [0.01, 0.002, 0.002]).all()
+    assert np.abs(np.subtract(estimate, true) / errors).max() < 3.0
+    assert found.errors == {"f_number_error": errors[0], "focus_error": errors[1:].max()}
+    assert [lens.f_number for lens in found.lenses] == pytest.approx([4.32 * found.f_number_scale] * 2)
+
+
+def test_depth_at_another_distance_is_right_after_calibration(found):
+    pair = plane(1.7)
+    metres, errors = depth(pair, STATED)
+    assert np.median((metres - 1.7) / errors) < -3.0
+    metres, errors = depth(pair, found.lenses)
+    assert abs(np.median((metres - 1.7) / errors)) < 0.6
+
+
+def test_one_plane_tells_one_number_and_holds_the_f_number_with_its_error(pairs):
+    found = lm.imaging.calibrate_focus(pairs[:1], DISTANCES[:1], STATED, PIXEL, encoding="linear")
+    assert found.f_number_scale == 1.0
+    assert found.f_number_error == pytest.approx(0.03)
+    assert found.focus_shifts[0] == found.focus_shifts[1]
+    # 3 % of the f-number move the focus by about this share of the defocus at the plane.
+    defocus = 1.0 / 1.25 - 0.5 * (1.0 / 1.3 + 1.0 / 1.75)
+    assert found.focus_error == pytest.approx(0.03 * 2.0 * defocus, rel=1.0)
+    assert "f-number (+- 3 %)" in found.findings.get("stated").text
+    metres, errors = depth(pairs[0], found.lenses, **found.errors)
+    assert np.median(metres) == pytest.approx(1.25, abs=0.01)
+    metres, errors = depth(plane(1.7), found.lenses, **found.errors)
+    assert abs(np.median((metres - 1.7) / errors)) < 3.0
+
+
+def test_the_origin_that_is_stated_moves_the_planes(pairs):
+    # From a sensor 6 cm behind the lens.
+    here, there = (
+        lm.imaging.calibrate_focus(pairs[:1], [1.25 - origin], STATED, PIXEL, **OPTIONS, origin=origin)
+        for origin in (0.0, -0.06)
+    )
+    assert there.focus_shifts == pytest.approx(here.focus_shifts, rel=1e-6)
+    assert (there.origin, there.planes[0].distance) == (-0.06, 1.31)
+
+
+def test_distances_that_contradict_each_other_are_an_error(pairs):
+    found = lm.imaging.calibrate_focus(pairs, [1.25, 1.65, 1.95], STATED, PIXEL, **OPTIONS)
+    assert not found.converged
+    assert found.status == "contradiction"
+
+
+def test_exchanged_photographs_are_an_error(pairs):
+    found = lm.imaging.calibrate_focus([plane(1.4)[::-1]], [1.4], STATED, PIXEL, **OPTIONS)
+    assert found.status == "exchanged"  # with another shift of the foci either order agrees
+    with pytest.raises(ValueError, match="in the other order they agree: exchange the photographs"):
+        lm.imaging.calibrate_focus([pairs[0][::-1]], DISTANCES[:1], STATED, PIXEL, **OPTIONS)
+
+
+def test_a_tilted_plane_is_a_doubt():
+    # Strips of planes: 1.46 m on the left, 1.54 m on the right.
+    distances, ends = (1.46, 1.48, 1.5, 1.52, 1.54), range(0, 161, 32)
+    strips = [shoot(texture(side=192), distance, TRUE) for distance in distances]
+    pair = [
+        np.concatenate([strip[k][:, a : a + 32] for strip, a in zip(strips, ends, strict=False)], axis=1)
+        for k in range(2)
+    ]
+    found = lm.imaging.calibrate_focus([pair], [1.5], TRUE, PIXEL, **OPTIONS)
+    assert "not_flat" in found.findings.codes
+    assert found.planes[0].tilt == pytest.approx(0.1 * math.sqrt(2.0), rel=0.4)
+
+
+def test_a_plane_far_from_any_focus_near_the_stated_one_is_refused(pairs):
+    with pytest.raises(ValueError, match=r"no focus within 0\.25 dioptres"):
+        lm.imaging.calibrate_focus(pairs[:1], [0.9], STATED, PIXEL, **OPTIONS)
+
+
+def test_planes_without_texture_are_refused():
+    flat = [NOISE.record(np.full((160, 160), 5e3), seed=seed) for seed in range(2)]
+    with pytest.raises(ValueError, match=r"do not determine the focus|disagree"):
+        lm.imaging.calibrate_focus([flat], [1.5], STATED, PIXEL, **OPTIONS)
+
+
+PAIR = [np.full((160, 160), 0.5)] * 2
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"lenses": [STATED[0]] * 2}, "lenses must be two that differ"),
+        ({"lenses": [*STATED, STATED[0]]}, "lenses must be two"),
+        ({"distances": [1.2, 1.4]}, "distances must be one for each of 1 pairs"),
+        ({"distances": [0.03]}, "above its focal length"),
+        ({"distances": [1.2], "origin": -1.19}, "above its focal length"),
+        ({"photographs": [[np.full((64, 64), 0.5)] * 2]}, "must have 8 tiles of 32 x 32"),
+        ({"photographs": [PAIR[:1]]}, "as many as lenses"),
+        ({"noise": 3.0}, "noise must be"),
+    ],
+)
+def test_arguments_out_of_range_are_refused(changes, words):
+    given = {"photographs": [PAIR], "distances": [1.5], "lenses": STATED, "pixel": PIXEL, "encoding": "linear"}
+    with pytest.raises((TypeError, ValueError), match=words):
+        lm.imaging.calibrate_focus(**given | changes)
+
+
+def test_a_lens_file_hands_the_calibration_to_depth(found, tmp_path):
+    source, target = tmp_path / "stated.toml", tmp_path / "calibrated.toml"
+    source.write_text(LENS_FILE)
+    found.save(target, source)
+    assert target.read_text().startswith(LENS_FILE)
+    read = load_instrument(target).calibration
+    assert read.focus_distances == pytest.approx([lens.focus_distance for lens in found.lenses])
+    assert read.f_numbers == pytest.approx((4.32, 4.32))
+    assert read.f_number_scale == pytest.approx(found.f_number_scale)
+    assert (read.f_number_error, read.focus_error) == pytest.approx(tuple(found.errors.values()), rel=0.01)
+    with pytest.raises(ValueError, match=r"have no \[calibration\]"):
+        found.save(tmp_path / "again.toml", target)
+    assert len(str(found).splitlines()) <= 12
+    assert found.to_dict()["lenses"][1]["focus_distance"] == found.lenses[1].focus_distance

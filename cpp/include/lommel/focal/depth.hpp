@@ -227,30 +227,25 @@ class FocalSearch {
         while (high + 1 < count && rough(high + 1) >= rough(high)) {
             ++high;
         }
-        // Other valleys must be higher than the minimum by more than noise and leak can make them. Those that rough candidates show
-        // from beside are searched.
+        // Other valleys must be higher than the minimum by more than noise and leak can make them.
         const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
-        const float few = std::min(1.0f, std::max(0.0f, (concentration - statistic(Concentration) - concentrated) / concentrating));
+        const float few =
+            std::min(1.0f, std::max(0.0f, (concentration - statistic(Concentration) - concentrated) / concentrating));
         const float strength = valley + std::max(0.0f, here), leak = statistic(Leak) * strength;
         const float least_second = here + distinct / likelihood + (apart + apart_of_few * few) * leak;
-        const auto excluded = [&](std::size_t c) LOMMEL_INLINE_LAMBDA {
-            const float e = rough(c), beside = std::min(c > 0 ? rough(c - 1) : infinite, c + 1 < count ? rough(c + 1) : infinite);
-            if (!(e >= least_second) || !(e < least_second + hidden * strength) || e > beside) {
-                return e >= least_second;
-            }
-            const std::size_t from = rough_step * c > 5 ? rough_step * c - 5 : 0, to = std::min(rough_step * c + 5, last);
-            energy(from, around);
-            float lowest = infinite;
-            for (std::size_t k = from; k <= to; ++k) {
-                const bool inside = k + 1 >= rough_step * low && k <= rough_step * high + 1;
-                lowest = inside ? lowest : std::min(lowest, around[k - from]);
-            }
-            return lowest >= least_second;
-        };
+        float second = infinite;
         for (std::size_t c = 0; c < count; ++c) {
-            if ((c < low || c > high) && !excluded(c)) {
-                return found;
+            second = c < low || c > high ? std::min(second, rough(c)) : second;
+        }
+        const float low_valley = least_second + hidden * strength;
+        // A low valley can be lower between rough candidates.
+        for (std::size_t c = 0; second < low_valley && second >= least_second && c < count; ++c) {
+            if ((c < low || c > high) && rough(c) < low_valley) {
+                second = std::min(second, lowest_near(energy, c++, rough_step * low, rough_step * high));
             }
+        }
+        if (!(second >= least_second)) {
+            return found;
         }
         // Noise makes the measured curvature too large: average it with the curvature expected from the depth of the valley. The
         // weights are inverse variances: by noise for the measured curvature, by texture for the expected curvature.
@@ -260,16 +255,15 @@ class FocalSearch {
         float variance =
             (statistic(ByTexture) * curvature + statistic(ByNoise) * worse) * worse / (curvature * curvature * pixels);
         found.position = static_cast<float>(at) + x;
+        const auto away = [&](std::size_t c) { return std::abs(static_cast<float>(rough_step * c) - found.position); };
         // If the likelihood is several candidates wide, take its second moment as the variance instead of the inverse curvature,
         // which noise makes too small.
         if (variance > wide) {
             float total = 0.0f, moment = 0.0f;
             for (std::size_t c = 0; c < count; ++c) {
-                const float apart_from = std::abs(static_cast<float>(rough_step * c) - found.position);
-                const float away = std::max(0.0f, apart_from - 1.0f);  // less 1, for the spread that steps of 4 add
                 const float chance = std::exp(likelihood * std::min(0.0f, here - rough(c)));
                 total += chance;
-                moment += chance * away * away;
+                moment += chance * square(std::max(0.0f, away(c) - 1.0f));  // less 1, for the spread that steps of 4 add
             }
             variance = std::max(variance, moment / std::max(total, 1e-3f));
         }
@@ -277,17 +271,35 @@ class FocalSearch {
         variance += shifted_of_few * few * leak / curvature;
         // The distance of the farthest candidate that leak could have made higher than the minimum, as two standard errors.
         const float level = here + (alike + alike_of_few * few) * leak;
-        float reach = 0.0f;
-        for (std::size_t c = 0; c < count; ++c) {
-            const float away = std::abs(static_cast<float>(rough_step * c) - found.position) - 0.5f * rough_step;
-            reach = rough(c) < level ? std::max(reach, away) : reach;
+        float reach = 0.5f * rough_step;  // less this, for the spread that steps of 4 add
+        for (std::size_t c = best; rough(c) < level; --c) {
+            reach = std::max(reach, away(c));
+            if (c == low) {
+                break;
+            }
         }
-        found.error = std::sqrt(std::max(variance, square(0.5f * reach)));
+        for (std::size_t c = best + 1; c <= high && rough(c) < level; ++c) {
+            reach = std::max(reach, away(c));
+        }
+        found.error = std::sqrt(std::max(variance, square(0.5f * (reach - 0.5f * rough_step))));
         return found;
     }
 
+    // Lowest energy of the candidates around rough candidates c and c + 1, less those next to or between `low` and `high`.
+    template <class Energy>
+    LOMMEL_INLINE float lowest_near(const Energy& energy, std::size_t c, std::size_t low, std::size_t high) const {
+        const std::size_t start = std::max<std::size_t>(rough_step * c, 5) - 5, end = std::min(start + near, given_.count);
+        float around[near], lowest = infinite;
+        energy(start, around);
+        for (std::size_t k = start; k < end; ++k) {
+            lowest = k + 1 < low || k > high + 1 ? std::min(lowest, around[k - start]) : lowest;
+        }
+        return lowest;
+    }
+
     FocalCandidates given_;
-    std::size_t channels_, images_, products_, padded_, width_, rough_width_;  // forms_ is padded_ x width_, with zeros as padding
+    std::size_t channels_, images_, products_, padded_, width_,
+        rough_width_;  // forms_ is padded_ x width_, with zeros as padding
     Floats forms_, rough_, noise_, statistics_;
 };
 

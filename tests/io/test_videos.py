@@ -99,7 +99,7 @@ def test_a_lost_frame_that_the_times_hide_is_seen_by_the_sharpness_and_a_new_sce
         draw = np.random.default_rng(number // 10)  # another scene from frame 10 on
         fine = draw.uniform(500.0, 3500.0, (96, 128))
         soft = gaussian_filter(fine, 1.0)
-        near_is_sharp = np.arange(128) < 64
+        near_is_sharp = np.arange(128) < 64 if number < 10 else np.arange(96)[:, None] < 48
         seen = np.where(near_is_sharp == (number % 2 == 0), fine, soft)
         seen *= 1.0 + 0.2 * np.sin(2.4 * number + np.arange(96)[:, None] / 9.5)  # a lamp flickers in bands of rows
         return np.rint(np.random.default_rng(100 + number).normal(seen, np.sqrt(seen))).astype(np.uint16)

@@ -348,8 +348,9 @@ class _FocusOrder:
         if len(self._maps) == 2:
             # Squared changes from the latest frame that should have the same focus, and from the other.
             same, other = (float(np.sum((sharpness - self._maps[far]) ** 2)) for far in (is_far, not is_far))
-            history = self._changes or [(other, same)]
-            largest_same, least_other = max(one[0] for one in history), min(one[1] for one in history)
+            # The third largest and third smallest of the latest frames: a new scene changes two of these.
+            history = np.sort(self._changes or [(other, same)], axis=0)
+            largest_same, least_other = float(history[-3:, 0].min()), float(history[:3, 1].max())
             exchanged = (
                 least_other > _CERTAIN_FOCUS * largest_same
                 and other < 2.0 * largest_same  # so that a scene that changes is no exchange

@@ -238,8 +238,9 @@ def depth_from_defocus(
     curvature of the energy at its minimum, the noise and the size of the window. It grows with the misfit, with the
     slope of the depth map and near depth edges; compare :func:`lommel.depth_precision`. It includes the stated errors
     of the lenses, which shift whole surfaces. Depth is NaN where its standard error exceeds 17 % of the range in
-    1 / distance, where another candidate has almost the same energy, where the best candidate is the first or the
-    last, and where half of a window or more is within the blur of the border or of unknown pixels.
+    1 / distance, where another candidate has almost the same energy, which is frequent with periodic textures, where
+    it is outside of `between`, and where half of a window or more is within the blur of the border or of unknown
+    pixels.
 
     Examples
     --------

@@ -402,9 +402,9 @@ def _uncorrelated(model: FocalModel, basis: Array, terms: Array, mixes: Array) -
         return np.asarray((texture * power) @ texture.swapaxes(1, 2) + noise)
 
     root = np.linalg.cholesky(covariances(filters).mean(axis=0))
-    basis = np.asarray(np.linalg.solve(root, basis.reshape(len(basis), -1)).reshape(basis.shape))
-    each = covariances(basis @ terms)
-    return basis, mixes @ root, (each**2).sum(axis=(1, 2)) / np.trace(each, axis1=1, axis2=2) ** 2
+    even = np.asarray(np.einsum("rs,sim->rim", np.linalg.inv(root), basis))
+    each = covariances(even @ terms)
+    return even, mixes @ root, (each**2).sum(axis=(1, 2)) / np.trace(each, axis1=1, axis2=2) ** 2
 
 
 def _leak(model: FocalModel, filters: Array, light: FocalLight, overlap: Array) -> Array:

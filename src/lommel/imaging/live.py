@@ -301,9 +301,9 @@ class LiveDepth:
     as noise. The energy is the mean square of the residual over a window. Residuals are computed as polynomials of
     one small filter, and energies as quadratic forms of a few images (see the page on live depth). The standard error
     follows from the curvature of the energy, the noise and the window; it grows with the misfit, with the slope of
-    the depth map and near depth edges. Depth is unknown where another depth has almost the same energy, where the
-    standard error exceeds 17 % of the range in 1 / distance, and where half of a window or more is within the blur
-    of the border or of unknown pixels.
+    the depth map and near depth edges. Depth is unknown where another depth has almost the same energy, which is
+    frequent with periodic textures, where it is outside of `between`, where the standard error exceeds 17 % of the
+    range in 1 / distance, and where half of a window or more is within the blur of the border or of unknown pixels.
 
     :meth:`verdict` tests registration, noise and the size of blur. It cannot detect exchanged frames, or an error
     that both focus distances share.

@@ -309,11 +309,9 @@ class Estimator:
             for k, name in enumerate(("the first frame", "the second frame")):
                 failure = failure.replace(f"frames[{k}]", name)
             return PairResult(elapsed, time.perf_counter() - start, failure)
-        image = self.live.sharp() if self.sharp else None
         # With an estimated noise the frames are in electrons of this noise.
         unit = _white(self.coding.noise) / _white(self.live.noise)
-        if image is not None and unit != 1.0:
-            image *= np.float32(unit)
+        image = self.live.sharp() * np.float32(unit) if self.sharp else None
         depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
         estimated = np.isfinite(errors)
         # Each block has the first cause that applies.

@@ -305,8 +305,8 @@ def depth_from_defocus(
     # Scale all frames to the exposure of the first: the tables assume one light level.
     images /= np.asarray(ratios, dtype=np.float32)[:, None, None]
     for estimated in (True, False) if noise is None else (False,):
-        light = FocalLight(mean, math.sqrt(read**2 + _ADDED_VARIANCE * mean), ratios, CONTRAST)
-        engine = FocalEngine(task, light)
+        dark = math.sqrt(read**2 + _ADDED_VARIANCE * mean)
+        engine = FocalEngine(task, FocalLight(mean, dark, ratios, CONTRAST))
         position, index_errors, misfit = _search(engine, images, valid, None if estimated else progress)
         if estimated:
             # The residual is noise at the true depth: its variance is that of the noise.

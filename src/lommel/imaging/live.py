@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import Annotated, Any, Literal, NamedTuple
@@ -172,7 +172,6 @@ _LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons per pixel for which tables
 _MAX_CANDIDATES = 241  # largest number of candidate depths of LiveDepth
 _CELLS = 8  # number of parts of a frame along each side; light is summed in each part
 _MIN_MEAN = 0.05  # mean of a frame / mean of the brightest frame, below which the frame counts as black
-_NO_PIXEL = "frames have no pixel that is known in all of them: pixels are saturated, NaN or masked"
 _MAX_RATIO = 2.0  # largest ratio of exposures: the tables are for equal ones
 
 
@@ -280,7 +279,8 @@ class LiveDepth:
     Attributes
     ----------
     noise : Noise or None
-        Noise of the frames, as stated or as estimated from the first ones; None before these.
+        Noise of the frames, as stated or as estimated from the first ones; None before these, when there are no
+        tables either.
     binning : tuple of int
         Side, in pixels, of the squares that are summed before filtering, for each level of `light`.
     rank : tuple of int
@@ -369,54 +369,43 @@ class LiveDepth:
         ]
 
     def _estimate_noise(
-        self, planes: list[Values], limit: float, frames: tuple[Values, ...], known: Values | None
+        self, planes: list[Values], limit: float, mask: Values | None, depth: Callable[[], LiveDepthMap]
     ) -> None:
-        """Estimate the noise from the first frames, by their finest details and then by their residual."""
+        """Estimate the noise from the first frames, by their finest details and then by the residual of `depth`."""
         with np.errstate(invalid="ignore"):
             valid = np.logical_and.reduce([plane < limit for plane in planes])
-        images = np.where(valid & (True if known is None else known), planes, np.nan)[None]
-        if not np.isfinite(images).any():
-            raise ValueError(_NO_PIXEL)
-        (white,), read = starting_noise(images)
+        images = np.where(valid & (True if mask is None else mask > 0), planes, np.nan)
+        (white,), read = starting_noise(images[None])
         read /= math.sqrt(self._form.channels)
         try:
-            self._prepare(Noise(white=white, read=read), (max(float(white * np.nanmean(images[0, 0])), 1.0),))
-            excess = residual_variance(self(*frames, known=known).misfit)
+            self._prepare(Noise(white=white, read=read), (max(float(white * np.nanmean(images[0])), 1.0),))
+            excess = residual_variance(depth().misfit)
         finally:
             self.noise, self._levels = None, []
         self._prepare(Noise(white=white / excess, read=read / math.sqrt(excess)))
 
-    def _tables(self) -> list[_Level]:
-        if not self._levels:
-            raise ValueError("noise must be stated here, or frames come first: it is estimated from the first frames")
-        return self._levels
-
     @property
     def binning(self) -> tuple[int, ...]:
         """Side in pixels of the squares that are summed before filtering, for each level of light."""
-        return tuple(level.engine.binning for level in self._tables())
+        return tuple(level.engine.binning for level in self._levels)
 
     @property
     def rank(self) -> tuple[int, ...]:
         """Number of filtered images, for each level of light."""
-        return tuple(level.engine.rank for level in self._tables())
+        return tuple(level.engine.rank for level in self._levels)
 
     @property
     def design_error(self) -> float:
         """Largest bias of depth due to the filter approximation, in standard errors of a window."""
-        return max(level.engine.design_error for level in self._tables())
+        return max((level.engine.design_error for level in self._levels), default=math.nan)
 
     def __repr__(self) -> str:
         height, width = self._form.size
         nearest, farthest = self._between
         electrons = [f"{level.engine.light.mean:g}" for level in self._levels]
-        text = f"<LiveDepth of {len(self._lenses)} frames of {height} x {width}, {nearest:g} to {farthest:g} m: "
-        if not electrons:
-            return text + "noise from the first frames>"
-        return (
-            f"{text}"
-            f"pixels of {', '.join(map(str, self.binning))}, {', '.join(map(str, self.rank))} images, "
-            f"for {', '.join(electrons)} electrons>"
+        tables = f"pixels of {', '.join(map(str, self.binning))}, {', '.join(map(str, self.rank))} images"
+        return f"<LiveDepth of {len(self._lenses)} frames of {height} x {width}, {nearest:g} to {farthest:g} m: " + (
+            f"{tables}, for {', '.join(electrons)} electrons>" if electrons else "noise from the first frames>"
         )
 
     def __call__(self, *frames: Values, known: Values | None = None) -> LiveDepthMap:
@@ -441,7 +430,7 @@ class LiveDepth:
         mask = self._form.known(frames, saturation, known)
         planes, limit = self._grey(stored, saturation, mask)
         if not self._levels:
-            self._estimate_noise(planes, limit, frames, known)
+            self._estimate_noise(planes, limit, mask, lambda: self(*frames, known=known))
         first_stream = self._levels[0].stream
         first_stream.sums(planes, limit, mask, self._sums)
         exposures, light = self._measure_exposures()
@@ -471,10 +460,10 @@ class LiveDepth:
         TypeError, ValueError
             For colour frames, smooth exposures, magnification, or several levels of light.
         """
-        if len(self._tables()) != 1 or self._form.channels != 1 or self._smooth or self._registered:
+        if len(self._levels) != 1 or self._form.channels != 1 or self._smooth or self._registered:
             raise ValueError(
-                "tables are saved of grey frames for one level of light (light=), without exposures= and "
-                "magnification=; the file format has no fields for other options"
+                "tables are saved of grey frames with one noise (noise=) and level of light (light=), without "
+                "exposures= and magnification=; the file format has no fields for other options"
             )
         form, name = self._form, validation.path("path", path)
         limit = form.saturation(np.dtype(np.float32))
@@ -501,7 +490,7 @@ class LiveDepth:
         """Return the relative exposures, and the mean electrons per pixel of the first frame."""
         counts = float(self._sums[-1].sum())
         if counts == 0.0:
-            raise ValueError(_NO_PIXEL)
+            raise ValueError("frames have no pixel that is known in all of them: pixels are saturated, NaN or masked")
         white = self._form.white
         means = (self._sums[:-1].sum(axis=(1, 2)) / counts - self._offset) * white
         darkest = int(np.argmin(means))

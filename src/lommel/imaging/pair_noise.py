@@ -18,10 +18,14 @@ def starting_noise(images: Values) -> tuple[Array, float]:
     The noise is that of the finest details in the frame with the least of them: the other frames are sharper, and
     their details are those of the scene. NaN pixels are unknown.
     """
-    triples = np.array([[image_noise(plane) for plane in channel] for channel in images])
-    light, variance, dark = np.moveaxis(triples, 2, 0)
+    try:
+        triples = np.array([[image_noise(plane) for plane in channel] for channel in images])
+    except ValueError:
+        text = "it cannot be estimated from images of one value, or with few known pixels"
+        raise ValueError(f"noise must be stated: {text}") from None
+    light, variance, dark = np.maximum(np.moveaxis(triples, 2, 0), 1e-24)
     share = min(float(dark.mean()), _MAX_DARK)
-    white = (np.maximum(light, 1e-12) / np.maximum(variance, 1e-24)).max(axis=1) / (1.0 - share)
+    white = (light / variance).max(axis=1) / (1.0 - share)
     return white, math.sqrt(share / (1.0 - share) * float((light.T * white).mean()))
 
 

@@ -261,10 +261,12 @@ def test_the_noise_of_the_first_frames_is_that_of_the_camera_and_depth_is_as_far
     stored = [0.25 * (one.astype(np.float32) - 100.0) for one in counts]  # 4 electrons a count
     live = made(MILD, noise=None)
     assert repr(live).endswith("noise from the first frames>")
-    with pytest.raises(ValueError, match="it is estimated from the first frames"):
-        live.binning  # noqa: B018
+    with pytest.raises(ValueError, match=r"with one noise \(noise=\)"):
+        live.save("lens.lml")
+    with pytest.raises(ValueError, match="noise must be stated: it cannot be estimated from images of one value"):
+        live(*stored, known=np.arange(SIDE)[:, None] % 4 + np.zeros(SIDE) > 0)
     with pytest.raises(ValueError, match="must hold light"):
-        live(stored[0], 1e-3 * stored[1])
+        live(stored[0], stored[1] - np.float32(500.0))
     assert live.noise is None
     found = live(*stored)
     z = errors(found, 1.5)

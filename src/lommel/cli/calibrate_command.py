@@ -59,7 +59,7 @@ def calibrate(
 
     Examples
     --------
-      lommel calibrate near-1.tif far-1.tif phone.toml --focus 0.5m --focus 2m --distance 0.6m --origin 0m -o mine.toml
+      lommel calibrate near-1.tif far-1.tif phone.toml --focus 0.5m --focus 2m --distance 0.6m -o mine.toml
     """
     require_file(output, ".toml")
     if len(photos) != 2 * len(distances):

@@ -391,6 +391,10 @@ class FocalCalibration(FitReport):
         Covariance of log(f-number), `focus_shifts` and `origin`.
     planes : tuple of CalibratedPlane
         The planes as these lenses see them.
+    findings : Findings
+        Planes that contradict each other or are tilted, exchanged photographs, and numbers that are held as stated.
+    summary : str
+        Numbers of planes and tiles.
     """
 
     lenses: tuple[Lens, ...]
@@ -486,12 +490,15 @@ def calibrate_focus(
         Pixel pitch, metres.
     encoding : {"srgb", "linear"} or float
         Encoding of the photographs; a number states ``light = value ** number``.
-    noise : Noise
-        Noise of the linear photographs, where white is 1. Results depend on it little: the variance is estimated.
+    noise : Noise, optional
+        Noise of the linear photographs, where white is 1, with which `misfit` is judged. Estimates depend little on
+        it: the variance of each tile is estimated.
     origin : float, optional
-        Distance of the point from which `distances` count in front of the lens (its entrance pupil), metres: about
-        -(focal length) or a little less for distances from the sensor, 0.01 to 0.03 for those from the front rim of
-        a photographic lens. By default it is estimated where the planes determine it, and else 0.
+        Position of the point from which `distances` count, in front of the lens (its entrance pupil), metres: some
+        0.02 for those from the front rim of a lens of 50 mm; negative for distances from the sensor. By default it is
+        estimated where the planes determine it, and else 0.
+    magnification : {"registered", "lens"}, default "registered"
+        As for :func:`lommel.imaging.depth_from_defocus`.
 
     Returns
     -------

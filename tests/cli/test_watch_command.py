@@ -25,7 +25,7 @@ pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
-from lommel.cli import video_commands
+from lommel.cli import video_coding, video_commands
 from lommel.cli.instruments import FrameNoise
 from lommel.io import videos
 from scenes import ThinLens, plane, record, texture
@@ -247,7 +247,7 @@ def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lomme
 @pytest.mark.parametrize("kind", [np.uint16, np.float32])
 def test_frames_are_made_even_in_brightness_row_by_row(kind):
     given = FrameNoise(white=65535.0, read=3.0, offset=100 / 65535)
-    coding = video_commands.coding_of(65536 if kind == np.uint16 else 0, np.dtype(kind), "linear", given, None, None)
+    coding = video_coding.coding_of(65536 if kind == np.uint16 else 0, np.dtype(kind), "linear", given, None, None)
     scale = 1.0 if kind == np.uint16 else 65535.0
     draw = np.random.default_rng(0)
     first = draw.uniform(2000.0, 4000.0, (120, 200))
@@ -271,7 +271,7 @@ def test_a_block_is_known_up_to_the_largest_misfit_and_a_pixel_below_saturation(
     depth, errors = np.array([[1.0, 2.0, 3.0, 4.0]]), np.array([[0.1, 0.2, 0.3, np.inf]])
     found = SimpleNamespace(depth=depth, errors=errors, misfit=np.array([[1.0, 2.0, 2.001, 1.0]]), light=9.0)
     noise = lm.Noise(white=1.0, read=0.0, offset=10.0)
-    coding = video_commands.Coding("linear", 0, 1.0, noise, 110.0, "", {})
+    coding = video_coding.Coding("linear", 0, 1.0, noise, 110.0, "", {})
     frame = np.full((40, 3), 50.0)
     frame[20] = 109.9, 110.0, 10.0
     assert np.isnan(video_commands.equalize_rows(frame, frame, coding)[1][20]).tolist() == [False, True, False]
@@ -318,13 +318,13 @@ def test_pixels_at_white_are_full_in_srgb_too(folder, call_lommel):
 @pytest.mark.parametrize("white", [2000.0, 40_000.0])
 def test_noise_of_stored_levels_is_that_of_photons_read_noise_and_rounding(encoding, white):
     draw = np.random.default_rng(0)
-    gain, read = video_commands.stored_noise(white, 5.0, 256, encoding)
+    gain, read = video_coding.stored_noise(white, 5.0, 256, encoding)
     for light in (0.1, 0.3, 0.6):
         electrons = draw.poisson(white * np.linspace(light, 1.05 * light, 50_000)) + draw.normal(0.0, 5.0, 50_000)
         stored = from_light(electrons / white, encoding, np.uint8)
         found = to_light("values", stored, encoding, np.float64) - np.linspace(light, 1.05 * light, 50_000)
         assert (light * gain + read**2) / gain**2 == pytest.approx(found.var(), rel=0.12)
-    assert video_commands.stored_noise(white, 5.0, 0, encoding) == (white, 5.0)
+    assert video_coding.stored_noise(white, 5.0, 0, encoding) == (white, 5.0)
 
 
 def test_a_black_frame_is_told_and_counted_and_the_stream_goes_on(folder, call_lommel):

@@ -15,7 +15,7 @@ from lommel.imaging.focal_engine import BLOCK
 from lommel.io.videos import MACROBLOCK
 
 if TYPE_CHECKING:
-    from lommel.cli.video_commands import Coding
+    from lommel.cli.video_coding import Coding
 
 MAX_LOSS = 32.0
 """Largest variance that compression adds, relative to noise, of blocks with depth."""

@@ -132,6 +132,17 @@ def depths(noise):
     return [found.depth, found.errors, found.misfit, found.sharp], []
 
 
+def calibrated(noise):
+    lenses, view = [LENS.focused(1.5), LENS.focused(1.8)], np.random.default_rng(2).random((192, 192))
+    pair = [
+        lm.imaging.depth_of_field(view, np.full(view.shape, 1.6), lens, 8e-6, energy=0.9, encoding="linear").values
+        for lens in lenses
+    ]
+    pair = [PHOTOS[EM].record(5e3 * one, k) for k, one in enumerate(pair)]
+    found = lm.imaging.calibrate_focus([pair], [1.6], lenses, 8e-6, encoding="linear", noise=PHOTOS[noise])
+    return [found.focus_shifts, found.focus_error, found.planes[0].found, found.planes[0].misfit], []
+
+
 def restored(noise):
     blur = lm.imaging.DepthBlur(np.full((32, 40), 2.1), LENS, 8e-6)
     photo = PHOTOS[EM].record(5e3 * blur.forward(scene()[:32, :40]), 0)
@@ -214,6 +225,7 @@ HONOURED = {
     "lommel.retrieve": retrieve, "lommel.fit_beads": beads, "lommel.detection.Targets": field,
     "lommel.detection.find_spots": spots, "lommel.detection.find_crossings": crossings, "lommel.fisher": fisher,
     "lommel.depth_precision": precision, "lommel.best_depth_foci": foci, "lommel.imaging.depth_from_defocus": depths,
+    "lommel.imaging.calibrate_focus": calibrated,
     "lommel.imaging.restore": photograph,
     "lommel.microscopy.deconvolve": lambda noise: (deconvolved(noise)[0] + deep(noise)[0], []),
     "lommel.localize.find": found_spots, "lommel.localize.fit": molecules, "lommel.localize.localize_movie": movie,

@@ -199,8 +199,10 @@ def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(ma
     made = SimpleNamespace(
         _last_call=lambda: (SimpleNamespace(engine="engine"), 0, 0, mask), _grey=lambda *_: (list(planes), 90.0),
         _form=SimpleNamespace(size=size), _offset=4.0, _gains=gains, _depth=depth, _errors=errors, _misfit=misfit,
+        noise="estimated", _estimates=masked,
     )  # fmt: skip
-    LiveDepth.verdict(made)
+    LiveDepth.verdict(made, focus_error=0.1)
+    assert given[6:] == [(None, 0.1), "estimated" if masked else None]
     unknown = {(0, 0), (1, 0), (2, 0), *([(3, 0)] if masked else [])}
     assert {tuple(at) for at in np.argwhere(~given[2]).tolist()} == unknown
     for row, column in ((0, 0), (5, 7), (2 * block, 3 * block - 1), (1, block), (block, 0)):
@@ -211,7 +213,7 @@ def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(ma
         assert given[1][0, :, row, column] == pytest.approx(light if known else [0.0, 0.0], rel=1e-6)
         at = min(row // block, 1), column // block
         error = math.inf if at == (0, 1) else errors[at] / depth[at] ** 2
-        found = [one[row, column] for one in given[3:]]
+        found = [one[row, column] for one in given[3:6]]
         assert found == pytest.approx([error, misfit[at], 1.0 / depth[at]])
 
 
@@ -219,7 +221,7 @@ def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(ma
 def test_depth_and_its_error_follow_from_those_of_a_candidate(stated, monkeypatch):
     """Candidates are equal steps of v = 1 / z, so that dz = z^2 dv; frames have the exposure of the first."""
     lens = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.25, wavelength=540e-9)
-    photos, seen = [np.full((64, 64), 0.2), np.full((64, 64), 0.3)], SimpleNamespace()
+    photos, seen, added = [np.full((64, 64), 0.2), np.full((64, 64), 0.3)], SimpleNamespace(), []
     position, errors = np.full((64, 64), 7.3, np.float32), np.full((64, 64), 0.4, np.float32)
 
     def engine(task, light):
@@ -236,7 +238,7 @@ def test_depth_and_its_error_follow_from_those_of_a_candidate(stated, monkeypatc
     monkeypatch.setattr(defocus_depth, "FocalEngine", engine)
     monkeypatch.setattr(defocus_depth, "_search", search)
     monkeypatch.setattr(defocus_depth, "_add_slope_errors", slopes)
-    monkeypatch.setattr(defocus_depth, "_add_lens_errors", lambda *_: 0.77)
+    monkeypatch.setattr(defocus_depth, "_add_lens_errors", lambda engine, errors, *_: added.append(errors))
     monkeypatch.setattr(defocus_depth, "judge_frames", lambda *given: given)
     noise, lenses = lm.Noise(white=1e4, read=3.0), [lens, lens.focused(2.0)]
     found = defocus_depth.depth_from_defocus(
@@ -249,4 +251,4 @@ def test_depth_and_its_error_follow_from_those_of_a_candidate(stated, monkeypatc
     assert seen.images.mean(axis=(0, 2, 3)) == pytest.approx([2000.0, 2000.0], rel=1e-5)
     assert (seen.window, seen.limit) == (defocus_depth.WINDOW, pytest.approx(0.15 / step))
     errors_of_lens = stated.get("f_number_error"), stated.get("focus_error")
-    assert found.verdict[-2:] == (0.77 if stated else 0.0, errors_of_lens)
+    assert (found.verdict[-2:], added) == ((errors_of_lens, None), [errors_of_lens] if stated else [])

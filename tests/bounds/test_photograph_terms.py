@@ -143,8 +143,9 @@ def test_errors_of_lenses_add_in_squares_and_frames_of_one_focus_share_theirs(sa
     task = SimpleNamespace(lenses=lenses)
     engine = SimpleNamespace(known=1.5, lens_derivatives=lambda at: slopes[:, : at.size], task=task)
     engine.lens_errors = partial(focal_engine.FocalEngine.lens_errors, engine)
+    found = focal_engine.FocalEngine.scale_error(engine, 0.3, 0.5)
     estimate, errors, steps = np.array([0.7, 0.6, np.nan]), np.array([0.1, 1.2, np.inf]), np.array([1.0, 2.0, np.inf])
-    found = defocus_depth._add_lens_errors(engine, (0.3, 0.5), estimate, errors, steps)
+    defocus_depth._add_lens_errors(engine, (0.3, 0.5), estimate, errors, steps)
     expected = []
     for k, own in enumerate((0.1, 1.2)):
         first = slopes[1, k] + slopes[3, k] + (slopes[2, k] if same else 0.0)

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from scipy import special
 
-from lommel.cli.video_commands import Tally
 from lommel.deconvolve.iterations import Iteration
 from lommel.estimation import beads, field_fit, fisher, phase_retrieval
 from lommel.estimation.field_search import Outcome
@@ -366,11 +365,3 @@ def test_a_photon_transfer_curve_is_the_line_of_weighted_squares(rise):
     with pytest.raises(ValueError, match="cannot be estimated"):
         camera_noise._fit_noise(light + 7.0, squares, 0.9 * (error / slope / 0.3) ** 2, 1.5)
     camera_noise._fit_noise(light + 7.0, squares, 1.2 * (error / slope / 0.3) ** 2, 1.5)
-
-
-@pytest.mark.parametrize(("before", "depth", "jumps"), [(2.0, 2.59, False), (2.0, 2.61, True), (2.0, 1.39, True)])
-def test_depth_jumps_by_more_than_six_standard_errors(before, depth, jumps):
-    made = Tally()
-    made.rows.append((1.0, 0.0, before, 0.1, 1.0))
-    assert bool(made.jump(SimpleNamespace(numbers=(1.0, 0.0, depth, 0.1, 1.0), time=3.0))) == jumps
-    assert not Tally().jump(SimpleNamespace(numbers=(1.0, 0.0, depth, 0.1, 1.0), time=3.0))

@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -599,8 +599,9 @@ def depth(
     noise = noise_of(stated, camera, photographs=True) if states_noise(stated, camera) else None
     lenses = each_lens(instrument, len(photos), cameras)
     if instrument.calibration is not None:
-        names = {"f_number_error", "focus_error"} - given_flags().keys()
-        options = replace(options, **{name: getattr(instrument.calibration, name) for name in names})
+        given = given_flags()
+        errors: dict[str, Any] = {k: v for k, v in instrument.calibration.errors.items() if k not in given}
+        options = replace(options, **errors)
     with progress("reading") as status:
         pictures = [imaging.read_photo(path, encoding) for path in photos]
         if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:

@@ -229,7 +229,8 @@ def watch(
             **outputs.facts,
         }
         notes = [text for text in (guess, compression, tally.unknown(misfit, facts)) if text]
-        verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
+        errors = {} if instrument.calibration is None else instrument.calibration.errors
+        verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict(**errors)
         if (
             math.isnan(verdict.misfit) and facts["misfit"] is not None and (facts["known"] or facts["unfit"])
         ):  # of earlier pairs: the last one has no depth

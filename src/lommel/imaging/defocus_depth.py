@@ -319,7 +319,8 @@ def depth_from_defocus(
     _add_slope_errors(position, index_errors, WINDOW, engine.known / step)
     estimate, errors = vergence[0] + step * position.astype(np.float64), step * index_errors
     lens_errors = o.f_number_error, o.focus_error
-    scale_error = _add_lens_errors(engine, lens_errors, estimate, errors, index_errors) if any(lens_errors) else 0.0
+    if any(lens_errors):
+        _add_lens_errors(engine, lens_errors, estimate, errors, index_errors)
     with np.errstate(invalid="ignore", divide="ignore"):
         depth, distances = 1.0 / estimate, 1.0 / vergence
         # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
@@ -337,9 +338,7 @@ def depth_from_defocus(
         return from_light(light, encoding, scene.dtype)
 
     sources = "noise and lens" if any(lens_errors) else "noise"
-    judge = partial(
-        judge_frames, engine, images, valid, index_errors, misfit, estimate, scale_error, lens_errors, noise
-    )
+    judge = partial(judge_frames, engine, images, valid, index_errors, misfit, estimate, lens_errors, noise)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
 
 
@@ -393,21 +392,16 @@ def _add_lens_errors(
     estimate: Array,
     errors: Array,
     index_errors: Values,
-) -> float:
+) -> None:
     """Add the errors of f-numbers and foci to `errors`, the standard errors of 1 / distance, in place.
 
     `index_errors` are standard errors in steps between candidates. Where the combined standard error is too large,
-    depth becomes unknown in all three arrays. Return the relative standard error of the scale of blur.
+    depth becomes unknown in all three arrays.
     """
     inner = np.isfinite(errors)
     errors[inner] = np.hypot(errors[inner], engine.lens_errors(estimate[inner], *stated))
     unknown = inner & (errors > engine.known)
     estimate[unknown], errors[unknown], index_errors[unknown] = math.nan, math.inf, math.inf
-    f_number_error, focus_error = (error or 0.0 for error in stated)
-    foci = [1.0 / lens.focus_distance for lens in engine.task.lenses]
-    extent = max(foci) - min(foci)
-    # The blurs of two frames differ in proportion to the difference of their foci; its error is sqrt(2) focus_error.
-    return math.hypot(f_number_error, math.sqrt(2.0) * focus_error / extent) if extent else f_number_error
 
 
 def _bands(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:

@@ -242,16 +242,14 @@ def judge_frames(
     errors: Values,
     misfit: Values,
     vergence: Array,
-    stated_error: float = 0.0,
     lens_errors: tuple[float | None, float | None] = (None, None),
     noise: Noise | None = None,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
 
     The other arrays are maps of shape (height, width): `valid` is True for known pixels, `errors` are standard errors
-    of depth in any unit, inf if depth is unknown, `vergence` is 1 / distance in 1 / m. `stated_error` is the
-    standard error of the scale that follows from `lens_errors`, those stated of f-number and foci, and `noise` the
-    noise that was estimated from the images, if none was stated.
+    of depth in any unit, inf if depth is unknown, `vergence` is 1 / distance in 1 / m. `lens_errors`
+    are those stated of f-number and foci, and `noise` is the noise estimated from the images, if none was stated.
     """
     known = np.isfinite(errors)
     if not known.any():
@@ -267,7 +265,7 @@ def judge_frames(
     frames = partial(_tiles, images[brightest], valid, weight, engine)
     median, judged = _judged_misfit(engine, brightest, frames(1), vergence) or (float(np.median(misfit[known])), 1.0)
     lens_error = float(np.median(engine.lens_errors(known_vergence, *lens_errors) / known_vergence**2))
-    stated = None if lens_errors == (None, None) else stated_error
+    stated = None if lens_errors == (None, None) else engine.scale_error(*lens_errors)
     make_verdict = partial(
         DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated, lens_error=lens_error, noise=noise
     )

@@ -368,6 +368,14 @@ class FocalEngine:
             variance += np.square(shift * (UNMEASURED[1] * focus if assumed else focus_error or 0.0))
         return np.asarray(np.sqrt(variance))
 
+    def scale_error(self, f_number_error: float | None, focus_error: float | None) -> float:
+        """Return the relative standard error of the scale of blur that follows from stated errors of the lenses."""
+        foci = [1.0 / lens.focus_distance for lens in self.task.lenses]
+        extent = max(foci) - min(foci)
+        # The blurs of two frames differ in proportion to the difference of their foci, with sqrt(2) focus_error.
+        by_foci = math.sqrt(2.0) * (focus_error or 0.0) / extent if extent else 0.0
+        return math.hypot(f_number_error or 0.0, by_foci)
+
     @cached_property
     def _lens_derivatives(self) -> tuple[Array, Array]:
         """Vergences of a few candidates, and the derivatives at these vergences, (1 + frames, candidates)."""

@@ -508,11 +508,27 @@ class LiveDepth:
             )
         return ratios, float(means[0])
 
-    def verdict(self) -> DefocusVerdict:
+    def verdict(self, *, f_number_error: float | None = None, focus_error: float | None = None) -> DefocusVerdict:
         """Test registration, noise and lenses against the frames of the last call; takes some seconds.
 
-        The arrays of these frames must not have changed. ValueError if there was no call yet.
+        The arrays of these frames must not have changed.
+
+        Parameters
+        ----------
+        f_number_error, focus_error : float, optional
+            Standard errors of the lenses, as in :class:`~lommel.imaging.DefocusOptions` and
+            ``FocalCalibration.errors``, which determine `lens_error`. By default those of lenses that were not
+            measured.
+
+        Raises
+        ------
+        ValueError
+            If there was no call yet, or an error is out of range.
         """
+        if f_number_error is not None:
+            f_number_error = validation.real("f_number_error", f_number_error, least=0.0, below=0.5)
+        if focus_error is not None:
+            focus_error = validation.real("focus_error", focus_error, least=0.0, unit="dioptres")
         level, stored, saturation, mask = self._last_call()
         planes, limit = self._grey(stored, saturation, mask)
         with np.errstate(invalid="ignore"):
@@ -535,7 +551,8 @@ class LiveDepth:
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
         noise = self.noise if self._estimates else None
-        return judge_frames(level.engine, images, valid, errors, misfit, vergence, noise=noise)
+        stated = f_number_error, focus_error
+        return judge_frames(level.engine, images, valid, errors, misfit, vergence, stated, noise)
 
     def sharp(self) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, whose arrays must not have changed.

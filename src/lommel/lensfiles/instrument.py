@@ -125,6 +125,11 @@ class Calibration:
     f_number_error: float
     focus_error: float
 
+    @property
+    def errors(self) -> dict[str, float]:
+        """The standard errors by name."""
+        return {"f_number_error": self.f_number_error, "focus_error": self.focus_error}
+
 
 _MAX_SHOWN = 129  # largest side in pixels of the PSF shown in notebooks
 

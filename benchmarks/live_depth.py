@@ -9,6 +9,9 @@ thread, beside an FFT of 1024 x 1024 by NumPy.
 ``--video`` instead runs `lommel watch` on videos of a square before a wall, by the lens of 35 mm at f/8, with a
 camera's faults, one by one and together: frames taken in turn of an object that moves, magnification that differs as
 that of a thin lens, brightness that rolls over the rows, values of 8 bits, and H.264; 12000 electrons at white.
+
+``--gaussian`` compares LiveDepth with a simple estimator for Gaussian blur that is calibrated on planes, anew
+for each seed: median errors of depth and CPU times, in turn in one process (it needs OpenCV).
 """
 
 from __future__ import annotations
@@ -306,6 +309,78 @@ def speed(name: str, setup: Setup, distance: float, transform: float) -> str:
     )
 
 
+SEEDS, INNER = 10, 9  # blocks beside the border that are left out
+BOXES = (14, 17)  # pixels: about the area of the windows of LiveDepth, and 1.6 times as much
+
+
+class GaussianDepth:
+    """Depth by Gaussian blur of two frames, whose difference is a multiple of their Laplacian.
+
+    The multiple is a least-squares fit in boxes of side x side pixels of frames smoothed by 1.5 pixels, and a cubic
+    of it, fitted to planes, is 1 / distance.
+    """
+
+    def __init__(self, side: int, pairs: Sequence[Sequence[Array]], distances: Array) -> None:
+        self.side = side
+        ratios = [np.median(self.ratio(*pair)[20:-20, 20:-20]) for pair in pairs]
+        self.cubic = np.polyfit(ratios, 1.0 / distances, 3)
+
+    def ratio(self, first: Array, second: Array) -> Array:
+        """Return the ratio of difference and Laplacian at each pixel."""
+        import cv2
+
+        a, b = (cv2.GaussianBlur(one.astype(np.float32), (0, 0), 1.5) for one in (first, second))
+        laplacian = 0.5 * cv2.Laplacian(a + b, cv2.CV_32F, ksize=3)
+        boxes = (self.side, self.side)
+        return np.asarray(cv2.blur((a - b) * laplacian, boxes) / cv2.blur(laplacian**2, boxes))
+
+    def __call__(self, first: Array, second: Array) -> Array:
+        """Return the depth of blocks of 4 x 4 pixels."""
+        return np.asarray(1.0 / np.polyval(self.cubic, self.ratio(first, second)[2::4, 2::4]))
+
+
+def gaussian() -> None:
+    """Print errors and times of LiveDepth beside those of the estimator for Gaussian blur."""
+    import cv2
+
+    cv2.setNumThreads(1)
+    setup, side = SETUPS["35 mm f/8"], 192
+    lenses, finder = setup.lenses(), live(setup, (side, side))
+    distances = 1.0 / np.linspace(1.0 / 1.2, 1.0 / 2.0, 9)[1:-1]
+    peers = []
+    for seed in range(SEEDS):
+        scene = texture("pink", side, 50 + seed)
+        pairs = [record(plane(scene, lenses, one, LIGHT), seed=10 * seed + k) for k, one in enumerate(distances)]
+        peers.append([GaussianDepth(boxes, pairs, distances) for boxes in BOXES])
+    inner = slice(INNER, -INNER)
+    print("| texture | LiveDepth, % | Gaussian, % | Gaussian / LiveDepth | in larger boxes |\n|---|---|---|---|---|")
+    for kind in ("pink", "leaves", "steep", "fine", "dots", "text"):
+        errors = np.empty((SEEDS, 4, 3))
+        for seed, k in np.ndindex(SEEDS, 4):
+            distance = distances[2 * k]
+            pair = record(plane(texture(kind, side, seed + 1), lenses, distance, LIGHT), seed=1000 * (seed + 1) + k)
+            found = finder(*pair)
+            known = np.isfinite(found.errors)[inner, inner]
+            for j, depth in enumerate((found.depth, *(peer(*pair) for peer in peers[seed]))):
+                errors[seed, k, j] = np.median(np.abs(depth[inner, inner] / distance - 1.0)[known])
+        # Geometric means over distances; standard errors over seeds.
+        ratios = np.exp(np.log(errors[..., 1:] / errors[..., :1]).mean(axis=1))
+        cells = [" ".join(f"{100.0 * one:.2f}" for one in errors[..., j].mean(axis=0)) for j in (0, 1)]
+        spread = ratios.std(axis=0, ddof=1) / math.sqrt(SEEDS)
+        cells += [f"{one:.2f} +- {error:.2f}" for one, error in zip(ratios.mean(axis=0), spread, strict=True)]
+        print(f"| {kind} | " + " | ".join(cells) + " |", flush=True)
+    frames = [np.ascontiguousarray(np.tile(one, (3, 4))[:480, :640]) for one in pairs[3]]
+    large = live(setup, (480, 640))
+    times = []
+    for _ in range(25):
+        for run in (large, peers[0][0]):
+            begin = time.process_time()
+            run(*frames)
+            times.append(time.process_time() - begin)
+    ours, theirs = np.reshape(times, (-1, 2)).T
+    print(f"\n640 x 480: {1e3 * ours.min():.1f} and {1e3 * theirs.min():.1f} ms, {np.median(ours / theirs):.2f}")
+
+
 PAIRS, WHITE = 6, 12_000.0
 FOCI, BETWEEN, NEAR, FAR = (1.35, 1.8), (1.2, 2.0), 1.42, 1.7
 LENSES = [ThinLens(35e-3, 8.0, focus, 540e-9, 4e-6) for focus in FOCI]
@@ -463,7 +538,11 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--speed", action="store_true", help="only what time it takes")
     parser.add_argument("--video", action="store_true", help="only videos with a camera's faults")
+    parser.add_argument("--gaussian", action="store_true", help="only beside an estimator for Gaussian blur")
     asked = parser.parse_args(arguments)
+    if asked.gaussian:
+        gaussian()
+        return
     if asked.video:
         videos()
         return

@@ -76,16 +76,16 @@ def _transfer(lens: ThinLens, distance: float, side: int) -> np.ndarray:
 def texture(kind: str, side: int, seed: int = 0, contrast: float = 0.2) -> np.ndarray:
     """A periodic texture of mean 1 on points.
 
-    "pink" of spectrum 1/f^2, opaque "leaves", "soft", "fine" noise of a third of a pixel, "dots" of 1 to 3 pixels,
-    and "text", squares of a pixel.
+    "pink" of spectrum 1/f^2, "steep" of 1/f^3, opaque "leaves", "soft", "fine" noise of a third of a pixel, "dots" of
+    1 to 3 pixels, and "text", squares of a pixel.
     """
     draw, points = np.random.default_rng(seed), side * POINTS
-    if kind in ("pink", "soft", "fine"):
+    if kind in ("pink", "steep", "soft", "fine"):
         f = np.hypot(np.fft.fftfreq(points, 1.0 / POINTS)[:, None], np.fft.rfftfreq(points, 1.0 / POINTS))
         spectrum = scipy.fft.rfft2(draw.standard_normal((points, points)))
         shaped = (
-            spectrum / np.maximum(f, 1.0 / 64.0)
-            if kind == "pink"
+            spectrum / np.maximum(f, 1.0 / 64.0) ** {"pink": 1.0, "steep": 1.5}[kind]
+            if kind in ("pink", "steep")
             else spectrum * np.exp(-2.0 * ((1.2 if kind == "soft" else 0.33) * np.pi * f) ** 2)
         )
         shaped[0, 0] = 0.0

@@ -419,7 +419,7 @@ def _leak(model: FocalModel, filters: Array, light: FocalLight, overlap: Array) 
     power = 0.5 * (_VISIBLE_CONTRAST * light.mean) ** 2 / light.variance
     visible = (0.5 * pixels * power * mean > _VISIBLE) & (f > _HIGH_PASS)
     leaks = [
-        np.percentile((q / m)[seen], _LEAKING)
+        np.percentile(q[seen] / m[seen], _LEAKING)
         for q, m, seen in zip(through, mean, visible, strict=True)
         if seen.any()
     ]

@@ -244,7 +244,7 @@ TIFFS = {
     "a unit and no resolution": ({"metadata": {"axes": "ZYX", "spacing": 0.25, "unit": "um"}}, (None, 250), ""),
     "sizes as of OME elsewhere": (
         {"metadata": {"axes": "ZYX", **{f"PhysicalSize{n}": 1.08e3 for n in "XYZ"}, "PhysicalSizeXUnit": "Å"}},
-        (None, None), "a plane spacing of 1080.0 without a unit"),
+        (None, None), "a plane spacing of 1080 without a unit"),
     "plain, centimetres": (
         {"resolution": (1 / 108e-7,) * 2, "resolutionunit": "CENTIMETER"}, (108, None), "From the TIFF metadata"),
     "plain, a print": ({"resolution": (300, 300), "resolutionunit": "INCH"}, (None, None), ""),

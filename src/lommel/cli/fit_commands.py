@@ -32,6 +32,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixels, sharpness
 from lommel.recorded.counts import Counts, counts_of
+from lommel.recorded.headers import without_compared
 from lommel.report import Facts, Report, Wrapped
 from lommel.report.table import described, tables
 
@@ -133,7 +134,7 @@ def retrieve(
         result.save(output)
     save_figure(lambda: result.plot(names=list(read.names)), figure)
     files = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
-    facts = {"images": list(read.names)} | result.to_dict() | {"notes": [*read.notes, *header]}
+    facts = {"images": list(read.names)} | result.to_dict() | {"notes": [*without_compared(read.notes), *header]}
     row, column = result.center.T.tolist()
     titles = dict(zip(facts["coefficients"], map(label, result.coefficients), strict=True))
     blurs = blurs_in_words(result, instrument.side, None)
@@ -307,7 +308,7 @@ def fit_field(
     save_figure(result.plot, figure)
     note = "" if result.converged else f", of a fit that has not converged: {result.status.replace('_', ' ')}"
     files = written([output, twin, figure, spots], lambda path: note if path in (output, twin) else "")
-    facts = _facts(result, targets) | {"notes": [*read.notes, *header]}
+    facts = _facts(result, targets) | {"notes": [*without_compared(read.notes), *header]}
     middle = described({"coma_in_the_middle": facts["coma"], "focus_in_the_middle": facts["focus"]})
     shown: list[Any] = [Wrapped(facts["message"].partition("; ")[0], "bold"), "", *middle, ""]
     for name, wave in facts["waves"].items():
@@ -469,6 +470,11 @@ def beads(
         used_step = steps.pop() if len(steps) == 1 else None
         if used_step is None:
             raise ValueError("--step is missing: the files do not all state one step between their planes")
+        if not isinstance(used_step, float):
+            raise ValueError(
+                f"--step must be given: the files state {used_step.words} between planes, which is no length in a "
+                "known unit"
+            )
         stage_step(used_step)
         if step is None:
             notes.append(f"The step of {format_length(used_step)} between planes is that of the files.")
@@ -479,9 +485,12 @@ def beads(
         sharpest = _sharpest(microscope, z, options)
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
-            differences = header_differences(stack.metadata, microscope, step)
-            if (pitch := differences.pop("pixel", None)) and pitch not in pitches:
-                pitches[pitch] = _pitch_finding(pitch, stack.metadata.get("pixel"), microscope)
+            if stack.axes[0] == "T":
+                notes.append(f"{line(file)} states {len(stack)} time points, which were taken as planes along z.")
+            differences = header_differences(stack.metadata, microscope, used_step)
+            for key in ("pixel", "down"):
+                if (pitch := differences.pop(key, None)) and pitch not in pitches:
+                    pitches[pitch] = _pitch_finding(pitch, stack.metadata.get(key), microscope)
             notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
             recorded_planes = stack[...]
             mask = camera.mask_of(recorded_planes)
@@ -548,7 +557,8 @@ def _pitch_finding(note: str, stated: float | Unusable | None, microscope: Micro
     """Return the finding on pixels that the images state, which differ from those in use; a doubt if by far."""
     in_use = microscope.pixel / microscope.objective.magnification
     differs = isinstance(stated, float) and abs(stated - in_use) > _MAX_PITCH_DIFFERENCE * in_use
-    text = f"{note[0].lower()}{note[1:-1]}: correct the one that is wrong"
+    text = f"{note[0].lower()}{note[1:-1]}"
+    text += ": correct the one that is wrong" if isinstance(stated, float) else "; state it in the images"
     return Finding("pixel_pitch", "doubt" if differs else "note", text, {"pixel": in_use})
 
 

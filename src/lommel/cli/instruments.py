@@ -305,6 +305,7 @@ def states_noise(options: Facts, camera: Camera | None) -> bool:
 
 
 _TOLERANCE = 0.02  # relative difference up to which values count as equal
+_COARSE = 0.1  # the same of the subject distance of EXIF, in steps of the motor of a lens
 _NOMINAL = 0.05  # the same of nominal values: f-numbers, plate scales and the data of EXIF
 
 
@@ -315,6 +316,7 @@ def optics_notes(source: str, stated: Facts, pixel: float | None, lens: Lens | N
     in_use: dict[str, float | None] = {"sensor_pixel": pixel}
     if lens is not None:
         in_use |= {"focal_length": lens.focal_length, "f_number": lens.f_number, "aperture": lens.aperture_diameter}
+        in_use |= {"wavelength": lens.wavelength, "focus": lens.focus_distance, "zoom": 1.0}
         in_use |= {"plane_pixel": pixel, "scale": pixel and pixel / lens.focal_length}
     notes = []
     for key, used in in_use.items():
@@ -322,9 +324,10 @@ def optics_notes(source: str, stated: Facts, pixel: float | None, lens: Lens | N
         is_exact = stated.get("format") == "FITS" and key in ("sensor_pixel", "focal_length", "plane_pixel")
         for value in values if isinstance(values, tuple) else (values,):
             rounding = 0.5e-3 if key == "focal_length" and math.isclose(1e3 * value, round(1e3 * value)) else 0.0
-            if used is None or abs(value - used) <= max((_TOLERANCE if is_exact else _NOMINAL) * used, rounding):
+            limit = _COARSE if key == "focus" else _TOLERANCE if is_exact else _NOMINAL
+            if used is None or value == used or abs(value - used) <= max(limit * used, rounding) < math.inf:
                 continue
-            unit = {"f_number": 1.0, "scale": ARCSEC}.get(key)
+            unit = {"f_number": 1.0, "zoom": 1.0, "scale": ARCSEC}.get(key)
             texts = [format_length(v, digits=4) if unit is None else f"{v / unit:.3g}" for v in (value, used)]
             if key == "sensor_pixel" and used > value and not is_exact:
                 texts[1] += f", right if the picture was reduced by {used / value:.3g},"
@@ -339,11 +342,12 @@ def tell_optics(name: object, exif: Exif, pixel: float, lens: Lens) -> None:
 
 
 def header_differences(header: Metadata, microscope: Microscope, step: float | None = None) -> dict[str, str]:
-    """Return a note on each header value of images (pixel, emission, `step`) that differs from the value in use."""
-    from lommel.recorded.headers import size_notes
+    """Return a note on each value in the header of images that differs from that of the microscope or the `step`."""
+    from lommel.recorded.headers import microscope_facts, size_notes
 
     pixel = microscope.pixel / microscope.objective.magnification
-    return size_notes(header, pixel=pixel, emission=microscope.wavelength, step=step)
+    facts = microscope_facts(microscope.objective, microscope.wavelength, microscope.modality.kind)
+    return size_notes(header, pixel=pixel, down=pixel, step=step, **facts)
 
 
 _UNITS = {

@@ -129,8 +129,11 @@ class PoissonLikelihood:
         reverse.known, reverse._recorded = self.known[::-1], self._recorded[::-1]
         return reverse
 
-    def finding(self, stopped: str, steps: int, discrepancy: float) -> Finding | None:
-        """Return the finding for a stack, given the reason to stop of a method; None if there is no problem."""
+    def finding(self, stopped: str, before: float, discrepancy: float) -> Finding | None:
+        """Return the finding for a stack, given the reason to stop of a method; None if there is no problem.
+
+        `before` is the discrepancy of a flat scene, which, unlike later steps, does not fit the noise.
+        """
         numbers = {"discrepancy": discrepancy, "most": 1.0 + self.slack}
         if stopped == MISFIT:
             parts = "aberrations, wavelength, depth, direction of z, steps of z, pixels"
@@ -138,7 +141,7 @@ class PoissonLikelihood:
                 "misfit", "error", f"the PSF ({parts}) or the noise does not agree with the stack", numbers
             )
         # Below one electron the deviance of the true scene is itself below 1, and does not test the noise.
-        if steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack:
+        if self.electrons >= 1.0 and before < 1.0 - 4.0 * self.slack:
             text = "the stack is quieter than its noise; the offset may be missing, or the read noise too large"
             return Finding("too_quiet", "error", text, numbers)
         return None

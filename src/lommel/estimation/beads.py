@@ -52,7 +52,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, length
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.counts import Counts, counts_of, recording_findings
-from lommel.recorded.headers import tell_sizes
+from lommel.recorded.headers import microscope_facts, tell_sizes
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -506,8 +506,9 @@ def fit_stacks(
     if np.abs(spacing).max() > 1e-4:
         raise ValueError(f"z must be in metres, got planes {np.abs(spacing).max():g} m apart")
     pitch = validation.real("pixel", microscope.pixel, above=0.0, unit="metres")
-    step = float(abs(spacing.mean())) if np.ptp(spacing) < EVEN * abs(spacing.mean()) else None
-    tell_sizes(counts.metadata, pitch, magnification=objective.magnification, step=step)
+    step = float(spacing.mean()) if np.ptp(spacing) < EVEN * abs(spacing.mean()) else None
+    facts = microscope_facts(objective, microscope.wavelength, microscope.modality.kind)
+    tell_sizes(counts.metadata, pitch, step, **facts)
     wavelength, emitter = validation.wavelength(microscope.wavelength), emitter_of(microscope.emitter)
     integrate = microscope.integrate is not False
     setup = Setup(objective, wavelength, emitter, pitch, options.diameter, integrate=integrate)

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -66,12 +67,16 @@ class Exif:
     pixel : float or None
         Pixel pitch on the sensor, metres. If the EXIF has the size of a larger picture of the same aspect ratio, of
         which this one is a reduction, it is the pitch after the reduction.
+    focus, zoom : float or None
+        Subject distance, metres, and ratio of digital zoom.
     """
 
     focal_length: float | None = None
     f_number: float | None = None
     block: bytes | None = field(default=None, repr=False, compare=False)
     pixel: float | None = None
+    focus: float | None = None
+    zoom: float | None = None
 
 
 def parsed(tags: Mapping[Any, Any], stored: bytes | None, shape: tuple[int, ...]) -> Exif:
@@ -96,13 +101,16 @@ def parsed(tags: Mapping[Any, Any], stored: bytes | None, shape: tuple[int, ...]
     if pixel and columns and rows:
         long, short = (end(columns, rows) / end(shape[:2]) for end in (max, min))
         pixel *= long if math.isclose(long, short, rel_tol=_SAME_ASPECT) else 1.0
-    number = positive_value(0x829D, "FNumber")
-    return Exif(focal and 1e-3 * focal, number, stored and _copy_tags(stored), pixel)
+    number, apex = positive_value(0x829D, "FNumber"), positive_value(0x9202, "ApertureValue")
+    number = number or (apex and 2.0 ** (0.5 * apex))
+    focus, zoom = positive_value(0x9206, "SubjectDistance"), positive_value(0xA404, "DigitalZoomRatio")
+    return Exif(focal and 1e-3 * focal, number, stored and _copy_tags(stored), pixel, focus, zoom)
 
 
 def optics_of(exif: Exif) -> dict[str, float]:
     """Return the lens data of EXIF as metadata of images."""
     stated = {"focal_length": exif.focal_length, "f_number": exif.f_number, "sensor_pixel": exif.pixel}
+    stated |= {"focus": exif.focus, "zoom": exif.zoom}
     return {name: value for name, value in stated.items() if value is not None}
 
 
@@ -591,6 +599,8 @@ def _decode(kind: str, data: bytes) -> tuple[Values, Tags, bytes | None, bytes |
     return values, *metadata
 
 
+_WHITES = [2.0**bits - 1.0 for bits in range(9, 16)]  # MaxSampleValue of fewer bits in 16; others are statistics
+_NO_TAG = SimpleNamespace(value=0)
 _ALPHA = (
     "it has alpha that is not opaque everywhere; put it on a background, for example by ImageMagick: "
     "magick IN -background black -flatten OUT"
@@ -640,6 +650,7 @@ def read_tiff(
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
         values, axes, profile = reading.tiff_array(page), page.axes, page.iccprofile
+        white = float(np.max(page.tags.get("MaxSampleValue", _NO_TAG).value))
     if values.shape != page.shape:
         raise ValueError(
             f"its values are of an unknown kind, {page.bitspersample} bits of the format {page.sampleformat}"
@@ -650,6 +661,8 @@ def read_tiff(
         raise ValueError(f"its axes are {axes}, neither YX nor YXS")
     if values.dtype not in (np.uint8, np.uint16) and values.dtype.kind not in ("iuf" if levels else "f"):
         raise ValueError(f"it holds {values.dtype}, neither uint8, uint16 nor floats")
+    if white in _WHITES and values.dtype == np.uint16 and not levels and not alpha and values.max() <= white:
+        values = np.rint(values * (65535.0 / white)).astype(np.uint16)
     if alpha:
         if not values[..., -1].min() >= (1.0 if values.dtype.kind == "f" else np.iinfo(values.dtype.str).max):
             raise ValueError(_ALPHA)

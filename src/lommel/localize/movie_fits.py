@@ -169,7 +169,9 @@ def movie_blocks(
     width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
     with _open_blocks(movie, block) as (shape, blocks, name, header):
         camera, saturation = with_header(noise, saturation, header, read=0.0)
-        tell_sizes(header, table.pixel, magnification=table.pupil.magnification)
+        layers, times = table.pupil.layers, table.pupil.magnification
+        facts = {"NA": layers.NA, "immersion": layers.immersion, "emission": layers.wavelength}
+        tell_sizes(header, table.pixel, magnification=times, modality="widefield", **facts)
         search = partial(find, box=table.shape, noise=camera, width=width)
         pixel = table.pixel / table.pupil.magnification  # in the sample
         along = "none" if options.flat else table.along

@@ -84,9 +84,9 @@ def sampled(
     step = _length("step", recording, stated.step, recording.metadata["step"], of_device, notes)
     if not 0.0 < step < 1e-4:
         raise ValueError(f"step must be a stage displacement, above 0 and below 1e-4 metres, got {step:g}")
-    file_NA = recording.metadata["NA"]
-    if file_NA is not None and abs(file_NA - lens.NA) > _TOLERANCE * lens.NA:
-        notes.append(f"NA {lens.NA:g} of the objective was used; the file states NA {file_NA:g}.")
+    kind = None if device is None else device.modality.kind
+    compared = {"NA": lens.NA, "magnification": lens.magnification, "immersion": lens.immersion, "modality": kind}
+    notes += size_notes(recording.metadata, **compared).values()
     waves = _wavelengths(recording, device, stated.wavelength, notes)
     depth = stated.depth
     if depth is None:

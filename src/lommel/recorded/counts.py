@@ -414,7 +414,7 @@ def scale_findings(images: Sequence[Counts], noise: Noise) -> list[Finding]:
         return []
     text = (
         f"the largest value is {top:.3g}, of less than one electron: counts are expected; if the values were divided "
-        "by their full scale, state the electrons at 1 as gain (white=, --gain)"
+        "by their full scale, state the electrons at 1 (white=)"
     )
     return [Finding("no_counts", "note", text, {"largest": top})]
 

@@ -38,6 +38,7 @@ from lommel.io.registry import Format
 from lommel.recorded.counts import Counts, OnDemand
 from lommel.recorded.headers import (
     EXCESS,
+    NEGATIVE_STEP,
     Metadata,
     Unusable,
     combined_metadata,
@@ -56,6 +57,10 @@ if TYPE_CHECKING:
 
 _RESOLUTION_UNITS = {2: 25.4e-3, 3: 1e-2}  # metres of values of the tag ResolutionUnit of TIFF: inch, centimetre
 _FINEST_PRINT = 1e-5  # metres: pixels of prints are larger (2540 per inch)
+_SIGNED = -32768  # constant of the calibration by which ImageJ stores signed integers of 16 bits
+# Kinds of microscopes by the AcquisitionMode of OME.
+_MODES = {"WideField": "widefield", "LaserScanningConfocalMicroscopy": "confocal", "SlitScanConfocal": "confocal"}
+_MODES |= {"SpinningDiskConfocal": "spinning disc", "MultiPhotonMicroscopy": "two-photon", "SPIM": "light sheet"}
 _IRREGULAR = 0.1  # deviation of steps between planes, relative to their mean, above which they are not regular
 
 
@@ -84,6 +89,17 @@ def ome_metadata(file: TiffFile, place: int) -> Metadata:
     metadata["names"] = [channel.get("Name") for channel in channels]
     for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
         metadata[key] = [length(channel.get(name), channel.get(f"{name}Unit"), "nm") for channel in channels]
+    modes = [channel.get("AcquisitionMode", "") for channel in channels]
+    if (mode := next((mode for mode in modes if mode in _MODES), None)) is not None:
+        metadata["modality"] = _MODES[mode], f"AcquisitionMode {mode}"
+    elif pinhole := next((size for channel in channels if (size := channel.get("PinholeSize"))), None):
+        metadata["modality"] = "confocal", f"PinholeSize {pinhole}"
+    items = [*image.findall(".//{*}DetectorSettings"), *root.findall(".//{*}Instrument/{*}Detector")]
+    unused = [f"{key} {item.get(key)}" for item in items for key in ("Binning", "Gain", "Offset") if item.get(key)]
+    if (bits := pixels.get("SignificantBits")) not in (None, re.sub("[a-z]*", "", pixels.get("Type", ""))):
+        unused.append(f"SignificantBits {bits}")
+    if unused := [text for text in dict.fromkeys(unused) if text not in ("Binning 1x1", "Gain 0", "Offset 0")]:
+        metadata["notes"].append(f"The OME metadata state {', '.join(unused)} of the detector, not used.")
     detectors = {item.get("ID"): item.get("Type") for item in root.findall(".//{*}Instrument/{*}Detector")}
     detector_ids = [settings.get("ID") for settings in image.findall(".//{*}DetectorSettings")]
     if any(
@@ -833,6 +849,16 @@ def _tiff_frames(path: Path, file: TiffFile, part: str | None) -> Frames:
     if orientation is not None and orientation.value != 1:
         notes.append(f"The file states the orientation {orientation.value}, which was not applied.")
     uncounted = reading.tiff_left_out(file)
+    values = file.imagej_metadata or {} if file.is_imagej else {}
+    slope, constant = values.get("c1", 1.0), values.get("c0", 0.0)
+    if values.get("cf") == 0 and (slope, constant) == (1.0, _SIGNED) and planes.dtype == np.uint16:
+        stored = series.asarray() if mapped is None else mapped
+        mapped = (stored.astype(np.uint16) ^ np.uint16(-_SIGNED)).view(np.int16)
+        planes = _ArrayPlanes(mapped, "it", path)
+    elif "cf" in values and (values["cf"], slope, constant) != (0, 1.0, 0.0):
+        words = f"{constant:g} + {slope:g} * value" if values["cf"] == 0 else f"function {values['cf']}"
+        unit = values.get("vunit", "no unit")
+        notes.append(f"The file states the calibration {words} ({unit}), which was not applied.")
     if uncounted:
         notes.append(f"The file holds {uncounted}; the others were left out.")
         metadata["left_out"] = uncounted
@@ -938,7 +964,11 @@ def _encoding_notes(profile: bytes | None, *, is_srgb: bool = False) -> list[str
 
 def _fits(data: bytes, part: str | None) -> tuple[Values, Metadata, list[str]]:
     image = fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
-    header = {**image.primary, **image.header}  # an extension inherits the cards of the primary header
+    header = {**image.primary, **image.header}
+    colours = [name for name in ("CTYPE3", "COLORTYP") if str(header.get(name, "")).strip().upper() == "RGB"]
+    if colours and image.values.ndim > 2:
+        raise ValueError(f"it holds colours ({colours[0]} = RGB), not planes: save each channel in grey")
+    # An extension inherits the cards of the primary header.
     return image.values, fits_metadata(header, image.comments) | {"format": "FITS"}, fits_notes(header)
 
 
@@ -1076,10 +1106,7 @@ def _with_used_metadata(frames: Frames) -> Frames:
         source = "array" if frames.path is None else "file"
         notes.append(f"From the {metadata['format']} metadata of the {source}: {', '.join(used_values)}.")
     if metadata.get("is_step_negative"):
-        notes.append(
-            "The file states a negative plane spacing, of which the magnitude was used: its sign does not set the "
-            "direction of z."
-        )
+        notes.append(f"The file states {NEGATIVE_STEP}")
     waves: Metadata = {}
     for key in ("emission", "excitation"):
         wavelengths = (list(metadata.get(key, [])) + [None] * count)[:count]
@@ -1091,5 +1118,6 @@ def _with_used_metadata(frames: Frames) -> Frames:
     stated_names = metadata.get("names", [])
     names = tuple((stated_names[k] if k < len(stated_names) else None) or f"channel {k}" for k in range(count))
     camera = {key: metadata[key] for key in _CAMERA if key in metadata}
+    camera |= {"modality": metadata.get("modality")}
     used = camera | lengths | {"names": names, "unusable": unusable} | waves | lens
     return replace(frames, metadata=used, notes=tuple(notes))

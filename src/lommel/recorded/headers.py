@@ -28,16 +28,21 @@ _PIXELS = ("XPIXSZ", "PIXSIZE1", "PIXSIZE")  # pitch of the pixels, micrometres,
 _ORDER = (
     "which was not applied: in the other order of rows, sine terms (m < 0: coma y, oblique astigmatism) change sign"
 )
+_MOSAIC = "a mosaic of colours, whose pixels are of several wavelengths: pass the pixels of one"
+_COMBINED = ("NCOMBINE", "STACKCNT", "NSTACK")  # number of images of a mean or a sum
 _IGNORED_CARDS = {
-    "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass the pixels of one",
+    "BAYERPAT": _MOSAIC,
+    "COLORTYP": _MOSAIC,
     "PEDESTAL": "which was not subtracted: state it by the offset",
     "ROWORDER": _ORDER,
     "FLIPSTAT": _ORDER,
 }
-_BINNING = ("XBINNING", "YBINNING", "CCDSUM")
-_SCALES = ("PIXSCALE", "SECPIX", "PIXSCAL1", "SECPIX1", "PIXELSCL")  # arcseconds per pixel
-_RATIOS = ("FOCRATIO", "FRATIO")
-_UNUSED_CARDS = (*_PIXELS, "YPIXSZ", *_BINNING, *_SCALES, "WCS", "FOCALLEN", *_RATIOS, "APTDIA", "FILTER", "WAVELEN")
+_BINNING = ("XBINNING", "YBINNING", "CCDSUM", "CCDXBIN", "CCDYBIN", "BINX", "BINY")
+_SCALES = ("PIXSCALE", "SECPIX", "PIXSCAL1", "SECPIX1", "PIXELSCL", "SCALE")  # arcseconds per pixel
+_RATIOS, _WAVES = ("FOCRATIO", "FRATIO"), ("WAVELEN", "WAVELNTH")
+_COMPARED = (*_PIXELS, *_SCALES, "WCS", "FOCALLEN", *_RATIOS, "APTDIA", *_WAVES)  # with a lens, by commands
+_UNUSED_CARDS = ("YPIXSZ", *_BINNING, "FILTER", *_COMPARED)
+_GIVEN = "not used: pixel, focal length and wavelength are those given."
 _COUNT = r"(?:adu|dn|counts?|cts?)\b"  # names of counts, also in units of gain and read noise
 _COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?", re.IGNORECASE)
 _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
@@ -45,6 +50,7 @@ _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but 
 
 OPTICS = {"sensor_pixel": "pixels of {}", "plane_pixel": "pixels of {} in its coordinates", "f_number": "f/{}"}
 OPTICS |= {"focal_length": "a focal length of {}", "aperture": "an aperture of {}", "scale": "{} arcsec per pixel"}
+OPTICS |= {"wavelength": "a wavelength of {}", "focus": "a focus distance of {}", "zoom": "a digital zoom of {}"}
 """Metadata of the optics, in words: lengths in metres, the f-number, and radians per pixel on the sky."""
 
 
@@ -70,7 +76,8 @@ def length(value: str | float | None, unit: object, default: str = "") -> float 
     if value is None or value == "":
         return None
     unit_name = str(unit or default).strip()
-    words = validation.brief(f"{value} {unit_name}".strip(), 60)
+    text = f"{value:.4g}" if isinstance(value, float) else str(value)
+    words = validation.brief(f"{text} {unit_name}".strip(), 60)
     try:
         size = abs(float(value))
     except (TypeError, ValueError):
@@ -119,6 +126,15 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
         metadata["gain"] = Unusable(" and ".join(f"{header[name]} by {name}" for name in gains))
     if order := header.get("ROWORDER"):
         metadata["rows"] = order
+    if isinstance(wave := first(_WAVES), float):
+        # Without the unit of WAVEUNIT or of the comment: metres, as of POPPY, or nm.
+        stated_unit = re.match(r"\[([a-zµ]+)", next(said.get(name, "") for name in _WAVES if name in header))
+        wave_unit = stated_unit[1] if stated_unit else header.get("WAVEUNIT") or ("m" if wave < 1e-4 else "nm")
+        if isinstance(size := length(wave, wave_unit), float) and 1e-7 < size < 1e-4:
+            metadata["wavelength"] = size
+    if header.get("CUNIT3") in LENGTHS and "WAV" not in str(header.get("CTYPE3", "")):
+        stated_step = header.get("CDELT3", header.get("CD3_3"))
+        metadata |= {"step": length(stated_step, header["CUNIT3"]), "is_step_negative": str(stated_step)[:1] == "-"}
     gain = metadata["gain"]
     lengths = ("sensor_pixel", _PIXELS, 1e-6), ("focal_length", ("FOCALLEN",), 1e-3), ("aperture", ("APTDIA",), 1e-3)
     for key, names, scale in (*lengths, ("scale", _SCALES, ARCSEC), ("f_number", _RATIOS, 1.0)):
@@ -136,7 +152,7 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
         metadata |= {"excess": EXCESS, "em_gain": times}
     unit = str(header.get("BUNIT", "")).strip()
     if _are_electrons(header):
-        metadata["gain"] = 1.0
+        metadata |= {"gain": 1.0, "electrons": unit}
     elif unit and not _COUNTS.fullmatch(unit):
         metadata["gain"] = Unusable(f"values in {validation.brief(unit, 60)}, neither counts nor electrons")
     elif metadata["gain"] is None and unit.lower() in ("adu", "dn"):  # units "ct" are also those of single photons
@@ -185,19 +201,41 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
     }
     step, step_unit = _coordinate_step(header)
     if step_unit:
-        stated["WCS"] = f"pixels of {step:.3g} {step_unit} by CDELT1 or CD1_1"
+        stated["WCS"] = f"pixels of {step:.3g} {step_unit} by its world coordinates"
     if _are_electrons(header):
         stated |= {name: f"{name} = {header[name]}" for name in _GAIN if header.get(name) not in (None, "", 1, 1.0)}
+    if header.get("ROWORDER") == "TOP-DOWN":  # the order of images here
+        stated.pop("ROWORDER")
+    if re.fullmatch("RGB|L|GR[AE]Y|MONO.*", str(header.get("COLORTYP", "")).strip(), re.IGNORECASE):
+        stated.pop("COLORTYP", None)
     endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
-    if unused := [stated[name] for name in _UNUSED_CARDS if name in stated]:
-        given = "not used: pixel, focal length and wavelength are those given"
-        endings.append((", ".join(unused), given))
+    if "XPIXSZ" in header:
+        stated.pop("YPIXSZ", None)
+    for across, down in (("XPIXSZ", "YPIXSZ"), ("PIXSIZE1", "PIXSIZE2"), ("XBINNING", "YBINNING")):
+        if down in header and header.get(across, header[down]) != header[down]:
+            words = f"{across} = {header[across]} and {down} = {header[down]}"
+            endings.append((words, "pixels that are not square: pixel= must state their height and width"))
+    count = next((number(header[name]) for name in _COMBINED if name in header), None)
+    if isinstance(count, float) and count > 1.0:
+        advice = f"for their mean state {count:g} times the gain of one, for their sum that gain"
+        read = f"and for both {math.sqrt(count):.3g} times the read noise"
+        endings.append((f"that {count:g} images were combined", f"which was not applied: {advice}, {read}"))
+    compared = [name for name in _COMPARED if name == "WCS" or isinstance(number(header.get(name)), float)]
+    others = [text for name, text in stated.items() if name in _UNUSED_CARDS and name not in compared]
+    endings += [(", ".join(others), "not used")] * bool(others)
+    if unused := [stated[name] for name in compared if name in stated]:
+        endings.append((", ".join(unused), _GIVEN.removesuffix(".")))
     endings += [(stated[name], "not used: the values are electrons by BUNIT") for name in _GAIN if name in stated]
     if "BUNIT" in stated and not _COUNTS.fullmatch(str(header["BUNIT"]).strip()):
         endings.append(
             (stated["BUNIT"], "not counts: photon noise is right only if the gain is in electrons per unit")
         )
     return [f"The header of the images states {words}, {ending}." for words, ending in endings]
+
+
+def without_compared(notes: Sequence[str]) -> list[str]:
+    """Return the notes of images without those on cards that a command compares with its lens."""
+    return [note for note in notes if not note.endswith(_GIVEN)]
 
 
 def metadata_of(name: str, images: Any) -> Metadata:
@@ -257,7 +295,8 @@ def take_header(options: Metadata, header: Metadata, camera: Mapping[str, Any] =
         if used_value is None:
             options[name] = value
             addition = _EXCESS_NOTE if name == "excess" else ""
-            notes.append(f"Taken from the header of the images: {phrase.format(value)}{addition}.")
+            words = "values in electrons" if name == "white" and "electrons" in header else phrase.format(value)
+            notes.append(f"Taken from the header of the images: {words}{addition}.")
         elif isinstance(used_value, float | int) and abs(used_value - value) > EVEN * abs(value):
             notes.append(f"The header of the images states {phrase.format(value)}; {used_value:g} was used.")
     return notes
@@ -286,43 +325,60 @@ def with_header(
     return Noise(**{"read": read} | stated), limit
 
 
-_SIZES = {"pixel": "pixels of {} in the sample", "down": "pixels of the height {}", "sensor_pixel": "pixels of {}"}
-_SIZES |= {"emission": "an emission of {}", "step": "planes {} apart"}
+_SIZES = {"pixel": "pixels of {} in the sample", "down": "pixels {} high", "sensor_pixel": "pixels of {}"}
+_SIZES |= {"emission": "an emission of {}", "step": "planes {} apart", "NA": "an NA of {}", "modality": "{}"}
+_SIZES |= {"magnification": "a magnification of {}", "immersion": "an immersion of the index {}"}
+NEGATIVE_STEP = "a negative plane spacing, of which the magnitude was used: its sign does not set the direction of z."
 
 
-def size_notes(header: Metadata, **used: float | None) -> dict[str, str]:
-    """Return a note on each size that images state, and that differs from the one in use (metres, None: none)."""
+def size_notes(header: Metadata, **used: float | str | None) -> dict[str, str]:
+    """Return a note on each value that images state, and that differs from the one in use (metres, None: none).
+
+    "modality" is the kind of microscope. Where a `step` is above 0, a negative one that images state is noted.
+    """
     notes = dict[str, str]()
     for key, size in used.items():
         stated = header.get(key)
-        stated = next(iter(stated), None) if isinstance(stated, list | tuple) else stated
-        if size is None or not isinstance(stated, float | Unusable):
+        stated = next(iter(stated), None) if isinstance(stated, list) else stated
+        if key == "modality" and isinstance(stated, tuple) and stated[0] != size:
+            notes[key] = f"The images state {stated[1]}, but a {size} microscope was used."
+        if not isinstance(size, float | int) or not isinstance(stated, float | Unusable):
             continue
-        text = stated.words if isinstance(stated, Unusable) else format_length(stated, digits=4)
-        if isinstance(stated, Unusable) or abs(stated - abs(size)) > EVEN * abs(size):
-            used_text = format_length(size, digits=4)
+        unit = (lambda value: f"{value:.4g}") if key in ("NA", "magnification", "immersion") else format_length
+        text, used_text = stated.words if isinstance(stated, Unusable) else unit(stated), unit(abs(size))
+        if isinstance(stated, Unusable):
+            lacking = "is no length in a known unit" if unit is format_length else "cannot be used"
+            notes[key] = f"The images state {_SIZES[key].format(text)}, which {lacking}: {used_text} was used."
+        elif abs(stated - abs(size)) > EVEN * abs(size):
             notes[key] = f"The images state {_SIZES[key].format(text)}, but {used_text} was used."
+        elif key == "step" and size > 0.0 and header.get("is_step_negative"):
+            notes["direction"] = f"The images state {NEGATIVE_STEP}"
+    if notes.keys() & {"pixel", "sensor_pixel"}:
+        notes.pop("down", None)
     return notes
 
 
-def tell_sizes(
-    header: Metadata, pixel: float | tuple[float, float], *, magnification: float = 0.0, step: float | None = None
-) -> None:
-    """Tell sizes that images state, and that differ from the `pixel` (height, width) on the camera or the `step`.
+def microscope_facts(objective: Any, wavelength: float, modality: str | None = None) -> dict[str, Any]:
+    """Return what :func:`size_notes` compares of a microscope besides its pixel and step."""
+    facts = {key: getattr(objective, key) for key in ("NA", "magnification", "immersion")}
+    return facts | {"emission": wavelength, "modality": modality}
 
-    With a magnification, pixels that images state are those in the sample.
+
+def tell_sizes(
+    header: Metadata, pixel: float | tuple[float, float], step: float | None = None, **microscope: Any
+) -> None:
+    """Tell values that images state, and that differ from the `pixel` (height, width) on the camera or the `step`.
+
+    With a microscope, by :func:`microscope_facts`, pixels that images state are those in the sample.
     """
     height, width = pixel if isinstance(pixel, tuple) else (pixel, pixel)
-    sizes = {"sensor_pixel": width, "step": step}
-    if magnification:
-        sizes |= {"pixel": width / magnification, "down": height / magnification}
+    sizes: dict[str, Any] = {"sensor_pixel": width, "down": height}
+    if microscope:
+        times = microscope["magnification"]
+        sizes |= {"pixel": width / times, "down": height / times, "step": step} | microscope
     else:
         header = {"sensor_pixel": header.get("pixel", header.get("sensor_pixel")), "down": header.get("down")}
-        sizes["down"] = height
-    notes = size_notes(header, **sizes)
-    if notes.keys() & {"pixel", "sensor_pixel"}:
-        notes.pop("down", None)
-    if notes:
+    if notes := size_notes(header, **sizes):
         validation.tell(" ".join(notes.values()))
 
 

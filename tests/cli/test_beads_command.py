@@ -61,6 +61,19 @@ def test_a_fitted_microscope_is_written_and_read(folder):
     assert re.search(r"FWHM at the first bead, without bead and pixel value .* x [\d.]+ [\d.]+ nm y ", printed)
 
 
+def test_planes_whose_unit_or_meaning_is_missing_are_refused_or_named(folder):
+    stack = tifffile.imread("bead.tif")
+    sizes = {"PhysicalSizeX": 0.1031746, "PhysicalSizeY": 0.2, "PhysicalSizeZ": 0.2}
+    tifffile.imwrite("a.ome.tif", stack, metadata={"axes": "ZYX", **sizes, "PhysicalSizeZUnit": "pixel"})
+    found = run("a.ome.tif", "objective.toml", *ASKED[3:])
+    assert found.returncode == 2
+    assert "--step must be given: the files state 0.2 pixel between planes, which is no length" in found.stderr
+    tifffile.imwrite("a.ome.tif", stack, metadata={"axes": "TYX", **sizes})
+    found = " ".join(run("a.ome.tif", *ASKED).stdout.split())
+    assert "pixel pitch: the images state pixels 200 nm high, but 103.2 nm was used: correct the one" in found
+    assert "a.ome.tif states 9 time points, which were taken as planes along z" in found
+
+
 def test_a_fitted_microscope_has_no_values_of_the_example(folder):
     text = OIL_FILE.replace("[objective]", '[stack]\nplanes = 41\nstep = "150 nm"\n\n[objective]')
     text = f'source = "Maker. Sample, depth, light and camera are examples."\n{text}'

@@ -7,6 +7,7 @@ import struct
 
 import numpy as np
 import pytest
+import tifffile
 from PIL import Image, TiffImagePlugin
 
 from lommel.imaging import Exif, PhotoError, read_photo, write_photo
@@ -101,3 +102,16 @@ def test_exif_is_left_out_where_it_cannot_be_written(tmp_path):
     read = read_photo(tmp_path / "a.jpg")
     write_photo(tmp_path / "a.exr", read.light(), encoding="linear", dtype=np.float32, like=read)
     assert [file.name for file in sorted(tmp_path.iterdir())] == ["a.exr", "a.jpg"]
+
+
+def test_apertures_zooms_and_subject_distances_are_those_of_the_file():
+    found = parsed({0x9202: 6.0, 0x9206: 5.0, 0xA404: 2.0}, None, (4, 6))
+    assert (found.f_number, found.focus, found.zoom) == (8.0, 5.0, 2.0)
+    assert parsed({0x9202: 6.0, 0x829D: 5.6}, None, (4, 6)).f_number == 5.6
+
+
+def test_the_white_of_12_bits_in_16_is_the_largest_sample_value_that_the_file_states(tmp_path):
+    values = np.array([[0, 1000, 2048], [4095, 7, 300]], np.uint16)
+    for tags, white in (([(281, 3, 1, 4095, True)], 4095), ([(281, 3, 1, 4095 - 7, True)], 65535), ([], 65535)):
+        tifffile.imwrite(tmp_path / "a.tif", values, photometric="minisblack", extratags=tags)
+        np.testing.assert_allclose(read_photo(tmp_path / "a.tif", "linear").light(), values / white, atol=1e-5)

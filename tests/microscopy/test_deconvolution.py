@@ -316,4 +316,6 @@ def test_a_stack_that_is_quieter_than_its_noise_is_told():
     # The offset is left out, so that 300 counts vary like 200.
     found = restored(stack, PSF, lm.Noise(read=1.6))
     assert found.findings.get("too_quiet").text.startswith("the stack is quieter than its noise")
+    steps = lm.imaging.RichardsonLucy(steps=2, target=0.0)  # however many steps were asked for
+    assert restored(stack, PSF, lm.Noise(read=1.6), method=steps).findings.get("too_quiet")
     assert restored(stack, PSF, lm.Noise(read=1.6, offset=100.0)).stopped == "noise"

@@ -14,6 +14,7 @@ import lommel as lm
 from lommel.cli.instruments import optics_notes
 from lommel.recorded import frames
 from lommel.recorded.frames import Unusable, open_frames
+from lommel.recorded.headers import microscope_facts, size_notes, without_compared
 
 OME = """<?xml version="1.0"?><OME xmlns="http://www.openmicroscopy.org/Schemas/OME/2016-06">
 <Instrument ID="Instrument:0">
@@ -91,6 +92,55 @@ def test_files_that_state_electron_multiplication_state_its_excess_noise():
         assert frames.ome_metadata(file, 0).get("excess") == found
 
 
+def test_microscopes_that_images_state_are_compared_with_the_one_in_use():
+    objective = SimpleNamespace(NA=1.4, magnification=63.0, immersion=1.518)
+    facts = microscope_facts(objective, 520e-9) | {"pixel": 1e-7, "down": 1e-7, "step": 2e-7}
+    stated = {"NA": 1.4, "magnification": 63.0, "immersion": 1.515, "emission": [525e-9], "step": 2e-7, "down": 1e-7}
+    assert size_notes(stated | {"pixel": 1e-7, "modality": ("widefield", "AcquisitionMode WideField")}, **facts) == {}
+    others = {
+        "NA": (1.2, "an NA of 1.2, but 1.4"),
+        "magnification": (100.0, "a magnification of 100, but 63"),
+        "immersion": (1.333, "an immersion of the index 1.333, but 1.518"),
+        "emission": ((610e-9,), "an emission of 610 nm, but 520 nm"),
+        "down": (2e-7, "pixels 200 nm high, but 100 nm"),
+        "pixel": (Unusable("0.1 pixel"), "0.1 pixel in the sample, which is no length in a known unit: 100 nm was"),
+        "modality": (("confocal", "PinholeSize 50"), "PinholeSize 50, but a widefield microscope"),
+        "is_step_negative": (True, "a negative plane spacing"),
+    }
+    for key, (value, words) in others.items():
+        (note,) = size_notes(stated | {key: value}, **facts).values()
+        assert words in note
+    assert not size_notes(stated | {"is_step_negative": True}, **facts | {"step": -2e-7})
+
+
+def test_detectors_and_modes_of_ome_are_stated(tmp_path):
+    wave = 'AcquisitionMode="SpinningDiskConfocal"><DetectorSettings ID="D:0" Binning="2x2" Gain="0.5"/></Channel'
+    text = OME.format(used="", wave=wave).replace("/></Pixels>", "></Pixels>")
+    text = text.replace(" SizeX=", ' SignificantBits="12" SizeX=')
+    found = frames.ome_metadata(SimpleNamespace(ome_metadata=text, series=[SimpleNamespace(name="a")]), 0)
+    assert found["modality"] == ("spinning disc", "AcquisitionMode SpinningDiskConfocal")
+    (note,) = found["notes"]
+    assert "state Binning 2x2, Gain 0.5, SignificantBits 12 of the detector, not used" in note
+    assert "modality" not in said()
+    assert said(wave='PinholeSize="50"')["modality"] == ("confocal", "PinholeSize 50")
+
+
+def test_signed_integers_of_imagej_are_read_and_other_calibrations_named(tmp_path):
+    import tifffile
+
+    signed = np.arange(-6, 6, dtype=np.int16).reshape(2, 2, 3)
+    for constant, slope, values in ((-32768, 1, signed), (0, 0.46, None)):
+        stored = (signed.astype(int) + 32768).astype(np.uint16)
+        tifffile.imwrite(tmp_path / "a.tif", stored, imagej=True, metadata={"axes": "ZYX"})
+        text = tifffile.tiffcomment(tmp_path / "a.tif").rstrip() + f"\ncf=0\nc0={constant}\nc1={slope}\nvunit=x\n"
+        tifffile.tiffcomment(tmp_path / "a.tif", text.encode())
+        with open_frames(tmp_path / "a.tif") as images:
+            np.testing.assert_array_equal(images[...], stored if values is None else values)
+            assert ("calibration 0 + 0.46 * value (x), which was not applied" in " ".join(images.notes)) is (
+                values is None
+            )
+
+
 def fits_file(path, values, *, unit=None, **cards):
     image = fits.PrimaryHDU(np.asarray(values))
     for name, card in cards.items():
@@ -109,7 +159,7 @@ COUNTS = np.arange(20.0, dtype=np.float32).reshape(4, 5)
     [
         ({"ROWORDER": "BOTTOM-UP"}, r"ROWORDER = BOTTOM-UP, .* sine terms \(m < 0: coma y, .* change sign"),
         ({"FLIPSTAT": "Flip"}, "FLIPSTAT = Flip, .* change sign"),
-        ({"XPIXSZ": 7.6, "YPIXSZ": 7.6}, r"states XPIXSZ = 7.6, not used: pixel, focal length"),
+        ({"XPIXSZ": 7.6, "YPIXSZ": 7.6}, r"states XPIXSZ = 7.6, YPIXSZ = 7.6, not used: pixel, focal length"),
         (
             {"FOCALLEN": 2000, "SCALE": 0.8, "ROWORDER": "TOP-DOWN"},
             "states SCALE = 0.8, FOCALLEN = 2000, not used: .* wavelength are those given",
@@ -119,6 +169,10 @@ COUNTS = np.arange(20.0, dtype=np.float32).reshape(4, 5)
             "BUNIT = MJy/sr, not counts: photon noise is right only if the gain is in electrons per",
         ),
         ({"BUNIT": "adu/s"}, "BUNIT = adu/s, not counts"),
+        ({"CCDXBIN": 2, "FILTER": "R", "COLORTYP": "GRAY"}, "states CCDXBIN = 2, FILTER = R, not used.$"),
+        ({"COLORTYP": "RGGB"}, "COLORTYP = RGGB, a mosaic of colours"),
+        ({"STACKCNT": 9}, "that 9 images were combined, .* mean state 9 times the gain .* 3 times the read noise"),
+        ({"WAVELNTH": 6563.0, "WAVEUNIT": "furlong"}, "states WAVELNTH = 6563.0, not used.$"),
     ],
 )
 def test_cards_that_turn_or_scale_images_are_named_with_what_they_change(tmp_path, cards, note):
@@ -129,6 +183,23 @@ def test_cards_that_turn_or_scale_images_are_named_with_what_they_change(tmp_pat
     ordinary = {"XBINNING": 1, "CCDSUM": "1 1", "FILTER": "", "BUNIT": "ADU / pixel"}
     with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **ordinary)) as images:
         assert images.notes == ()
+
+
+def test_cards_of_unequal_sides_wavelengths_colours_and_planes_are_named_used_or_refused(tmp_path):
+    for cards in ({"XPIXSZ": 3.8, "YPIXSZ": 7.6}, {"XBINNING": 1, "YBINNING": 2}):
+        with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **cards)) as images:
+            assert "pixels that are not square: pixel= must state" in images.notes[0]
+    lens = lm.Lens(focal_length=2.0, aperture_diameter=0.2, wavelength=550e-9)
+    for cards in ({"WAVELEN": 656.3e-9}, {"WAVELNTH": 6563, "WAVEUNIT": "angstrom"}, {"WAVELEN": 656.3}):
+        with open_frames(fits_file(tmp_path / "a.fits", COUNTS, **cards)) as images:
+            (note,) = optics_notes("It", images.metadata, 4e-6, lens)
+            assert note == "It states a wavelength of 656.3 nm; 550 nm was used."
+            assert without_compared(images.notes) == []
+    for card in ({"CTYPE3": "RGB"}, {"COLORTYP": "RGB"}):
+        with pytest.raises(frames.RecordingError, match=r"a.fits: it holds colours .* = RGB., not planes"):
+            open_frames(fits_file(tmp_path / "a.fits", [COUNTS] * 3, **card))
+    with open_frames(fits_file(tmp_path / "a.fits", [COUNTS] * 3, CDELT3=-0.1, CUNIT3="um")) as images:
+        assert (images.metadata["step"], images.metadata["is_step_negative"]) == (pytest.approx(1e-7), True)
 
 
 def test_the_width_of_a_pixel_on_the_sky_is_that_of_astropy(tmp_path):

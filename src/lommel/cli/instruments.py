@@ -346,7 +346,7 @@ def header_differences(header: Metadata, microscope: Microscope, step: float | N
     from lommel.recorded.headers import microscope_facts, size_notes
 
     pixel = microscope.pixel / microscope.objective.magnification
-    facts = microscope_facts(microscope.objective, microscope.wavelength, microscope.modality.kind)
+    facts = microscope_facts(microscope.objective, microscope.wavelength)
     return size_notes(header, pixel=pixel, down=pixel, step=step, **facts)
 
 

@@ -507,7 +507,7 @@ def fit_stacks(
         raise ValueError(f"z must be in metres, got planes {np.abs(spacing).max():g} m apart")
     pitch = validation.real("pixel", microscope.pixel, above=0.0, unit="metres")
     step = float(spacing.mean()) if np.ptp(spacing) < EVEN * abs(spacing.mean()) else None
-    facts = microscope_facts(objective, microscope.wavelength, microscope.modality.kind)
+    facts = microscope_facts(objective, microscope.wavelength)
     tell_sizes(counts.metadata, pitch, step, **facts)
     wavelength, emitter = validation.wavelength(microscope.wavelength), emitter_of(microscope.emitter)
     integrate = microscope.integrate is not False

@@ -14,7 +14,6 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -600,7 +599,6 @@ def _decode(kind: str, data: bytes) -> tuple[Values, Tags, bytes | None, bytes |
 
 
 _WHITES = [2.0**bits - 1.0 for bits in range(9, 16)]  # MaxSampleValue of fewer bits in 16; others are statistics
-_NO_TAG = SimpleNamespace(value=0)
 _ALPHA = (
     "it has alpha that is not opaque everywhere; put it on a background, for example by ImageMagick: "
     "magick IN -background black -flatten OUT"
@@ -650,7 +648,7 @@ def read_tiff(
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
         values, axes, profile = reading.tiff_array(page), page.axes, page.iccprofile
-        white = float(np.max(page.tags.get("MaxSampleValue", _NO_TAG).value))
+        white = 0.0 if (tag := page.tags.get("MaxSampleValue")) is None else float(np.max(tag.value))
     if values.shape != page.shape:
         raise ValueError(
             f"its values are of an unknown kind, {page.bitspersample} bits of the format {page.sampleformat}"

@@ -15,7 +15,7 @@ from lommel.optics.layers.objective import Objective
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF
 from lommel.recorded.frames import Frames
-from lommel.recorded.headers import size_notes
+from lommel.recorded.headers import microscope_facts, size_notes
 
 _TOLERANCE = 0.02  # relative difference between values of the file and of the objective above which a note is added
 _FINEST = 5e-9  # finest pixel in the sample times NA, metres: a twentieth of Nyquist sampling at 400 nm
@@ -84,9 +84,8 @@ def sampled(
     step = _length("step", recording, stated.step, recording.metadata["step"], of_device, notes)
     if not 0.0 < step < 1e-4:
         raise ValueError(f"step must be a stage displacement, above 0 and below 1e-4 metres, got {step:g}")
-    kind = None if device is None else device.modality.kind
-    compared = {"NA": lens.NA, "magnification": lens.magnification, "immersion": lens.immersion, "modality": kind}
-    notes += size_notes(recording.metadata, **compared).values()
+    kind = "widefield" if device is None else device.modality.kind
+    notes += size_notes(recording.metadata, **microscope_facts(lens, None, kind)).values()
     waves = _wavelengths(recording, device, stated.wavelength, notes)
     depth = stated.depth
     if depth is None:

@@ -57,7 +57,6 @@ if TYPE_CHECKING:
 
 _RESOLUTION_UNITS = {2: 25.4e-3, 3: 1e-2}  # metres of values of the tag ResolutionUnit of TIFF: inch, centimetre
 _FINEST_PRINT = 1e-5  # metres: pixels of prints are larger (2540 per inch)
-_SIGNED = -32768  # constant of the calibration by which ImageJ stores signed integers of 16 bits
 # Kinds of microscopes by the AcquisitionMode of OME.
 _MODES = {"WideField": "widefield", "LaserScanningConfocalMicroscopy": "confocal", "SlitScanConfocal": "confocal"}
 _MODES |= {"SpinningDiskConfocal": "spinning disc", "MultiPhotonMicroscopy": "two-photon", "SPIM": "light sheet"}
@@ -89,11 +88,11 @@ def ome_metadata(file: TiffFile, place: int) -> Metadata:
     metadata["names"] = [channel.get("Name") for channel in channels]
     for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
         metadata[key] = [length(channel.get(name), channel.get(f"{name}Unit"), "nm") for channel in channels]
-    modes = [channel.get("AcquisitionMode", "") for channel in channels]
-    if (mode := next((mode for mode in modes if mode in _MODES), None)) is not None:
-        metadata["modality"] = _MODES[mode], f"AcquisitionMode {mode}"
-    elif pinhole := next((size for channel in channels if (size := channel.get("PinholeSize"))), None):
-        metadata["modality"] = "confocal", f"PinholeSize {pinhole}"
+    for channel in channels[::-1]:  # the first one counts
+        if pinhole := channel.get("PinholeSize"):
+            metadata["modality"] = "confocal", f"PinholeSize {pinhole}"
+        if (mode := channel.get("AcquisitionMode")) in _MODES:
+            metadata["modality"] = _MODES[mode], f"AcquisitionMode {mode}"
     items = [*image.findall(".//{*}DetectorSettings"), *root.findall(".//{*}Instrument/{*}Detector")]
     unused = [f"{key} {item.get(key)}" for item in items for key in ("Binning", "Gain", "Offset") if item.get(key)]
     if (bits := pixels.get("SignificantBits")) not in (None, re.sub("[a-z]*", "", pixels.get("Type", ""))):
@@ -851,14 +850,12 @@ def _tiff_frames(path: Path, file: TiffFile, part: str | None) -> Frames:
     uncounted = reading.tiff_left_out(file)
     values = file.imagej_metadata or {} if file.is_imagej else {}
     slope, constant = values.get("c1", 1.0), values.get("c0", 0.0)
-    if values.get("cf") == 0 and (slope, constant) == (1.0, _SIGNED) and planes.dtype == np.uint16:
-        stored = series.asarray() if mapped is None else mapped
-        mapped = (stored.astype(np.uint16) ^ np.uint16(-_SIGNED)).view(np.int16)
-        planes = _ArrayPlanes(mapped, "it", path)
+    if values.get("cf") == 0 and (slope, constant) == (1.0, -32768.0) and planes.dtype == np.uint16:
+        stored = series.asarray() if mapped is None else mapped  # signed integers, by their order
+        planes = _ArrayPlanes((stored.astype(np.uint16) ^ np.uint16(32768)).view(np.int16), "it", path)
     elif "cf" in values and (values["cf"], slope, constant) != (0, 1.0, 0.0):
         words = f"{constant:g} + {slope:g} * value" if values["cf"] == 0 else f"function {values['cf']}"
-        unit = values.get("vunit", "no unit")
-        notes.append(f"The file states the calibration {words} ({unit}), which was not applied.")
+        notes.append(f"The file states the calibration {words} ({values.get('vunit')}), which was not applied.")
     if uncounted:
         notes.append(f"The file holds {uncounted}; the others were left out.")
         metadata["left_out"] = uncounted
@@ -969,7 +966,8 @@ def _fits(data: bytes, part: str | None) -> tuple[Values, Metadata, list[str]]:
     if colours and image.values.ndim > 2:
         raise ValueError(f"it holds colours ({colours[0]} = RGB), not planes: save each channel in grey")
     # An extension inherits the cards of the primary header.
-    return image.values, fits_metadata(header, image.comments) | {"format": "FITS"}, fits_notes(header)
+    metadata = fits_metadata(header, image.comments) | {"format": "FITS"}
+    return image.values, metadata, fits_notes(header, metadata)
 
 
 _images = partial(Format, "images")

@@ -24,7 +24,7 @@ _EM_GAIN = ("EMGAIN", "EMREALGN", "EMREALGAIN")
 EXCESS = (
     2.0  # variance of an electron-multiplying register, divided by the variance of a Poisson variable of equal mean
 )
-_PIXELS = ("XPIXSZ", "PIXSIZE1", "PIXSIZE")  # pitch of the pixels, micrometres, after binning
+_PIXELS = ("XPIXSZ", "PIXSIZE1", "PIXSIZE", "YPIXSZ")  # pitch of the pixels, micrometres, after binning
 _ORDER = (
     "which was not applied: in the other order of rows, sine terms (m < 0: coma y, oblique astigmatism) change sign"
 )
@@ -40,8 +40,10 @@ _IGNORED_CARDS = {
 _BINNING = ("XBINNING", "YBINNING", "CCDSUM", "CCDXBIN", "CCDYBIN", "BINX", "BINY")
 _SCALES = ("PIXSCALE", "SECPIX", "PIXSCAL1", "SECPIX1", "PIXELSCL", "SCALE")  # arcseconds per pixel
 _RATIOS, _WAVES = ("FOCRATIO", "FRATIO"), ("WAVELEN", "WAVELNTH")
-_COMPARED = (*_PIXELS, *_SCALES, "WCS", "FOCALLEN", *_RATIOS, "APTDIA", *_WAVES)  # with a lens, by commands
-_UNUSED_CARDS = ("YPIXSZ", *_BINNING, "FILTER", *_COMPARED)
+# Cards that commands compare with a lens, by the metadata that have them.
+_COMPARED = {"sensor_pixel": _PIXELS, "scale": (*_SCALES, "WCS"), "plane_pixel": ("WCS",), "f_number": _RATIOS}
+_COMPARED |= {"focal_length": ("FOCALLEN",), "aperture": ("APTDIA",), "wavelength": _WAVES}
+_UNUSED_CARDS = (*_BINNING, "FILTER", *dict.fromkeys(sum(_COMPARED.values(), ())))
 _GIVEN = "not used: pixel, focal length and wavelength are those given."
 _COUNT = r"(?:adu|dn|counts?|cts?)\b"  # names of counts, also in units of gain and read noise
 _COUNTS = re.compile(rf"(?:{_COUNT}|electrons?|e-?|photons?)s?(?:\W*pix(?:el)?)?", re.IGNORECASE)
@@ -191,7 +193,7 @@ def _are_electrons(header: Mapping[str, object]) -> bool:
     return str(header.get("BUNIT", "")).strip().lower().rstrip("s") in ("electron", "e", "e-")
 
 
-def fits_notes(header: Mapping[str, object]) -> list[str]:
+def fits_notes(header: Mapping[str, object], metadata: Metadata) -> list[str]:
     """Return a sentence on each card of a FITS header that matters but is not applied."""
     stated = {
         name: f"{name} = {validation.brief(str(header[name]), 60)}"
@@ -204,23 +206,21 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
         stated["WCS"] = f"pixels of {step:.3g} {step_unit} by its world coordinates"
     if _are_electrons(header):
         stated |= {name: f"{name} = {header[name]}" for name in _GAIN if header.get(name) not in (None, "", 1, 1.0)}
-    if header.get("ROWORDER") == "TOP-DOWN":  # the order of images here
-        stated.pop("ROWORDER")
-    if re.fullmatch("RGB|L|GR[AE]Y|MONO.*", str(header.get("COLORTYP", "")).strip(), re.IGNORECASE):
-        stated.pop("COLORTYP", None)
+    for name, usual in (("ROWORDER", "TOP-DOWN"), ("COLORTYP", "RGB|L|GR[AE]Y|MONO.*")):  # of images here
+        if re.fullmatch(usual, str(header.get(name, "")).strip(), re.IGNORECASE):
+            stated.pop(name, None)
     endings = [(stated[name], ending) for name, ending in _IGNORED_CARDS.items() if name in stated]
-    if "XPIXSZ" in header:
-        stated.pop("YPIXSZ", None)
     for across, down in (("XPIXSZ", "YPIXSZ"), ("PIXSIZE1", "PIXSIZE2"), ("XBINNING", "YBINNING")):
         if down in header and header.get(across, header[down]) != header[down]:
             words = f"{across} = {header[across]} and {down} = {header[down]}"
             endings.append((words, "pixels that are not square: pixel= must state their height and width"))
-    count = next((number(header[name]) for name in _COMBINED if name in header), None)
+            break
+    count = next((number(str(header[name])) for name in _COMBINED if name in header), None)
     if isinstance(count, float) and count > 1.0:
         advice = f"for their mean state {count:g} times the gain of one, for their sum that gain"
         read = f"and for both {math.sqrt(count):.3g} times the read noise"
         endings.append((f"that {count:g} images were combined", f"which was not applied: {advice}, {read}"))
-    compared = [name for name in _COMPARED if name == "WCS" or isinstance(number(header.get(name)), float)]
+    compared = dict.fromkeys(name for key, names in _COMPARED.items() if key in metadata for name in names)
     others = [text for name, text in stated.items() if name in _UNUSED_CARDS and name not in compared]
     endings += [(", ".join(others), "not used")] * bool(others)
     if unused := [stated[name] for name in compared if name in stated]:
@@ -339,9 +339,9 @@ def size_notes(header: Metadata, **used: float | str | None) -> dict[str, str]:
     notes = dict[str, str]()
     for key, size in used.items():
         stated = header.get(key)
-        stated = next(iter(stated), None) if isinstance(stated, list) else stated
-        if key == "modality" and isinstance(stated, tuple) and stated[0] != size:
+        if key == "modality" and stated is not None and stated[0] != size:
             notes[key] = f"The images state {stated[1]}, but a {size} microscope was used."
+        stated = next(iter(stated), None) if isinstance(stated, list | tuple) else stated
         if not isinstance(size, float | int) or not isinstance(stated, float | Unusable):
             continue
         unit = (lambda value: f"{value:.4g}") if key in ("NA", "magnification", "immersion") else format_length
@@ -358,7 +358,7 @@ def size_notes(header: Metadata, **used: float | str | None) -> dict[str, str]:
     return notes
 
 
-def microscope_facts(objective: Any, wavelength: float, modality: str | None = None) -> dict[str, Any]:
+def microscope_facts(objective: Any, wavelength: float | None, modality: str = "widefield") -> dict[str, Any]:
     """Return what :func:`size_notes` compares of a microscope besides its pixel and step."""
     facts = {key: getattr(objective, key) for key in ("NA", "magnification", "immersion")}
     return facts | {"emission": wavelength, "modality": modality}

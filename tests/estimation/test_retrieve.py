@@ -414,7 +414,7 @@ def test_a_pixel_at_the_full_scale_of_a_camera_is_the_first_cause_of_a_misfit():
     assert clipped.status == "misfit"
     summary, first = clipped.message.split("; ")[:2]
     assert "chi2" in summary
-    assert first == f"{remark} (saturation=4095, --saturation 4095)"
+    assert first == f"{remark} (saturation=4095)"
     stated = found(0.7, saturation=4095)
     assert stated.reliable
     assert "flat_top" not in stated.findings.codes

@@ -211,6 +211,7 @@ def test_units_in_comments_of_fits_cards_and_contradictions_are_used_or_named(tm
 
     usual = read(EGAIN=(0.5, "[e-/ADU]"), RDNOISE=(3.0, "[electron]"))
     assert read(EGAIN=(2.0, "[ADU/e-] inverse gain"), RDNOISE=(6.0, "[ADU]")) == usual
+    assert read(GAIN=(2.0, "[ADU/e-]"), RDNOISE=(6.0, "[ADU]")) == usual
     assert read(EGAIN=0.5, SATURATE=(600.0, "[e-] full well"))[0]["saturation"] == pytest.approx(1200.0)
     assert "600" in read(SATURATE=(600.0, "[e-] full well"))[0]["saturation"].words
     assert read(EGAIN=0.5, SATURATE=600.0)[0]["saturation"] == 600.0

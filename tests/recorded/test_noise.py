@@ -229,7 +229,7 @@ def test_a_full_scale_is_remarked_where_it_is_the_largest_of_all_images_and_noth
         assert remark(integers).startswith(
             f"2 pixels have the value {full} = 2^{bits} - 1, the largest of {bits} bits"
         )
-        assert f"(saturation={full}, --saturation {full})" in remark(integers)
+        assert f"(saturation={full})" in remark(integers)
     assert remark(images, 1e6) == ""
     assert remark(images + 1.0) == ""
     assert remark(images + 0.25 * (images < 0.5 * full)) == ""  # not counts

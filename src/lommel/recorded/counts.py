@@ -429,7 +429,7 @@ def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
         count, bits = sum(int((values == top).sum()) for values in known), _FULL_SCALES[top]
         return (
             f"{count} pixel{'s have' if count > 1 else ' has'} the value {top:.0f} = 2^{bits} - 1, the largest of "
-            f"{bits} bits, and may be saturated: if so, state it (saturation={top:.0f}, --saturation {top:.0f})"
+            f"{bits} bits, and may be saturated: if so, state it (saturation={top:.0f})"
         )
     for k, image in enumerate(images):
         top, count = flat_top(image.values, image.known, noise)
@@ -437,7 +437,7 @@ def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
             place = f" of {name} {k}" if len(images) > 1 else ""
             return (
                 f"{count} pixels{place} have exactly the largest value, {top:.10g}: if they are saturated, state it "
-                f"(saturation={top:.10g}, --saturation {top:.10g})"
+                f"(saturation={top:.10g})"
             )
     return ""
 

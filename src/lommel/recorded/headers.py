@@ -118,9 +118,9 @@ def fits_metadata(header: fits_images.Cards, comments: Mapping[str, str] = {}) -
         return next((number(header[name], least=least) for name in names if name in header), None)
 
     # A read noise of 0 is a valid value, unlike a gain of 0.
-    is_gain = re.search(rf"\be(?:lectrons?)?-?\s*(?:/|per)\s*{_COUNT}", said.get(_AMBIGUOUS_GAIN, ""))
-    inverse = rf"{_COUNT}\s*(?:/|per)\s*e"
-    is_gain = is_gain or ("EGAIN" not in header and re.search(inverse, said.get(_AMBIGUOUS_GAIN, "")))
+    direct, inverse = rf"\be(?:lectrons?)?-?\s*(?:/|per)\s*{_COUNT}", rf"{_COUNT}\s*(?:/|per)\s*e"
+    units = direct if "EGAIN" in header else f"{direct}|{inverse}"
+    is_gain = re.search(units, said.get(_AMBIGUOUS_GAIN, ""))
     gains = [name for name in _GAIN + (_AMBIGUOUS_GAIN,) * bool(is_gain) if name in header]
     metadata: Metadata = {"gain": first(gains), "read": first(_READ, -1e-300), "saturation": first(_SATURATION)}
     if gains and isinstance(metadata["gain"], float) and re.search(inverse, said.get(gains[0], "")):

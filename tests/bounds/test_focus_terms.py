@@ -187,7 +187,7 @@ def test_a_parabola_through_peaks_is_theirs_where_they_differ():
 @pytest.mark.parametrize("masked", [False, True])
 def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(masked, monkeypatch):
     given, rng, block = [], np.random.default_rng(5), live.BLOCK
-    monkeypatch.setattr(live, "judge_frames", lambda *all_of_it: given.extend(all_of_it))
+    monkeypatch.setattr(live, "judge_frames", lambda *all_of_it, included: given.extend(all_of_it))
     size = 2 * block + 1, 3 * block
     planes, gains = rng.uniform(10.0, 90.0, (2, *size)).astype(np.float32), rng.normal(size=(2, 6))
     planes[0, 0, 0], planes[1, 1, 0], planes[0, 2, 0] = np.nan, 90.0, np.inf

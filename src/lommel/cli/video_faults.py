@@ -75,7 +75,8 @@ def loss_note(loss: float | Values, coding: Coding) -> str:
         return ""
     return (
         "Compression adds more than the noise, or its quantization cannot be read: fine texture is lost, and depth "
-        "is less precise or not known. Record with less compression, as Motion JPEG, or without."
+        "is less precise or not known. Record with less compression, as Motion JPEG of quality 1 or 2 (-q:v of "
+        "ffmpeg), or without."
     )
 
 

@@ -121,6 +121,7 @@ class DefocusVerdict(FitReport):
         judged: float = 1.0,
         stated: float | None = None,
         lens_error: float = math.nan,
+        included: bool = True,
         noise: Noise | None = None,
     ) -> Self:
         """Return the verdict for a misfit and a scale.
@@ -131,6 +132,8 @@ class DefocusVerdict(FitReport):
             See the attributes.
         stated : float, optional
             Standard error of the scale that follows from the stated errors of the lenses; None if none is stated.
+        included : bool
+            Whether standard errors of depth include those stated of the lenses.
         noise
             Noise estimated from these frames, which `misfit` therefore cannot test; None for a stated noise.
 
@@ -148,7 +151,11 @@ class DefocusVerdict(FitReport):
         where = f" at the {percent(judged)} of pixels away from edges and slopes of depth" if judged < 0.995 else ""
         value = f"misfit {misfit:.3g}{where}"
         if math.isnan(misfit):
-            add("no_depth", "error", "no depth is known: there is no texture, or every depth is out of range")
+            add(
+                "no_depth",
+                "error",
+                "no depth is known: no texture, every depth out of range, or blocks left out as stated beside",
+            )
         elif noise is not None:
             text = (
                 f"noise estimated from the images: white {noise.white:.3g}, read noise {noise.read:.3g} electrons; "
@@ -211,12 +218,13 @@ class DefocusVerdict(FitReport):
             details |= {"lens_error": lens_error}
             f_number, focus = map(percent, UNMEASURED)
             part = f"noise alone: a lens that was not measured (f-number within {f_number}, foci within {focus}) adds"
-            part = part if unmeasured else "noise and of the lens as stated,"
+            if not unmeasured:
+                part = "noise and of the lens as stated," if included else "noise alone: the lens as stated adds"
             size = format_length(lens_error, digits=2)
             text += f"; standard errors are of {part} {size}, the same for whole surfaces"
         add("untested", "note", text, details)
         disagrees = any(finding.severity != "note" for finding in findings)
-        nothing = "nothing that was tested agrees" if disagrees else "nothing could be tested"
+        nothing = "what was tested disagrees" if disagrees else "nothing could be tested"
         return cls(
             findings=Findings(findings),
             summary="; ".join(agreements) or nothing,
@@ -244,12 +252,15 @@ def judge_frames(
     vergence: Array,
     lens_errors: tuple[float | None, float | None] = (None, None),
     noise: Noise | None = None,
+    *,
+    included: bool = True,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
 
     The other arrays are maps of shape (height, width): `valid` is True for known pixels, `errors` are standard errors
     of depth in any unit, inf if depth is unknown, `vergence` is 1 / distance in 1 / m. `lens_errors`
-    are those stated of f-number and foci, and `noise` is the noise estimated from the images, if none was stated.
+    are those stated of f-number and foci, `included` in standard errors or not, and `noise` is the noise estimated
+    from the images, if none was stated.
     """
     known = np.isfinite(errors)
     if not known.any():
@@ -267,7 +278,14 @@ def judge_frames(
     lens_error = float(np.median(engine.lens_errors(known_vergence, *lens_errors) / known_vergence**2))
     stated = None if lens_errors == (None, None) else engine.scale_error(*lens_errors)
     make_verdict = partial(
-        DefocusVerdict.of, median, changes=changes, judged=judged, stated=stated, lens_error=lens_error, noise=noise
+        DefocusVerdict.of,
+        median,
+        changes=changes,
+        judged=judged,
+        stated=stated,
+        lens_error=lens_error,
+        included=included,
+        noise=noise,
     )
     minima = _scale_minima(engine, brightest, list(frames(engine.binning)))
     if not minima:

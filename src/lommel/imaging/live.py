@@ -552,7 +552,7 @@ class LiveDepth:
         errors = np.where(np.isnan(errors), np.inf, errors)
         noise = self.noise if self._estimates else None
         stated = f_number_error, focus_error
-        return judge_frames(level.engine, images, valid, errors, misfit, vergence, stated, noise)
+        return judge_frames(level.engine, images, valid, errors, misfit, vergence, stated, noise, included=False)
 
     def sharp(self) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, whose arrays must not have changed.

@@ -46,7 +46,7 @@ def calibrate(
         Distance of a plane, such as 1.25m; repeat for each pair of photos.
     origin
         Point from which distances count, in front of the lens (its entrance pupil), such as 20mm for the front rim;
-        negative for the sensor. By default 0, unless the planes determine it.
+        negative for the sensor. By default 0 +- 20 mm, unless the planes determine it.
     output
         Lens file with a section [calibration], which `lommel depth` and `lommel watch` use: .toml.
     encoding

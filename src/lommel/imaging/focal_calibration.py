@@ -46,8 +46,10 @@ _SCAN = np.arange(-12.0, 12.1, 1.5)  # common shifts of focus from which the sea
 _TABLE = np.arange(-16.0, 16.1, 0.25)  # shifts at which transfer functions are tabulated, in these units
 _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
 _MAX_STEPS, _ROUNDS, _GAIN_STEPS = 12, 2, 8  # Newton steps of a round, rounds with new weights, steps of the gain
-_F_NUMBER_ERROR = 0.03  # relative standard error of f-numbers that are held as stated
-_MAX_ERRORS = {"shift": 1.0, "f-number": 0.05, "difference": 1.0, "origin": 0.03}  # units, relative, units, metres
+# Standard errors of what is held: relative, and metres. Entrance pupils lie 0 to 4 cm behind the front rim of lenses
+# of up to 85 mm, which is 2.3 cm rms from the default origin of 0.
+_HELD_ERRORS = {"f-number": 0.03, "origin": 0.02}
+_MAX_ERRORS = {"shift": 1.0, "f-number": 0.05, "difference": 1.0, "origin": 0.02}  # units, relative, units, metres
 _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
@@ -297,7 +299,8 @@ class _Search:
         for count in range(len(self.free), 0, -1):
             self.free = self.free[:count]
             at = self.minimum(start)
-            names = [*self.free, *(["f-number"] if "f-number" not in self.free else [])]
+            held = [name for name in _HELD_ERRORS if name in self.basis and name not in self.free]
+            names = [*self.free, *held]
             gradients, hessians = self.derivatives(at, names)
             total = hessians.sum(axis=2)
             if np.linalg.eigvalsh(total[:count, :count])[0] <= 0.0:
@@ -309,11 +312,12 @@ class _Search:
             covariance[:count, :count] = moves.T @ moves
             scales = [1.0 if name in ("shift", "difference") else max(self.basis[name]) for name in self.free]
             if all(np.sqrt(np.diag(covariance))[:count] * scales <= [_MAX_ERRORS[name] for name in self.free]):
-                # A held f-number adds its error to those of the other parameters.
-                held = _F_NUMBER_ERROR / self.basis["f-number"][0]
-                slope = [*(-np.linalg.solve(total[:count, :count], total[:count, -1])), 1.0]
-                if "f-number" not in self.free:
-                    covariance += held**2 * np.outer(slope, slope)
+                # Held parameters add their errors to those of the estimates, which follow them by -H^-1 dg/d(held).
+                slopes = np.vstack(
+                    [-np.linalg.solve(total[:count, :count], total[:count, count:]), np.eye(len(held))]
+                )
+                slopes *= [_HELD_ERRORS[name] / max(self.basis[name]) for name in held]
+                covariance += slopes @ slopes.T
                 rows = np.array([self.basis[name] for name in names])
                 return at, rows.T @ covariance @ rows
         raise ValueError(_UNDETERMINED)
@@ -382,11 +386,11 @@ class FocalCalibration(FitReport):
     focus_shifts : (float, float)
         True less stated 1 / focus distance of each photograph, 1/m.
     focus_error : float
-        Larger standard error of `focus_shifts`, 1/m.
+        Larger standard error of `focus_shifts`, with that of a held f-number and origin, 1/m.
     origin : float
         Position of the point from which `distances` count, in front of the lens (its entrance pupil), metres.
     origin_error : float
-        Standard error of `origin`, metres; 0 where it is not estimated.
+        Standard error of `origin`, metres: 0.02 where it is held at 0, and 0 where it is stated.
     covariance : ndarray, shape (4, 4)
         Covariance of log(f-number), `focus_shifts` and `origin`.
     planes : tuple of CalibratedPlane
@@ -496,7 +500,7 @@ def calibrate_focus(
     origin : float, optional
         Position of the point from which `distances` count, in front of the lens (its entrance pupil), metres: some
         0.02 for those from the front rim of a lens of 50 mm; negative for distances from the sensor. By default it is
-        estimated where the planes determine it, and else 0.
+        estimated where the planes determine it, and else 0 with a standard error of 2 cm.
     magnification : {"registered", "lens"}, default "registered"
         As for :func:`lommel.imaging.depth_from_defocus`.
 
@@ -513,9 +517,10 @@ def calibrate_focus(
     Notes
     -----
     One plane determines one number, the shift of 1 / focus that both photographs share; the f-number is then held,
-    with a standard error of 3 % that `focus_error` includes. A second plane adds the f-number, a third the foci of
-    both photographs, a further one the origin of distances: each is estimated only where its standard error is below
-    5 % of the f-number or 3 cm of the origin. Standard errors follow from the scatter between tiles of 32 x 32
+    with a standard error of 3 % that `focus_error` includes, as it does 2 cm of an origin that is neither stated nor
+    estimated. A second plane adds the f-number, a third the foci of both photographs, a further one the origin of
+    distances: each is estimated only where its standard error is below 5 % of the f-number or 2 cm of the origin.
+    Standard errors follow from the scatter between tiles of 32 x 32
     pixels. They do not include errors of the model that all tiles share, such as spherical aberration that the lens
     does not state.
 
@@ -574,7 +579,7 @@ def calibrate_focus(
             ) from None
         raise
     seen, costs = tuple(search.seen(at)), search.costs(at)
-    findings = [*_findings(search, seen, noise is not None), *_exchanged(search, at, costs, other())]
+    findings = [*_findings(search, seen, covariance, noise is not None), *_exchanged(search, at, costs, other())]
     f_number_error, *focus_errors, origin_error = np.sqrt(np.diag(covariance)).tolist()
     changed, origin = search.calibrated(at)
     return FocalCalibration(
@@ -592,14 +597,9 @@ def calibrate_focus(
     )
 
 
-_HELD = {
-    "f-number": f"the f-number (+- {percent(_F_NUMBER_ERROR)})",
-    "difference": "the difference of the foci",
-    "origin": "the origin of distances",
-}
-
-
-def _findings(search: _Search, planes: Sequence[CalibratedPlane], stated: bool) -> Iterator[Finding]:
+def _findings(
+    search: _Search, planes: Sequence[CalibratedPlane], covariance: Array, stated: bool
+) -> Iterator[Finding]:
     """Yield the findings on planes, on noise if it was stated, and on parameters that are held."""
     for plane in planes:
         name, (found, error) = f"the plane at {format_length(plane.distance)}", with_error(plane.found, plane.error)
@@ -619,8 +619,15 @@ def _findings(search: _Search, planes: Sequence[CalibratedPlane], stated: bool) 
             "follow from the scatter of tiles, but do not include what all tiles share"
         )
         yield Finding("misfit", "note", text, {"misfit": misfit, "limit": _MAX_MISFIT})
-    if held := [text for name, text in _HELD.items() if name in search.basis and name not in search.free]:
-        text = f"held as stated: {', '.join(held)}; planes at other distances determine more"
+    error = max(covariance[3, 3] ** 0.5, 1e-9)
+    moved = float(np.abs(covariance[1:3, 3]).max() / error)  # 1/m, by the error of the origin
+    texts = {
+        "f-number": f"the f-number (+- {percent(_HELD_ERRORS['f-number'])})",
+        "difference": "the difference of the foci",
+        "origin": f"the origin of distances (+- {format_length(error)}, {moved:.2g} dioptre of foci: state origin)",
+    }
+    if held := [text for name, text in texts.items() if name in search.basis and name not in search.free]:
+        text = f"held: {', '.join(held)}; planes at other distances determine more"
         yield Finding("stated", "note", text, {"held": held})
 
 

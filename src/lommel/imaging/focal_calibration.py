@@ -28,7 +28,7 @@ from lommel.base.units import format_length, percent, with_error
 from lommel.estimation.focal_model import FocalLight, Spectrum, transfer_curve
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.imaging.defocus_depth import counts_in_electrons
-from lommel.imaging.focal_engine import CONTRAST, Registration, processors
+from lommel.imaging.focal_engine import CONTRAST, UNMEASURED, Registration, processors
 from lommel.imaging.settings import channel_spectra, spectra
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
@@ -46,9 +46,9 @@ _SCAN = np.arange(-12.0, 12.1, 1.5)  # common shifts of focus from which the sea
 _TABLE = np.arange(-16.0, 16.1, 0.25)  # shifts at which transfer functions are tabulated, in these units
 _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
 _MAX_STEPS, _ROUNDS, _GAIN_STEPS = 12, 2, 8  # Newton steps of a round, rounds with new weights, steps of the gain
-# Standard errors of what is held: relative, and metres. Entrance pupils lie 0 to 4 cm behind the front rim of lenses
-# of up to 85 mm, which is 2.3 cm rms from the default origin of 0.
-_HELD_ERRORS = {"f-number": 0.03, "origin": 0.02}
+# Metres: standard error of an origin that is held. Entrance pupils lie 0 to 4 cm behind the front rim of lenses of up
+# to 85 mm, which is 2.3 cm rms from the default of 0.
+_ORIGIN_ERROR = 0.02
 _MAX_ERRORS = {"shift": 1.0, "f-number": 0.05, "difference": 1.0, "origin": 0.02}  # units, relative, units, metres
 _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
@@ -226,6 +226,9 @@ class _Search:
         if origin is None:
             self.basis["origin"] = [0.0, 0.0, 0.0, shift * float(np.median(distances)) ** 2]
         self.free = list(self.basis)[: len(planes)]
+        # Standard errors of what is held; the difference is half of that of two foci.
+        self.held_errors = {"f-number": UNMEASURED[0], "difference": 0.5 * UNMEASURED[1] * math.hypot(*self.foci)}
+        self.held_errors |= {"origin": _ORIGIN_ERROR}
 
     def changes(self, at: Array, names: Sequence[str] = ()) -> Array:
         """Return the changes of log f-number, foci and origin for parameters `at`."""
@@ -336,7 +339,7 @@ class _Search:
         for count in range(len(self.free), 0, -1):
             self.free = self.free[:count]
             at = self.minimum(start)
-            held = [name for name in _HELD_ERRORS if name in self.basis and name not in self.free]
+            held = [name for name in self.held_errors if name in self.basis and name not in self.free]
             names = [*self.free, *held]
             gradients, hessians = self.derivatives(at, names)
             total = hessians.sum(axis=2)
@@ -353,7 +356,7 @@ class _Search:
                 slopes = np.vstack(
                     [-np.linalg.solve(total[:count, :count], total[:count, count:]), np.eye(len(held))]
                 )
-                slopes *= [_HELD_ERRORS[name] / max(self.basis[name]) for name in held]
+                slopes *= [self.held_errors[name] / max(self.basis[name]) for name in held]
                 covariance += slopes @ slopes.T
                 rows = np.array([self.basis[name] for name in names])
                 return at, rows.T @ covariance @ rows
@@ -560,12 +563,12 @@ def calibrate_focus(
     Notes
     -----
     One plane determines one number, the shift of 1 / focus that both photographs share; the f-number is then held,
-    with a standard error of 3 % that `focus_error` includes, as it does 2 cm of an origin that is neither stated nor
-    estimated. A second plane adds the f-number, a third the foci of both photographs, a further one the origin of
-    distances: each is estimated only where its standard error is below 5 % of the f-number or 2 cm of the origin.
-    Standard errors follow from the scatter between tiles of 32 x 32
-    pixels. They do not include errors of the model that all tiles share, such as spherical aberration that the lens
-    does not state.
+    with a standard error of 3 % that `focus_error` includes, as it does 2 % of each focus for a difference that is
+    held, and 2 cm of an origin that is neither stated nor estimated. A second plane adds the f-number, a third the
+    foci of both photographs, a further one the origin of distances: each is estimated only where its standard error
+    is below 5 % of the f-number or 2 cm of the origin. Standard errors follow from the scatter between tiles of 32 x
+    32 pixels. They do not include errors of the model that all tiles share, such as spherical aberration that the
+    lens does not state.
 
     Examples
     --------
@@ -684,8 +687,8 @@ def _findings(
     error = max(covariance[3, 3] ** 0.5, 1e-9)
     moved = float(np.abs(covariance[1:3, 3]).max() / error)  # 1/m, by the error of the origin
     texts = {
-        "f-number": f"the f-number (+- {percent(_HELD_ERRORS['f-number'])})",
-        "difference": "the difference of the foci",
+        "f-number": f"the f-number (+- {percent(UNMEASURED[0])})",
+        "difference": f"the difference of the foci (+- {percent(UNMEASURED[1])} of each)",
         "origin": f"the origin of distances (+- {format_length(error)}, {moved:.2g} dioptre of foci: state origin)",
     }
     if held := [text for name, text in texts.items() if name in search.basis and name not in search.free]:

@@ -33,7 +33,7 @@ _COMBINED = ("NCOMBINE", "STACKCNT", "NSTACK")  # number of images of a mean or 
 _IGNORED_CARDS = {
     "BAYERPAT": _MOSAIC,
     "COLORTYP": _MOSAIC,
-    "PEDESTAL": "which was not subtracted: state it by the offset",
+    "PEDESTAL": "which counts only if the offset states it",
     "ROWORDER": _ORDER,
     "FLIPSTAT": _ORDER,
 }

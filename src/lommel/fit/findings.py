@@ -26,7 +26,6 @@ CODES: Mapping[str, str] = {
     "interrupted": "the search was interrupted: the result is that of the completed steps",
     "left_out": "some sources, windows or pixels were left out",
     "lens_scale": "blurs differ by more, or less, than the stated lenses imply",
-    "magnification": "photographs are magnified otherwise than stated (focus breathing)",
     "many_rejected": "many sources do not follow the fit",
     "misfit": "the images differ from the model by more than noise",
     "model_error": "images of the search differ from images with a proven error bound",

@@ -58,8 +58,6 @@ _MIN_CHANGE = 0.2  # least change of the mean log(energy) of tiles by shifts of 
 _UNDETERMINED = (
     "photographs do not determine the focus: use planes with more texture or light, or farther from the foci"
 )
-_RESAMPLINGS = 6  # largest number of estimates of the ratio of magnifications
-_MIN_DISPLACEMENT = 0.1  # pixels, at the corners: less does not move depth
 _ASSUMED = Noise(white=5e3, read=3.0)  # for the weights of frequencies, where no noise is stated
 
 
@@ -88,7 +86,7 @@ class _Plane:
     """Spectra of two photographs of a plane, with tiles in which their residual is evaluated."""
 
     def __init__(self, images: Array, valid: NDArray[np.bool_], distance: float, blur: float, read: float) -> None:
-        self.distance, self.size = distance, (valid.shape[0], valid.shape[1])
+        self.distance = distance
         reach = math.ceil(blur) + _BORDER
         frame = np.pad(np.ones([max(side - 2 * reach, 0) for side in valid.shape], dtype=np.bool_), reach)
         known = scipy.ndimage.minimum_filter(valid, 2 * math.ceil(blur) + 5)
@@ -145,44 +143,16 @@ class _Plane:
         wiener = signal / (1.0 + signal) * -np.expm1(-0.5 * (_RADII / _LOWEST) ** 2)
         self._weights = np.sqrt(wiener / np.maximum((h[::-1] ** 2 * noise).sum(axis=0), 1e-12))
 
-    def _filtered(self, lenses: Sequence[_Changed], vergence: float) -> tuple[list[Array], Array]:
-        """Return both photographs, each filtered by the other lens, the second negative, and variances of noise."""
-        filters = self._weights * self._transfer(lenses, vergence, _RADII)[::-1] * [[1.0], [-1.0]]
-        noise = self._light.variance * self._light.relative_variances() * (filters**2 @ self._density)
-        return [
-            scipy.fft.idctn(np.interp(self._f, _RADII, values) * spectrum, norm="ortho")
-            for values, spectrum in zip(filters, self._spectra, strict=True)
-        ], np.asarray(noise)
-
-    def _means(self, values: Array) -> Array:
-        """Return the mean over the used pixels of each tile."""
-        return np.asarray(_tiled(values * self._inner).mean(axis=(1, 3))[self._tiles] / self._shares)
-
-    def enlargement(self, lenses: Sequence[_Changed], vergence: float) -> tuple[float, float]:
-        """Return the magnification of the second photograph over the first, less 1, and its variance.
-
-        Gauss-Newton step of a shift and an enlargement about the centre that make the filtered photographs equal.
-        """
-        (first, second), _ = self._filtered(lenses, vergence)
-        down, across = np.gradient(0.5 * (first - second))
-        rows, columns = (np.arange(side) - 0.5 * (side - 1) for side in first.shape)
-        slopes = [down, across, rows[:, None] * down + columns * across]
-        weights = self._shares / np.maximum(self._means((first + second) ** 2), 1e-30)
-        gradients = np.array([weights * self._means(slope * (first + second)) for slope in slopes])
-        normal = np.array([[weights * self._means(a * b) for b in slopes] for a in slopes])
-        total = normal.sum(axis=2)
-        step = np.linalg.lstsq(total, gradients.sum(axis=1))[0]
-        others = (total[..., None] - normal).transpose(2, 0, 1)  # jackknife
-        moves = (
-            np.linalg.pinv(others, hermitian=True) @ (gradients - np.einsum("ijt,j->it", normal, step)).T[..., None]
-        )
-        count = len(weights) - 3.0  # degrees of freedom, of Student's t, whose variance is count / (count - 2)
-        return float(step[2]), float((moves[:, 2] ** 2).sum()) * count / (count - 2.0) + 1e-30
-
     def energies(self, lenses: Sequence[_Changed], vergence: float) -> Array:
         """Return the mean square of the residual in each tile, relative to that of noise, at the likeliest gain."""
-        (first, second), noise = self._filtered(lenses, vergence)
-        a, b, c = map(self._means, (first**2, first * second, second**2))
+        filters = self._weights * self._transfer(lenses, vergence, _RADII)[::-1] * [[1.0], [-1.0]]
+        noise = self._light.variance * self._light.relative_variances() * (filters**2 @ self._density)
+        first, second = (
+            scipy.fft.idctn(np.interp(self._f, _RADII, values) * spectrum, norm="ortho")
+            for values, spectrum in zip(filters, self._spectra, strict=True)
+        )
+        products = (first**2, first * second, second**2)
+        a, b, c = (_tiled(p * self._inner).mean(axis=(1, 3))[self._tiles] / self._shares for p in products)
         gain = 1.0
         for _ in range(_GAIN_STEPS):  # Newton steps to the likeliest gain of the second frame
             energy, variance = a + gain * (2.0 * b + gain * c), noise[0] + gain**2 * noise[1]
@@ -246,13 +216,6 @@ class _Search:
         lenses, origin = self.calibrated(changes)
         for plane in self.planes:
             plane.weigh(lenses, 1.0 / (plane.distance + origin))
-
-    def enlargement(self, changes: Array) -> tuple[float, float]:
-        """Return the magnification of the second photographs over the first, less 1, and its standard error."""
-        lenses, origin = self.calibrated(changes)
-        found = [plane.enlargement(lenses, 1.0 / (plane.distance + origin)) for plane in self.planes]
-        steps, variances = np.array(found).T
-        return float((steps / variances).sum() / (1.0 / variances).sum()), float((1.0 / variances).sum() ** -0.5)
 
     def costs(self, changes: Array, shift: float = 0.0) -> Array:
         """Return -log(likelihood) of each tile, of planes that are moved by `shift` in 1/m."""
@@ -412,8 +375,8 @@ class CalibratedPlane(NamedTuple):
 class FocalCalibration(FitReport):
     """Lenses calibrated by :func:`lommel.imaging.calibrate_focus`.
 
-    The findings have the codes "exchanged", "contradiction", "not_flat", "misfit", "magnification" and "stated".
-    ``print(found)`` prints a table.
+    The findings have the codes "exchanged", "contradiction", "not_flat", "misfit" and "stated". ``print(found)``
+    prints a table.
 
     Attributes
     ----------
@@ -433,8 +396,6 @@ class FocalCalibration(FitReport):
         Standard error of `origin`, metres: 0.02 where it is held at 0, and 0 where it is stated.
     covariance : ndarray, shape (4, 4)
         Covariance of log(f-number), `focus_shifts` and `origin`.
-    magnification_ratio, magnification_error : float
-        Magnification of the second photographs / that of the first (focus breathing), and its standard error.
     planes : tuple of CalibratedPlane
         The planes as these lenses see them.
     findings : Findings
@@ -451,8 +412,6 @@ class FocalCalibration(FitReport):
     origin: float
     origin_error: float
     covariance: Array
-    magnification_ratio: float
-    magnification_error: float
     planes: tuple[CalibratedPlane, ...]
 
     @property
@@ -476,7 +435,6 @@ class FocalCalibration(FitReport):
         foci = dict.fromkeys(lens.focus_distance for lens in self.lenses)
         rows += [("focus distance", focus, self.focus_error * focus**2, " m") for focus in foci]
         rows += [("origin before the lens", self.origin, self.origin_error, " m")]
-        rows += [("magnification, 2nd / 1st", self.magnification_ratio, self.magnification_error, "")]
         rows += [(f"plane at {plane.distance:.4g} m", plane.found, plane.error, " m") for plane in self.planes]
         lines = [f"{name:<25}{' +- '.join(with_error(value, error))}{unit}" for name, value, error, unit in rows]
         return "\n".join(lines if len(lines) <= 12 else [*lines[:11], f"and {len(lines) - 11} planes more"])
@@ -547,8 +505,7 @@ def calibrate_focus(
         0.02 for those from the front rim of a lens of 50 mm; negative for distances from the sensor. By default it is
         estimated where the planes determine it, and else 0 with a standard error of 2 cm.
     magnification : {"registered", "lens"}, default "registered"
-        As for :func:`lommel.imaging.depth_from_defocus`. Where the photographs show another ratio of magnifications,
-        by 0.1 pixels at the corners, they are resampled by it; a finding says so beyond 4 standard errors.
+        As for :func:`lommel.imaging.depth_from_defocus`.
 
     Returns
     -------
@@ -601,31 +558,20 @@ def calibrate_focus(
     if not (metres + zero > lenses[0].focal_length).all():
         raise ValueError(f"distances from the lens must be above its focal length, got {metres.min() + zero:g} m")
     used = _ASSUMED if noise is None else validation.instance("noise", noise, Noise).poisson
-    pairs = [counts_in_electrons(pair, lenses, encoding, used) for pair in photographs]
-    colours = spectra("channels", channel_spectra(pairs[0][2], lenses[0].wavelength))
+    planes = []
+    for pair, distance in zip(photographs, metres.tolist(), strict=True):
+        electrons, valid, shape = counts_in_electrons(pair, lenses, encoding, used)
+        images = electrons.sum(axis=0, dtype=np.float32)
+        registered = Registration(magnification, lenses, valid.shape, processors())
+        if registered:
+            images = np.stack(registered(list(images), math.inf, valid.view(np.uint8)))
+            valid, images = valid & np.isfinite(images).all(axis=0), np.nan_to_num(images)
+        blur = max(float(lens.pupil(distance + zero).geometric_radius()) for lens in lenses) / pitch
+        read = math.sqrt(float(np.mean(np.square(used.read))) * len(electrons))
+        planes.append(_Plane(images.astype(np.float64), valid, distance, blur, read))
+    colours = spectra("channels", channel_spectra(shape, lenses[0].wavelength))
     spectrum = [line for colour in colours for line in colour]  # channels are summed
-    registration: str | float = magnification
-    for _ in range(_RESAMPLINGS):
-        planes = []
-        for (electrons, valid, _), distance in zip(pairs, metres.tolist(), strict=True):
-            images = electrons.sum(axis=0, dtype=np.float32)
-            registered = Registration(registration, lenses, valid.shape, processors())
-            if registered:
-                resampled = np.stack(registered(list(images), math.inf, valid.view(np.uint8)))
-                # Unknown pixels keep their values: a step to 0 at the border would ring in the filtered photographs.
-                known = np.isfinite(resampled)
-                valid, images = valid & known.all(axis=0), np.where(known, resampled, images)
-            blur = max(float(lens.pupil(distance + zero).geometric_radius()) for lens in lenses) / pitch
-            read = math.sqrt(float(np.mean(np.square(used.read))) * len(electrons))
-            planes.append(_Plane(images.astype(np.float64), valid, distance, blur, read))
-        search = _Search(lenses, planes, pitch, origin, registered.scales, spectrum)
-        search.weigh(np.zeros(4))
-        enlargement, error = search.enlargement(np.zeros(4))
-        # Errors are larger here than for the calibrated lenses, and steps smaller, by the noise in the slopes.
-        limit = max(2.0 * error, _MIN_DISPLACEMENT / (0.5 * math.hypot(*valid.shape)))
-        if abs(enlargement) < (limit if registration == magnification else 0.2 * error):
-            break
-        registration = registered.scales[1] * (1.0 + enlargement)
+    search = _Search(lenses, planes, pitch, origin, registered.scales, spectrum)
     other = partial(_Search, lenses[::-1], planes, pitch, origin, registered.scales, spectrum)
     try:
         at, covariance = search.best()
@@ -636,13 +582,7 @@ def calibrate_focus(
             ) from None
         raise
     seen, costs = tuple(search.seen(at)), search.costs(at)
-    enlargement, ratio_error = search.enlargement(at)
-    ratio = registered.scales[1] * (1.0 + enlargement)
-    findings = [
-        *_findings(search, seen, covariance, noise is not None),
-        *_exchanged(search, at, costs, other()),
-        *_breathing(lenses, magnification, planes[0].size, ratio, ratio_error),
-    ]
+    findings = [*_findings(search, seen, covariance, noise is not None), *_exchanged(search, at, costs, other())]
     f_number_error, *focus_errors, origin_error = np.sqrt(np.diag(covariance)).tolist()
     changed, origin = search.calibrated(at)
     return FocalCalibration(
@@ -656,8 +596,6 @@ def calibrate_focus(
         origin=origin,
         origin_error=origin_error,
         covariance=covariance,
-        magnification_ratio=ratio,
-        magnification_error=ratio_error,
         planes=seen,
     )
 
@@ -694,26 +632,6 @@ def _findings(
     if held := [text for name, text in texts.items() if name in search.basis and name not in search.free]:
         text = f"held: {', '.join(held)}; planes at other distances determine more"
         yield Finding("stated", "note", text, {"held": held})
-
-
-def _breathing(
-    lenses: Sequence[Lens], magnification: str, size: tuple[int, int], ratio: float, error: float
-) -> Iterator[Finding]:
-    """Yield a finding if the ratio of magnifications is not that in use."""
-
-    def off(used: str) -> float:
-        """Return by how much the limit is exceeded: standard errors, or pixels at the corners."""
-        change = abs(ratio / Registration(used, lenses, size, 1).scales[1] - 1.0)
-        return min(change / (_DOUBTFUL * error), change * 0.5 * math.hypot(*size) / _MIN_DISPLACEMENT)
-
-    if off(magnification) > 1.0:
-        cure = next((f'state magnification "{used}"' for used in ("lens", "registered") if off(used) <= 1.0), None)
-        value, spread = with_error(ratio, error)
-        text = (
-            f"the second photographs are magnified {value} +- {spread} times as much as the first, which "
-            f'magnification "{magnification}" does not correct; for depth, {cure or "resample them by this ratio"}'
-        )
-        yield Finding("magnification", "doubt", text, {"ratio": ratio, "error": error})
 
 
 def _agrees(search: _Search) -> bool:

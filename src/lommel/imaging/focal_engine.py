@@ -47,8 +47,8 @@ class Registration:
 
     Parameters
     ----------
-    magnification : {"registered", "lens"} or float
-        Magnification of the frames; see :class:`Magnified`. A number is that of the frames over that of the first.
+    magnification : {"registered", "lens"}
+        Magnification of the frames; see :class:`Magnified`.
     lenses : sequence of Lens
     size : (int, int)
         Height and width, pixels.
@@ -60,10 +60,8 @@ class Registration:
         Pixel pitch of each frame before resampling / pixel pitch after resampling.
     """
 
-    def __init__(
-        self, magnification: str | float, lenses: Sequence[Lens], size: tuple[int, int], threads: int
-    ) -> None:
-        self.scales = (1.0, *(1.0 if isinstance(magnification, str) else magnification,) * (len(lenses) - 1))
+    def __init__(self, magnification: str, lenses: Sequence[Lens], size: tuple[int, int], threads: int) -> None:
+        self.scales = (1.0,) * len(lenses)
         if magnification == "lens":
             # Image height is proportional to the distance from pupil to sensor.
             self.scales = tuple(lens.sensor_distance / lenses[0].sensor_distance for lens in lenses)

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 import pytest
-import scipy
 
 import lommel as lm
 from lommel.lensfiles.lens_files import load_instrument
@@ -25,18 +24,6 @@ wavelength = "540 nm"
 [sensor]
 pixel = "4 um"
 """
-
-
-def enlarged(scene, ratio):
-    """A scene about its centre, interpolated on its points, 8 x 8 in a pixel."""
-    middle = 0.5 * (len(scene) - 1)
-    return scipy.ndimage.affine_transform(scene, [1.0 / ratio] * 2, middle - middle / ratio, mode="mirror")
-
-
-def breathing(ratio, distance, seed):
-    scene = texture(side=256, seed=seed)
-    scenes = scene, enlarged(scene, ratio)
-    return [shoot(scenes[k], distance, [TRUE[k]], seed=9 * seed + k)[0] for k in range(2)]
 
 
 def plane(distance, lenses=TRUE):
@@ -63,7 +50,6 @@ def depth(pair, lenses, **errors):
 def test_three_planes_tell_the_f_number_and_both_foci_within_their_errors(found):
     assert found.reliable
     assert found.findings.codes == ()
-    assert abs(found.magnification_ratio - 1.0) < 3.0 * found.magnification_error < 0.0015
     true = [
         math.log(4.0 / 4.32),
         *(1.0 / a.focus_distance - 1.0 / b.focus_distance for a, b in zip(TRUE, STATED, strict=True)),
@@ -74,29 +60,6 @@ def test_three_planes_tell_the_f_number_and_both_foci_within_their_errors(found)
     assert np.abs(np.subtract(estimate, true) / errors).max() < 3.0
     assert found.errors == {"f_number_error": errors[0], "focus_error": errors[1:].max()}
     assert [lens.f_number for lens in found.lenses] == pytest.approx([4.32 * found.f_number_scale] * 2)
-
-
-@pytest.mark.parametrize(("distance", "seed"), [(1.25, 10), (1.95, 11)])
-def test_the_ratio_of_magnifications_is_found_and_corrected(distance, seed):
-    pair = breathing(1.004, distance, seed)
-    found = lm.imaging.calibrate_focus([pair], [distance], TRUE, PIXEL, **OPTIONS, origin=0.0)
-    assert found.magnification_error < 0.0005
-    assert found.magnification_ratio == pytest.approx(1.004, abs=3.0 * found.magnification_error)
-    assert np.abs(found.focus_shifts).max() < 3.0 * found.focus_error
-    assert "resample them by this ratio" in found.findings.get("magnification").text
-
-
-def test_breathing_of_a_thin_lens_is_named_with_its_option_and_none_where_it_is_in_use():
-    ratio = TRUE[1].sensor_distance / TRUE[0].sensor_distance
-    pair = breathing(ratio, 1.5, 3)
-    found, right = (
-        lm.imaging.calibrate_focus([pair], [1.5], TRUE, PIXEL, **OPTIONS, origin=0.0, magnification=used)
-        for used in ("registered", "lens")
-    )
-    assert 'state magnification "lens"' in found.findings.get("magnification").text
-    assert right.findings.codes == ("stated",)
-    assert right.magnification_ratio == pytest.approx(ratio, abs=3.0 * right.magnification_error)
-    assert found.focus_shifts == pytest.approx(right.focus_shifts, abs=found.focus_error)
 
 
 def test_depth_at_another_distance_is_right_after_calibration(found):

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 4d3443cf23d334a2f6f5997fbf44eb55b66b1cdd283094a99c1776433189b81f
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 7d9951598a66db0cca1f32d232f693484db52e6e3f8ebc1ed4501a1257a6ba21
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

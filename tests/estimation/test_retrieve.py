@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import pickle
 from functools import partial
 
 import numpy as np
@@ -63,6 +64,20 @@ def test_stripes_in_images_are_named_with_their_size_in_electrons(rows, columns)
     assert found.numbers["period"] == pytest.approx(33 / math.hypot(rows, columns), rel=0.02)
     assert found.numbers["size"] == pytest.approx(1.5, rel=0.2)
     assert searches.retrieve(plain, lm.Pupil(), **options).findings.get("pattern") is None
+
+
+def test_checks_that_were_omitted_give_the_same_result_later():
+    images = stars(TRUE)
+    quick = lm.retrieve(images, lm.Pupil(), defocus=DEFOCUS, checks=False, **ASKED)
+    plain = quick.coefficients.copy()
+    full = lm.retrieve(images, lm.Pupil(), defocus=DEFOCUS, **ASKED)
+    assert pickle.loads(pickle.dumps(quick)).checked().to_dict() == quick.checked().to_dict() == full.to_dict()
+    assert (quick.status, quick.coefficients) == ("doubtful", plain)
+    assert full.reliable
+    assert full.checked() is full
+    errors = [quick.errors[name] for name in plain]
+    assert_allclose(errors, np.sqrt(np.diag(quick.covariance)), rtol=1e-12)
+    assert all(quick.errors[name] < full.errors[name] for name in plain)  # without effects that the model may lack
 
 
 def test_one_hot_pixel_is_named_by_its_place_until_it_is_masked():

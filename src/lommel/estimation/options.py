@@ -100,6 +100,11 @@ class RetrieveOptions(FitOptions):
         False, `also` must be "center".
     seed : int or Generator, default 0
         Seed or generator of random starts.
+    checks : bool, default True
+        False: omit the tests of effects that the model lacks, of patterns and of standard errors, which take longer
+        than the fit of small images. Coefficients are then those of maximum likelihood, `errors` the Cramér-Rao
+        bound, and the result is in doubt until :meth:`Retrieval.checked` tests it. With `blur`, tests are part of
+        the fit.
     """
 
     terms: Terms = 15
@@ -107,6 +112,7 @@ class RetrieveOptions(FitOptions):
     also: Annotated[str | Sequence[str], Shown(metavar="NAMES", parse=names_in)] = ("center",)
     blur: KnownBlur = False
     seed: Annotated[int | np.random.Generator, require_seed, HIDDEN] = 0
+    checks: Annotated[bool, HIDDEN] = True
 
 
 @dataclass(frozen=True, kw_only=True)

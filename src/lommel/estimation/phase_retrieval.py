@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
 
@@ -34,7 +35,7 @@ from lommel.estimation.star_images import (
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
-from lommel.fit.score_tests import causes_of_misfit
+from lommel.fit.score_tests import Marginal, ScoreTest, causes_of_misfit
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import SHIFTS, Name, term_of
@@ -145,6 +146,18 @@ class Retrieval(FitReport):
     residual: Array = field(repr=False)
     steps: int = 0
     starts: int = 0
+    _checked: Callable[[], Retrieval] | None = field(default=None, repr=False)
+
+    def checked(self) -> Retrieval:
+        """Return the fit with all checks, which ``checks=False`` omits: the result of ``checks=True``.
+
+        Returns
+        -------
+        Retrieval
+            The fit itself if it has been checked. Otherwise a new one, whose coefficients and standard errors allow
+            for effects that the model lacks; those of this fit stay as they are.
+        """
+        return self if self._checked is None else self._checked()
 
     def in_unit(self, unit: str) -> tuple[dict[Name, float], dict[Name, float]]:
         """Return the coefficients of the wavefront and their standard errors in another unit.
@@ -371,7 +384,7 @@ def fit_stars(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
     best_x, scores, settled, extent = _search(model, draw, Progress(options.progress), effort)
-    return _build_retrieval(model, best_x, scores, settled, counts, noise, extent)
+    return _build_retrieval(model, best_x, scores, settled, counts, noise, extent, checks=options.checks)
 
 
 def _search(
@@ -479,9 +492,20 @@ def _random_starts(model: StarImages, rows: Array, draw: np.random.Generator, co
 
 
 def _build_retrieval(
-    model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, effort: tuple[int, int]
+    model: StarImages,
+    x: Array,
+    scores: Scores,
+    settled: bool,
+    counts: Counts,
+    noise: Noise,
+    effort: tuple[int, int],
+    *,
+    checks: bool,
 ) -> Retrieval:
-    """Return the Retrieval for parameters `x`, (1, p); `effort` are the numbers of steps and starts."""
+    """Return the Retrieval for parameters `x`, (1, p); `effort` are the numbers of steps and starts.
+
+    Without `checks`, parameters are those of maximum likelihood, and errors the Cramer-Rao bound.
+    """
     steps, starts = effort
     psf = model.plan(model.pupils(x[0]))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
@@ -490,7 +514,12 @@ def _build_retrieval(
     inverse = covariance(scores.information[0])
     unknowns, common_count, image_parameters = model.unknowns, model.common_count, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
-    tests, marginal, untested = star_tests(model, x)
+    if checks:
+        tests, marginal, untested = star_tests(model, x)
+    else:
+        tests: tuple[ScoreTest, ...] = ()
+        untested = [Finding("unchecked", "doubt", "the fit was not checked: checked() tests it")]
+        marginal = Marginal(np.zeros(common_count), inverse[:common_count, :common_count])
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
@@ -517,7 +546,8 @@ def _build_retrieval(
     difference = residual * np.sqrt(variance)
     shape = counts.values.shape
     findings += goodness_of_fit.outlier_findings(residual.reshape(shape))
-    findings += goodness_of_fit.stripe_findings(difference.reshape(shape), variance.reshape(shape), noise.excess)
+    if checks:
+        findings += goodness_of_fit.stripe_findings(difference.reshape(shape), variance.reshape(shape), noise.excess)
     findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
     if "misfit" in Findings(findings).codes and not effect_findings:
         read = model.read.reshape(residual.shape)
@@ -529,7 +559,7 @@ def _build_retrieval(
     if not Findings(findings).converged and np.all(np.abs(sums - 1.0) < _MAX_SUM_ERROR):
         text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or pass white"
         findings.append(Finding("unit_sum", "note", text))
-    findings += error_findings(model, x, inverse) if Findings(findings).converged else []
+    findings += error_findings(model, x, inverse) if checks and Findings(findings).converged else []
     if not np.isfinite(errors).all():
         pairs = zip(names, errors, strict=False)
         undetermined = ", ".join(label(name) for name, error in pairs if not np.isfinite(error))
@@ -558,6 +588,9 @@ def _build_retrieval(
         residual=residual.reshape(counts.values.shape),
         steps=steps,
         starts=starts,
+        _checked=None
+        if checks
+        else partial(_build_retrieval, model, x, scores, settled, counts, noise, effort, checks=True),
     )
 
 

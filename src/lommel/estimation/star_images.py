@@ -275,6 +275,10 @@ class StarImages(RowModel):
         # The mean square of a term with amplitude 1 at the edge is 1 / (n + 1) if m = 0, otherwise half of this.
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
 
+    def __getstate__(self) -> dict[str, object]:
+        """Return the state without prepared computations, which cannot be pickled and are prepared again."""
+        return {**self.__dict__, "_prepared": {}}
+
     def mean_tilts(self, edge: Array) -> Array:
         """Return the shift of the centroid due to a wavefront `edge` (..., terms), as tilts (places, ...)."""
         # Each term R_n^1 shifts the centroid as much as a tilt with the same amplitude at the edge.

@@ -54,6 +54,7 @@ CODES: Mapping[str, str] = {
     "tilted_background": "the background of images is not flat, but tilted",
     "too_dim": "too little light: images are not linear within the standard errors, and other wavefronts fit as well",
     "too_quiet": "the images are less noisy than gain, offset and read noise state",
+    "unchecked": "the checks of the fit that take long were omitted",
     "undetermined": "the images do not determine a parameter",
     "uneven_background": "a floor of light between structures may be a background that is not flat",
     "unit_sum": "the images sum to 1, as PSFs do and electrons do not",

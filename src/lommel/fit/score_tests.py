@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import scipy
@@ -97,35 +97,52 @@ def score_tests(
     information and the gradient of the log-likelihood at its maximum, including priors; `unknowns` are the columns
     that the fit estimates.
     """
-    tests = []
     not_estimated = [candidate for candidate in candidates if not {*candidate.columns} & {*unknowns}]
     eliminated_columns = [j for candidate in not_estimated for j in candidate.columns]
     # All candidates that are not estimated share one elimination.
     squares, gradients = _eliminated(information, slope, unknowns, eliminated_columns)
-    start = 0
+    # Candidates of equally many coefficients are tested together.
+    groups, start = dict[int, list[tuple[Candidate, Array, Array]]](), 0
     for candidate in candidates:
-        index, diagonal = list(candidate.columns), np.maximum(np.diag(information)[list(candidate.columns)], 1e-300)
+        index, count = list(candidate.columns), len(candidate.columns)
         if candidate in not_estimated:
-            part = slice(start, start + len(index))
+            part = slice(start, start + count)
             square, gradient = squares[part, part], gradients[part]
-            start += len(index)
+            start += count
         else:
             square, gradient = _eliminated(information, slope, [j for j in unknowns if j not in index], index)
-        if candidate.known:  # subtract the prior: the test is of the data alone
-            square = square - np.eye(len(index)) / candidate.known**2
-            gradient = gradient + candidate.offset / candidate.known**2
-        # S is rounding error if the data do not determine c, such as blur that varies over the field, for one star.
-        if np.linalg.eigvalsh(square / np.sqrt(np.outer(diagonal, diagonal)))[0] <= _MIN_INFORMATION:
-            continue
-        variance = np.asarray(np.linalg.inv(square))
-        size = variance @ gradient + candidate.offset
-        # Prior and data are independent: their variances add.
-        total_variance = variance + np.eye(len(index)) * candidate.known**2
-        distance2 = float(size @ np.linalg.solve(total_variance, size))
-        sigmas = math.copysign(math.sqrt(distance2), size[0]) if len(index) == 1 else sigmas_of(distance2, len(index))
-        log_bayes = log_bayes_factor(size, variance, candidate.known, candidate.scale)
-        tests.append(ScoreTest(candidate.name, size, np.sqrt(np.diag(variance)), sigmas, log_bayes))
+        groups.setdefault(count, []).append((candidate, square, gradient))
+    tests = [test for group in groups.values() for test in _tested_together(information, *zip(*group, strict=True))]
     return tuple(sorted(tests, key=lambda test: -test.log_bayes))
+
+
+def _tested_together(
+    information: Array, candidates: Sequence[Candidate], squares: Sequence[Array], gradients: Sequence[Array]
+) -> list[ScoreTest]:
+    """Return the tests of candidates of q coefficients each, given S (q, q) and V (q,) of each."""
+    diagonal = np.maximum(np.diag(information)[[list(candidate.columns) for candidate in candidates]], 1e-300)
+    square, gradient, eye = np.stack(squares), np.stack(gradients), np.eye(diagonal.shape[1])
+    known, scale = np.array([(candidate.known, candidate.scale) for candidate in candidates]).T
+    offset = np.stack([np.broadcast_to(candidate.offset, diagonal.shape[1:]) for candidate in candidates])
+    # Subtract the prior of an estimated parameter: the test is of the data alone.
+    prior = np.where(known > 0.0, 1.0 / np.square(np.where(known > 0.0, known, 1.0)), 0.0)[:, None]
+    square, gradient = square - prior[..., None] * eye, gradient + prior * offset
+    # S is rounding error if the data do not determine c, such as blur that varies over the field, for one star.
+    least = np.linalg.eigvalsh(square / np.sqrt(diagonal[:, :, None] * diagonal[:, None]))[:, 0]
+    chosen = np.flatnonzero(least > _MIN_INFORMATION)
+    known, scale, variance = known[chosen], scale[chosen], np.linalg.inv(square[chosen])
+    size = (variance @ gradient[chosen, :, None])[..., 0] + offset[chosen]
+    errors = np.sqrt(variance.diagonal(axis1=1, axis2=2))
+    # Prior and data are independent: their variances add.
+    total_variance = variance + eye * np.square(known)[:, None, None]
+    distances = (size * np.linalg.solve(total_variance, size[..., None])[..., 0]).sum(axis=1)
+    if size.shape[1] == 1:
+        sigmas = np.copysign(np.sqrt(distances), size[:, 0])
+    else:
+        sigmas = np.array([sigmas_of(distance, size.shape[1]) for distance in distances])
+    names = [candidates[k].name for k in chosen]
+    log_bayes = log_bayes_factor(size, variance, known, scale)
+    return list(map(ScoreTest, names, size, errors, sigmas.tolist(), log_bayes.tolist()))
 
 
 class Marginal(NamedTuple):
@@ -205,13 +222,17 @@ def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], c: Se
     return information[np.ix_(c, c)] - cross.T @ solution, slope[list(c)] - solution.T @ slope[t]
 
 
-def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float) -> float:
-    """Return the log Bayes factor of N(0, scale^2) against N(0, known^2), for estimates (q,) and their covariance."""
-    log_bayes = 0.0
+def log_bayes_factor(size: Array, covariance: Array, known: float | Array, scale: float | Array) -> Any:
+    """Return the log Bayes factor of N(0, scale^2) against N(0, known^2), for estimates (..., q) with a covariance.
+
+    `covariance` has the shape (..., q, q); `known` and `scale` are numbers, or one for each estimate (...,).
+    """
+    log_bayes: Any = 0.0
     # Without its constant, a normal log density is -(squared distance + log determinant) / 2.
-    for width, sign in ((known, 0.5), (max(scale, known), -0.5)):
-        total = covariance + np.eye(len(size)) * width**2
-        log_bayes += sign * (float(size @ np.linalg.solve(total, size)) + float(np.linalg.slogdet(total)[1]))
+    for width, sign in ((known, 0.5), (np.maximum(scale, known), -0.5)):
+        total = covariance + np.eye(size.shape[-1]) * np.square(width)[..., None, None]
+        distance = (size * np.linalg.solve(total, size[..., None])[..., 0]).sum(axis=-1)
+        log_bayes = log_bayes + sign * (distance + np.linalg.slogdet(total)[1])
     return log_bayes
 
 

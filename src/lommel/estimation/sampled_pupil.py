@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 import scipy
@@ -24,6 +25,7 @@ import scipy
 from lommel.base.arrays import Array, Values
 from lommel.estimation.star_readout import products, unfolded
 from lommel.methods.derivative_names import Term
+from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.aperture.mask import cell_centers
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -188,31 +190,65 @@ class PupilChanges:
 
     def __init__(self, pupil: Pupil, grid: Grid, terms: Sequence[Term], edge: Array) -> None:
         self._edge = edge.astype(np.float32)
-        position_scale = grid.step(pupil) / grid.side
         # The slope of a term is at most n^2 per radius. An image repeats after (number of cells) lambda*N.
         slope = float((np.abs(edge) @ [n * n for n, _ in terms]).max(initial=0.0))
         min_side = max(2.0 * slope / _MAX_PHASE_STEP, max(grid.shape) * grid.step(pupil) / math.pi)
         side = min(_MAX_UNEVEN_SIDE, max(_MIN_UNEVEN_SIDE, _STEP * math.ceil(min_side / _STEP)))
-        centers, obscuration, width = cell_centers(side), pupil.obscuration, 2.0 / side
-        rho, theta = np.hypot(centers, centers[:, None]), np.arctan2(centers[:, None], centers)
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)) / math.pi
+        light = pupil.obscuration, pupil.illumination, scale
+        self._tables = _ChangeTables(*light, grid, grid.step(pupil) / grid.side, tuple(terms), side)
+
+    def images(self) -> list[Values]:
+        """Return the derivatives of the images by the changes, in the order of `changes_of`, each (r, h, w)."""
+        tables = self._tables
+        (down, across), (v, u) = tables.waves, tables.positions
+        derivatives = []
+        for coefficients in self._edge:
+            pupil = tables.amplitude * np.exp(1j * np.tensordot(coefficients, tables.terms, 1))
+            field, *changes = down @ (pupil @ across.T)
+            # ASPECT: the derivative of the field by position is i times its derivative by SLANT, a linear amplitude.
+            stretched = 1j * (u * changes[1] - v[:, None] * changes[0])
+            for terms, (rows, columns), movements in tables.edges:
+                edge_phase = np.exp(1j * np.tensordot(coefficients, terms, 1))
+                changes += [(rows * (movement * edge_phase)) @ columns.T for movement in movements]
+            # The derivative of the image abs(U)^2 is 2 Re(U* U').
+            derivatives.append([2.0 * (field.conj() * change).real for change in (*changes, stretched)])
+        return list(np.asarray(derivatives, np.float32).swapaxes(0, 1))
+
+
+@lru_cache(maxsize=2)
+class _ChangeTables:
+    """The parts of :class:`PupilChanges` that do not depend on wavefronts, in `side` cells across the aperture."""
+
+    def __init__(
+        self,
+        obscuration: float,
+        illumination: Apodization,
+        scale: float,
+        grid: Grid,
+        position_scale: float,
+        terms: tuple[Term, ...],
+        side: int,
+    ) -> None:
+        centers, width = cell_centers(side), 2.0 / side
+        rho, theta = np.hypot(centers, centers[:, None]), np.arctan2(centers[:, None], centers)
         # Cells at an edge are weighted by their clear fraction along the radius.
         clear_fraction = np.clip(0.5 + (1.0 - rho) / width, 0.0, 1.0)
         if obscuration:
             clear_fraction -= np.clip(0.5 + (obscuration - rho) / width, 0.0, 1.0)
-        amplitude = scale * width**2 * clear_fraction * pupil.illumination.at(np.minimum(rho, 1.0) ** 2)
+        amplitude = scale * width**2 * clear_fraction * illumination.at(np.minimum(rho, 1.0) ** 2)
         folds = [rho**n * function(n * theta) for n in (2, 3, 4) for function in (np.cos, np.sin)]
         # The unchanged amplitude, then SLANT (along -y and -x) and FOLDS.
         factors = np.stack([np.ones_like(rho), -rho * np.sin(theta), -rho * np.cos(theta), *folds])
-        self._amplitude = (amplitude * factors).astype(np.float32)
-        self._terms = _zernike_values(terms, rho, theta)
-        self._positions = [position_scale * positions for positions in (grid.y, grid.x)]
-        self._waves = [_plane_waves(positions, centers) for positions in self._positions]
+        self.amplitude = (amplitude * factors).astype(np.float32)
+        self.terms = _zernike_values(terms, rho, theta)
+        self.positions = [position_scale * positions for positions in (grid.y, grid.x)]
+        self.waves = [_plane_waves(positions, centers) for positions in self.positions]
         angles: Array = np.linspace(0.0, 2.0 * math.pi, _EDGE_POINTS * side, endpoint=False)
         # At points along each edge: Zernike terms, plane waves along rows and columns, and the amplitude of each
         # change per unit. The inner edge shifts (SHIFT) and widens (OBSCURATION); the outer edge becomes elliptical
         # along two directions (OVAL).
-        self._edges = []
+        self.edges = []
         for radius, movements in (
             (obscuration, (-np.sin(angles), -np.cos(angles), -np.ones_like(angles))),
             (1.0, (np.cos(2 * angles), np.sin(2 * angles))),
@@ -220,29 +256,14 @@ class PupilChanges:
             if radius:
                 waves = [
                     _plane_waves(positions, radius * function(angles))
-                    for positions, function in zip(self._positions, (np.sin, np.cos), strict=True)
+                    for positions, function in zip(self.positions, (np.sin, np.cos), strict=True)
                 ]
-                illumination = float(pupil.illumination.at(np.array(radius**2)))
                 # radius * (angles[1] - angles[0]) is the length of the edge between points.
-                edge_amplitude = scale * radius * (angles[1] - angles[0]) * illumination
+                edge_amplitude = (
+                    scale * radius * (angles[1] - angles[0]) * float(illumination.at(np.array(radius**2)))
+                )
                 edge_terms = _zernike_values(terms, np.full(angles.shape, radius), angles)
-                self._edges.append((edge_terms, waves, edge_amplitude * np.stack(movements)))
-
-    def images(self) -> list[Values]:
-        """Return the derivatives of the images by the changes, in the order of `changes_of`, each (r, h, w)."""
-        (down, across), (v, u) = self._waves, self._positions
-        derivatives = []
-        for coefficients in self._edge:
-            pupil = self._amplitude * np.exp(1j * np.tensordot(coefficients, self._terms, 1))
-            field, *changes = down @ (pupil @ across.T)
-            # ASPECT: the derivative of the field by position is i times its derivative by SLANT, a linear amplitude.
-            stretched = 1j * (u * changes[1] - v[:, None] * changes[0])
-            for terms, (rows, columns), movements in self._edges:
-                edge_phase = np.exp(1j * np.tensordot(coefficients, terms, 1))
-                changes += [(rows * (movement * edge_phase)) @ columns.T for movement in movements]
-            # The derivative of the image abs(U)^2 is 2 Re(U* U').
-            derivatives.append([2.0 * (field.conj() * change).real for change in (*changes, stretched)])
-        return list(np.asarray(derivatives, np.float32).swapaxes(0, 1))
+                self.edges.append((edge_terms, waves, edge_amplitude * np.stack(movements)))
 
 
 def _zernike_values(terms: Sequence[Term], rho: Array, theta: Array) -> Values:

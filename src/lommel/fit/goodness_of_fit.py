@@ -215,16 +215,20 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     w_2k = np.fft.fft2(weight)[:, np.arange(2 * height)[:, None] % height, np.arange(width + 1) % width]
     squares, freedom = _wave_squares(f, w_2k, total)
     # If the noise is larger than stated, the power of all wave vectors is increased: normalize by the median.
-    dispersion = max(1.0, float(np.median(squares / (2.0 * scipy.special.gammaincinv(0.5 * freedom, 0.5)))))
+    levels, level = np.unique(freedom, return_inverse=True)  # few: special functions of all waves would take longer
+    medians = 2.0 * scipy.special.gammaincinv(0.5 * levels, 0.5)
+    dispersion = max(1.0, float(np.median(squares / medians[level].reshape(squares.shape))))
     squares /= dispersion
-    probability = scipy.special.gammaincc(0.5 * freedom, 0.5 * squares)
+    searched = squares.copy()
     # Periods as long as the window are backgrounds, not stripes.
-    probability[np.ix_(np.minimum(rows, height - rows) < 2.0, columns < 2.0)] = 1.0
-    # Of strong stripes, several probabilities are 0.
-    least = np.where(probability == probability.min(), squares, -1.0)
-    i, j = np.unravel_index(int(least.argmax()), least.shape)
+    searched[np.ix_(np.minimum(rows, height - rows) < 2.0, columns < 2.0)] = 0.0
+    # The least probable wave of each number of degrees of freedom; of strong stripes, several probabilities are 0.
+    largest = [int(np.where(freedom == number, searched, -1.0).argmax()) for number in levels]
+    probabilities = scipy.special.gammaincc(0.5 * levels, 0.5 * searched.flat[largest])
+    probability, _, place = min(zip(probabilities, -searched.flat[largest], largest, strict=True))
+    i, j = np.unravel_index(place, squares.shape)
     # The smallest of n probabilities is multiplied by n (Bonferroni).
-    chances, power = {"stripes": float(probability[i, j]) * probability.size}, {}
+    chances, power = {"stripes": float(probability) * squares.size}, {}
     for name, line, side in (("rows", np.s_[4 : height + 1 : 2, 0], height), ("columns", np.s_[0, 4::2], width)):
         square_sum, degrees = float(squares[line].sum()), float(freedom[line].sum())
         chances[name] = float(scipy.special.gammaincc(0.5 * degrees, 0.5 * square_sum))

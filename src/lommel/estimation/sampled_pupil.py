@@ -23,7 +23,7 @@ import numpy as np
 import scipy
 
 from lommel.base.arrays import Array, Values
-from lommel.estimation.star_readout import products, unfolded
+from lommel.estimation.star_readout import column_products, products, unfolded
 from lommel.methods.derivative_names import Term
 from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.aperture.mask import cell_centers
@@ -204,13 +204,14 @@ class PupilChanges:
         (down, across), (v, u) = tables.waves, tables.positions
         derivatives = []
         for coefficients in self._edge:
-            pupil = tables.amplitude * np.exp(1j * np.tensordot(coefficients, tables.terms, 1))
-            field, *changes = down @ (pupil @ across.T)
+            # einsum, since several threads of BLAS would mostly wait for each other.
+            pupil = tables.amplitude * np.exp(1j * np.einsum("k,kyx->yx", coefficients, tables.terms))
+            field, *changes = column_products(products(pupil, across), down)
             # ASPECT: the derivative of the field by position is i times its derivative by SLANT, a linear amplitude.
             stretched = 1j * (u * changes[1] - v[:, None] * changes[0])
             for terms, (rows, columns), movements in tables.edges:
                 edge_phase = np.exp(1j * np.tensordot(coefficients, terms, 1))
-                changes += [(rows * (movement * edge_phase)) @ columns.T for movement in movements]
+                changes += [products(rows * (movement * edge_phase), columns) for movement in movements]
             # The derivative of the image abs(U)^2 is 2 Re(U* U').
             derivatives.append([2.0 * (field.conj() * change).real for change in (*changes, stretched)])
         return list(np.asarray(derivatives, np.float32).swapaxes(0, 1))

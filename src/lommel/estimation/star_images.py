@@ -428,12 +428,15 @@ class StarImages(RowModel):
         if self.unknowns.pupil:
             factors[..., : self._phases] *= self.wavelength_ratio(self.pupil_parameters(x))
         chain = self._chain * factors
-        if q:
-            chain = np.insert(chain, [chain.shape[-1] - 3] * q, 0.0, axis=-1)
-            chain = np.insert(chain, [self.size] * q, 0.0, axis=-2)
-            indices = np.arange(q)
-            chain[..., self.size + indices, chain.shape[-1] - 3 - q + indices] = 1.0
-        return sums.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
+        first = chain.shape[-1] - 3
+        own, others = np.r_[:first, first + q : first + q + 3], slice(first, first + q)
+        chained = chain @ products[:, :, own]
+        square = (chained[..., own] @ chain.swapaxes(-1, -2)).sum(axis=1)
+        if q:  # the chain rule does not change these images
+            cross, rest = chained[..., others].sum(axis=1), products[:, :, others, others].sum(axis=1)
+            order = np.r_[: self.size, self.size + 1 : self.size + 1 + q, self.size]
+            square = np.block([[square, cross], [cross.swapaxes(-1, -2), rest]])[:, order[:, None], order]
+        return sums.sum(axis=-1), square
 
     def with_flux_background(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares for the PSFs `values`."""

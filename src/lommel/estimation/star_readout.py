@@ -32,7 +32,7 @@ _BANDS = np.linspace(0.02, 1.0, 50)  # candidates for F
 ROOM = 0.5  # increase of the blur width, pixels, up to which the sample lattice is kept
 _MARGIN = 3.0  # lambda*N by which the samples extend beyond the outer pixels
 _BLUR_MARGIN = 3.7  # standard deviations of the blur by which the samples extend farther
-_SINGLE_THREAD = 2**18  # multiplications up to which BLAS uses a single thread
+_SINGLE_THREAD = 2**18  # real multiplications up to which BLAS uses a single thread
 _BATCH = 6  # number of images computed together, so that their samples stay in the cache
 # Additional variances of wings and halo, divided by the geometric mean variance of the blur.
 _WIDER_VARIANCES = (3.0, 15.0)
@@ -162,10 +162,10 @@ class StarReadout:
             for y, x in product(range(2), range(2)):
                 part, image = parts[y][x], images[y][x]
                 row_images = np.float32(weight) * products(part, by_column[x])
-                image[: len(samples)] += _column_products(row_images, by_row[y])
+                image[: len(samples)] += column_products(row_images, by_row[y])
                 for by_rows, by_columns in derivative_matrices:
-                    derivative = _column_products(row_images[0], by_rows[y])
-                    derivative += np.float32(weight) * _column_products(products(part[0], by_columns[x]), by_row[y])
+                    derivative = column_products(row_images[0], by_rows[y])
+                    derivative += np.float32(weight) * column_products(products(part[0], by_columns[x]), by_row[y])
                     image[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * derivative
         return unfolded(images, self._window).reshape(len(images[0][0]), -1, *self._window)
 
@@ -218,7 +218,7 @@ class StarReadout:
     def _mixture_images(self, samples: Values, rows: Array, columns: Array) -> Values:
         """Return images blurred by the mixture of Gaussians; `rows` and `columns` have a matrix for each Gaussian."""
         mixture = zip(self.blur.weights, rows, columns, strict=True)
-        parts = (np.float32(w) * _column_products(products(samples, column), row) for w, row, column in mixture)
+        parts = (np.float32(w) * column_products(products(samples, column), row) for w, row, column in mixture)
         return np.asarray(sum(parts))
 
 
@@ -255,12 +255,13 @@ def products(images: Values, matrix: Array) -> Values:
     """Return products (..., h, m) of the rows of images (..., h, n) with a matrix (m, n) or matrices (..., m, n)."""
     # Blocks of rows are small enough for one thread of BLAS; several threads would mostly wait for each other.
     transposed, rows = matrix.swapaxes(-1, -2).astype(images.dtype, copy=False), images.shape[-2]
-    block = max(1, _SINGLE_THREAD // max(transposed.shape[-2] * transposed.shape[-1], 1))
+    limit = _SINGLE_THREAD // (4 if np.iscomplexobj(images) else 1)
+    block = max(1, limit // max(transposed.shape[-2] * transposed.shape[-1], 1))
     if block >= rows:
         return np.asarray(images @ transposed)
     return np.concatenate([images[..., k : k + block, :] @ transposed for k in range(0, rows, block)], axis=-2)
 
 
-def _column_products(images: Values, matrix: Array) -> Values:
+def column_products(images: Values, matrix: Array) -> Values:
     """Return products (..., m, width) of the columns of images (..., n, width) with a matrix (m, n) or matrices."""
     return products(images.swapaxes(-1, -2), matrix).swapaxes(-1, -2)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -358,7 +359,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     if (apodized_pupil := apodized(pupil)) is not None and plan.method is None:
         effects.append(missing_apodization(flux * values, flux * np.asarray(plan(apodized_pupil).values)))
     grid, scale = plan.grid(pupil), float(pupil.scale)
-    reader = StarReadout(grid.shape, model.pixel / scale, 1.0, _NO_BLUR, integrate=grid.integrate)
+    reader = _sharp_reader(grid.shape, model.pixel / scale, grid.integrate)
     pitch, threads = reader.step * scale, plan.threads or None
     fine_plan = Plan(reader.shape, pitch, tol=model.search_tol, integrate=False, threads=threads)
     notes = []
@@ -386,6 +387,12 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     columns, never = range(len(unknowns.terms)), (*untestable(model), *spectrum)
     notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, columns, never)
     return tests, marginal, notes
+
+
+@lru_cache(maxsize=2)
+def _sharp_reader(shape: tuple[int, int], pixel: float, integrate: bool) -> StarReadout:
+    """Return the readout of images without blur, whose tables serve many fits."""
+    return StarReadout(shape, pixel, 1.0, _NO_BLUR, integrate=integrate)
 
 
 def error_findings(model: StarImages, x: Array, covariance_matrix: Array) -> list[Finding]:

@@ -82,7 +82,7 @@ class StarReadout:
         taper = 0.5 * scipy.special.erfc(_ERF_ARGUMENT * (self._f - middle) / (cutoff - middle))
         area = np.sinc(pixel * self._f) if integrate else 1.0
         self._f_weights = 2.0 * pixel * cutoff * weights * taper * area
-        self._window = window
+        self._window, self._kernels = window, dict[bytes, list[list[Array]]]()
         #: For rows, then columns: pairs (pixels, samples) of cosines and of sines, shape (positions, frequencies).
         self._axis_waves = [
             list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
@@ -176,16 +176,31 @@ class StarReadout:
         variances along rows and columns, and the covariance (pixels^2). "wings" and "halo": fraction of light in a
         wider blur. `squared_widths` (e, b) are those of the blur of each exposure.
         """
+        exposures = len(squared_widths)
+        derivatives = {name: np.empty((len(samples), *self._window), np.float32) for name in OTHER_BLURS}
+        for k, variances in enumerate(self.blur.variances(squared_widths)):
+            kernels = self._kernels.get(key := variances.tobytes())
+            if kernels is None:  # those of the last blur are kept: a model without blur has the same for all images
+                self._kernels.clear()
+                kernels = self._kernels[key] = self._other_kernels(variances)
+            image, along, across, oblique, *wider = (self._mixture_images(samples[k::exposures], *p) for p in kernels)
+            blur_derivatives = [along + across, along - across, oblique, *(wide - image for wide in wider)]
+            for images, values in zip(derivatives.values(), blur_derivatives, strict=True):
+                images[k::exposures] = values
+        return derivatives
+
+    def _other_kernels(self, variances: Array) -> list[list[Array]]:
+        """Return kernels [rows, columns] (c, pixels, samples) of an image, its derivatives by blurs, and wider ones."""
         phases = [
             [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
             for side in zip(
                 ((self.pixel, n) for n in self._window), ((self.step, n) for n in self.shape), strict=True
             )
         ]
-        exposures, rate = len(squared_widths), -2.0 * (math.pi * self.pixel * self._f) ** 2
+        rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
 
         def kernels(weights: Array, *, odd: bool = False) -> list[Array]:
-            """Return the kernel k of rows and columns (c, pixels, samples); if `odd`, the integral with sines."""
+            """Return the kernel k of rows and columns; if `odd`, the integral with sines."""
             first, second, sign = (np.sin, np.cos, -1.0) if odd else (np.cos, np.sin, 1.0)
             return [
                 np.asarray(
@@ -196,24 +211,17 @@ class StarReadout:
                 for x, y in phases
             ]
 
-        derivatives = {name: np.empty((len(samples), *self._window), np.float32) for name in OTHER_BLURS}
-        for k, variances in enumerate(self.blur.variances(squared_widths)):
-            mean_variance = math.exp(float(self.blur.weights @ np.log(variances + _MIN_VARIANCE)))
-            blurred = self._f_weights * np.exp(np.multiply.outer(variances, rate))
-            kernel, derivative = kernels(blurred), kernels(blurred * rate)
-            # The derivative by the covariance is a product of first derivatives, which are odd.
-            odd_kernels = kernels(2.0 * math.pi * self.pixel * self._f * blurred, odd=True)
-            image, along, across, oblique = (
-                self._mixture_images(samples[k::exposures], rows, columns)
-                for rows, columns in (kernel, (derivative[0], kernel[1]), (kernel[0], derivative[1]), odd_kernels)
-            )
-            blur_derivatives = [along + across, along - across, oblique]
-            for factor in _WIDER_VARIANCES:
-                wide_weights = self._f_weights * np.exp(np.multiply.outer(variances + factor * mean_variance, rate))
-                blur_derivatives.append(self._mixture_images(samples[k::exposures], *kernels(wide_weights)) - image)
-            for images, values in zip(derivatives.values(), blur_derivatives, strict=True):
-                images[k::exposures] = values
-        return derivatives
+        mean_variance = math.exp(float(self.blur.weights @ np.log(variances + _MIN_VARIANCE)))
+        blurred = self._f_weights * np.exp(np.multiply.outer(variances, rate))
+        kernel, derivative = kernels(blurred), kernels(blurred * rate)
+        # The derivative by the covariance is a product of first derivatives, which are odd.
+        odd_kernels = kernels(2.0 * math.pi * self.pixel * self._f * blurred, odd=True)
+        wide_weights = (
+            self._f_weights * np.exp(np.multiply.outer(variances + factor * mean_variance, rate))
+            for factor in _WIDER_VARIANCES
+        )
+        mixed = [derivative[0], kernel[1]], [kernel[0], derivative[1]], odd_kernels
+        return [kernel, *mixed, *map(kernels, wide_weights)]
 
     def _mixture_images(self, samples: Values, rows: Array, columns: Array) -> Values:
         """Return images blurred by the mixture of Gaussians; `rows` and `columns` have a matrix for each Gaussian."""

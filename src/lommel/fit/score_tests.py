@@ -97,15 +97,15 @@ def score_tests(
     information and the gradient of the log-likelihood at its maximum, including priors; `unknowns` are the columns
     that the fit estimates.
     """
-    not_estimated = [candidate for candidate in candidates if not {*candidate.columns} & {*unknowns}]
-    eliminated_columns = [j for candidate in not_estimated for j in candidate.columns]
+    estimated = {*unknowns}
     # All candidates that are not estimated share one elimination.
+    eliminated_columns = [j for item in candidates if estimated.isdisjoint(item.columns) for j in item.columns]
     squares, gradients = _eliminated(information, slope, unknowns, eliminated_columns)
     # Candidates of equally many coefficients are tested together.
     groups, start = dict[int, list[tuple[Candidate, Array, Array]]](), 0
     for candidate in candidates:
         index, count = list(candidate.columns), len(candidate.columns)
-        if candidate in not_estimated:
+        if estimated.isdisjoint(index):
             part = slice(start, start + count)
             square, gradient = squares[part, part], gradients[part]
             start += count
@@ -123,7 +123,9 @@ def _tested_together(
     diagonal = np.maximum(np.diag(information)[[list(candidate.columns) for candidate in candidates]], 1e-300)
     square, gradient, eye = np.stack(squares), np.stack(gradients), np.eye(diagonal.shape[1])
     known, scale = np.array([(candidate.known, candidate.scale) for candidate in candidates]).T
-    offset = np.stack([np.broadcast_to(candidate.offset, diagonal.shape[1:]) for candidate in candidates])
+    offset = np.empty(diagonal.shape)
+    for row, candidate in zip(offset, candidates, strict=True):
+        row[:] = candidate.offset
     # Subtract the prior of an estimated parameter: the test is of the data alone.
     prior = np.where(known > 0.0, 1.0 / np.square(np.where(known > 0.0, known, 1.0)), 0.0)[:, None]
     square, gradient = square - prior[..., None] * eye, gradient + prior * offset

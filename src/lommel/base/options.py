@@ -158,7 +158,9 @@ class Options:
         for name in given:
             if name not in names:
                 raise TypeError(f"{job}() has no option {shown(name)}; {near(name, names)}")
-        base = cls() if options is None else validation.instance("options", options, cls)
+        if options is None:
+            return cls(**given)
+        base = validation.instance("options", options, cls)
         return dataclasses.replace(base, **given) if given else base
 
 

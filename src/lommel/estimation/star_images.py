@@ -183,7 +183,10 @@ def centroids(data: Array, shape: tuple[int, int]) -> Array:
     rim[1:-1, 1:-1] = False
     # The background is that of the outermost pixels, or of all pixels if no outermost pixel is valid.
     is_background = is_valid & (rim | ~(is_valid & rim).any(axis=(1, 2), keepdims=True))
-    level = np.nanmedian(np.where(is_background, counted, np.nan), axis=(1, 2), keepdims=True)
+    levels = [
+        np.median(image[mask]) if mask.any() else np.nan for image, mask in zip(counted, is_background, strict=True)
+    ]
+    level = np.reshape(levels, (-1, 1, 1))
     noise = np.sqrt(np.maximum(level, 0.0) + read.mean(axis=(1, 2), keepdims=True))
     light = np.where(is_valid & (counted > level + 3.0 * noise), counted - level, 0.0)
     total = np.maximum(light.sum(axis=(1, 2)), 1e-12)  # without light, the centroid is the middle
@@ -428,15 +431,17 @@ class StarImages(RowModel):
         if self.unknowns.pupil:
             factors[..., : self._phases] *= self.wavelength_ratio(self.pupil_parameters(x))
         chain = self._chain * factors
+        if not q:
+            return sums.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
+        # The chain rule does not change the images `extra`.
         first = chain.shape[-1] - 3
         own, others = np.r_[:first, first + q : first + q + 3], slice(first, first + q)
         chained = chain @ products[:, :, own]
         square = (chained[..., own] @ chain.swapaxes(-1, -2)).sum(axis=1)
-        if q:  # the chain rule does not change these images
-            cross, rest = chained[..., others].sum(axis=1), products[:, :, others, others].sum(axis=1)
-            order = np.r_[: self.size, self.size + 1 : self.size + 1 + q, self.size]
-            square = np.block([[square, cross], [cross.swapaxes(-1, -2), rest]])[:, order[:, None], order]
-        return sums.sum(axis=-1), square
+        cross, rest = chained[..., others].sum(axis=1), products[:, :, others, others].sum(axis=1)
+        order = np.r_[: self.size, self.size + 1 : self.size + 1 + q, self.size]
+        matrix = np.block([[square, cross], [cross.swapaxes(-1, -2), rest]])
+        return sums.sum(axis=-1), matrix[:, order[:, None], order]
 
     def with_flux_background(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares for the PSFs `values`."""

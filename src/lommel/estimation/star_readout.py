@@ -190,7 +190,7 @@ class StarReadout:
         return derivatives
 
     def _other_kernels(self, variances: Array) -> list[list[Array]]:
-        """Return kernels [rows, columns] (c, pixels, samples) of an image, its derivatives by blurs, and wider ones."""
+        """Return kernels [rows, columns] (c, pixels, samples) of an image, and of its changes by other blurs."""
         phases = [
             [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
             for side in zip(

@@ -11,7 +11,7 @@ from lommel.fit import Finding, Findings, FitReport
 
 NOTE = Finding("rare_chi2", "note", "noise alone exceeds this chi2 in 0.1 % of fits")
 DOUBT = Finding("too_quiet", "doubt", "the images are less noisy than stated", {"chi2": np.float64(0.5)})
-ERROR = Finding("misfit", "error", "noise alone stays below 1.2", {"chi2": 3.1, "limit": 1.2})
+ERROR = Finding("misfit", "error", "noise alone keeps chi2 below 1.2", {"chi2": 3.1, "limit": 1.2})
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)

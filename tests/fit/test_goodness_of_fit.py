@@ -82,7 +82,7 @@ def test_causes_are_named_unless_what_the_data_favour_explains_more_than_half_of
         test = ScoreTest("blur", np.zeros(1), np.ones(1), sigmas, 9.0)
         assert causes_of_misfit("pixel is wrong", 1.2, spread, [test]) == causes
         found = goodness_of_fit.chi2_findings(1.2, spread, causes)[0]
-        assert found.text == "noise alone stays below 1.17" + (f"; {causes}" if causes else "")
+        assert found.text == "noise alone keeps chi2 below 1.17" + (f"; {causes}" if causes else "")
     assert causes_of_misfit("pixel is wrong", 1.2, spread, []) == "pixel is wrong"
 
 

@@ -21,7 +21,7 @@ from lommel.base.validation import line
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraNoise, header_differences, instrument_of, require_microscope
-from lommel.cli.messages import report_findings
+from lommel.cli.messages import report_findings, verdict_lines
 from lommel.cli.output import progress, require_file, save_figure, written
 from lommel.estimation import EFFORT
 from lommel.estimation.options import BeadOptions, FieldFitOptions, RetrieveOptions
@@ -139,8 +139,7 @@ def retrieve(
     titles = dict(zip(facts["coefficients"], map(label, result.coefficients), strict=True))
     blurs = blurs_in_words(result, instrument.side, None)
     shown = tables(facts | {"row": row, "column": column}, titles)
-    verdict = Wrapped(facts["message"].partition("; ")[0], "bold")
-    return report_findings(facts, verdict, "", *shown, *blurs, "") + files
+    return report_findings(facts, *verdict_lines(facts), *shown, *blurs, "") + files
 
 
 def _files(paths: list[Path]) -> list[Path]:
@@ -310,7 +309,7 @@ def fit_field(
     files = written([output, twin, figure, spots], lambda path: note if path in (output, twin) else "")
     facts = _facts(result, targets) | {"notes": [*without_compared(read.notes), *header]}
     middle = described({"coma_in_the_middle": facts["coma"], "focus_in_the_middle": facts["focus"]})
-    shown: list[Any] = [Wrapped(facts["message"].partition("; ")[0], "bold"), "", *middle, ""]
+    shown: list[Any] = [*verdict_lines(facts), *middle, ""]
     for name, wave in facts["waves"].items():
         found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
         shown += [*tables({f"waves rms, {name}": found, "errors": errors}), ""]
@@ -537,8 +536,7 @@ def beads(
         nanometres = [{axis: 1e9 * pair[k] for axis, pair in widths.items()} for k in (0, 1)]
         title = "FWHM at the first bead, without bead and pixel"
         shown += ["", *tables({title: nanometres[0], "errors": nanometres[1], "units": dict.fromkeys("xyz", "nm")})]
-    verdict = Wrapped(facts["message"].partition("; ")[0], "bold")
-    return report_findings(facts, verdict, "", *shown, "") + files
+    return report_findings(facts, *verdict_lines(facts), *shown, "") + files
 
 
 def _fitted(microscope: Microscope, result: BeadFit, step: float) -> Microscope:

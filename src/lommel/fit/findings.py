@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
+
+import numpy as np
 
 from lommel.base.arrays import fields_of, plain
 
@@ -64,6 +66,15 @@ CODES: Mapping[str, str] = {
 """Codes of findings, and their meanings."""
 
 _SEVERITIES: tuple[Severity, ...] = get_args(Severity)
+# Pixels or values that may be the cause of anything that is found.
+_DATA = ("flat_top", "multiples", "no_counts", "unit_sum")
+# Findings that name what is wrong: they are printed before the statistics that show that something is.
+_CAUSES = (
+    "contradiction", "pixel_pitch", "reversed_z", "exchanged", "opposite_astigmatism", "excess_noise",
+    "other_explanation", "hot_pixels", "pattern", "lens_scale",
+)  # fmt: skip
+_MOST_CHARACTERS = 800  # of the texts of findings that are printed: ten lines
+_MOST_WORDS = 15  # of the finding "untested"
 
 
 @dataclass(frozen=True)
@@ -148,16 +159,16 @@ class Findings(tuple[Finding, ...]):
         return tuple(finding.code for finding in self)
 
     @property
-    def text(self) -> str:
-        """The texts of all findings, separated by semicolons; what is not tested comes last.
-
-        Pixels that may be saturated, and values that are not counts, come first where the fit is not reliable, since
-        they may be the cause.
-        """
-        places = {"untested": 1} | (
-            {} if self.reliable else dict.fromkeys(("flat_top", "multiples", "no_counts"), -1)
+    def printed(self) -> Findings:
+        """The findings in the order in which they are printed: named causes first, what is not tested last."""
+        return tuple.__new__(
+            Findings, sorted(self, key=lambda finding: place_of(finding.code, finding.severity, self.reliable))
         )
-        return "; ".join(finding.text for finding in sorted(self, key=lambda finding: places.get(finding.code, 0)))
+
+    @property
+    def text(self) -> str:
+        """The texts of the findings in the order of `printed`, separated by semicolons; at most ten lines."""
+        return "; ".join(shortened([(finding.code, finding.text) for finding in self.printed]))
 
     def get(self, code: str) -> Finding | None:
         """Return the first finding with a code.
@@ -171,6 +182,41 @@ class Findings(tuple[Finding, ...]):
         Finding or None
         """
         return next((finding for finding in self if finding.code == code), None)
+
+
+def place_of(code: str, severity: str, reliable: bool) -> int:
+    """Return the place of a finding among those printed, ascending: below 0 for causes; `reliable`: of the result."""
+    if code in _DATA:
+        return 1 if reliable else -2
+    is_cause = code == "estimated" or (code in _CAUSES and severity != "note")
+    return -1 if is_cause else 2 if code == "untested" else 0
+
+
+def shortened(findings: Sequence[tuple[str, str]]) -> list[str]:
+    """Return the texts of findings (code, text), at most ten lines; the codes of the others are in the last text."""
+    lengths = np.cumsum([len(text) for _, text in findings])
+    count = max(1, int((lengths <= _MOST_CHARACTERS).sum()))
+    texts, others = [text for _, text in findings[:count]], [code for code, _ in findings[count:]]
+    return [*texts, *([f"and {', '.join(others).replace('_', ' ')}: see findings"] if others else [])]
+
+
+def untested_finding(items: Sequence[str], numbers: Mapping[str, Any]) -> Finding:
+    """Return the note on what the data do not test, in at most 15 words; all `items` are in ``numbers["what"]``.
+
+    Items are names, the most important first, with explanations in brackets.
+    """
+    names = [item.partition(" (")[0] for item in items]
+    rest = [f" and {len(items) - k} more" for k in range(len(items))]
+    # As many items as possible, the first one with its explanation if there is room.
+    texts = [", ".join(items), ", ".join(names)]
+    texts += [
+        ", ".join(part[:k]) + rest[k]
+        for k in range(len(items) - 1, 0, -1)
+        for part in ((items[0], *names[1:]), names)
+    ]
+    texts = [f"not tested: {text}" for text in (*texts, f"{len(items)} things")]
+    text = next((text for text in texts if len(text.split()) <= _MOST_WORDS), texts[-1])
+    return Finding("untested", "note", text, {**numbers, "what": list(items)})
 
 
 class Judged:
@@ -194,9 +240,12 @@ class Judged:
         return self.findings.status
 
     def _message(self, summary: str) -> str:
-        """Return status, summary and the texts of all findings."""
+        """Return status, named causes, summary and the texts of the other findings."""
         status_text = {"doubtful": "converged, but in doubt"}.get(self.status, self.status.replace("_", " "))
-        return "; ".join(filter(None, (f"{status_text}: {summary}", self.findings.text)))
+        texts = [(finding.code, finding.text) for finding in self.findings.printed]
+        causes = sum(place_of(finding.code, finding.severity, self.reliable) < 0 for finding in self.findings)
+        texts.insert(causes, ("", summary))
+        return f"{status_text}: {'; '.join(shortened(texts))}"
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -216,7 +265,7 @@ class FitReport(Judged):
 
     @property
     def message(self) -> str:
-        """Status, summary and the texts of all findings."""
+        """Status, named causes, summary and the texts of the other findings, at most twelve lines."""
         return self._message(self.summary)
 
     def __repr__(self) -> str:

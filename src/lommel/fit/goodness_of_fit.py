@@ -79,7 +79,7 @@ def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
     probability = chance(chi2, spread)
     numbers = {"chi2": chi2, "limit": limit, "least": floor, "chance": probability}
     if chi2 >= limit:
-        text = "; ".join(filter(None, (f"noise alone stays below {limit:.3g}", causes)))
+        text = "; ".join(filter(None, (f"noise alone keeps chi2 below {limit:.3g}", causes)))
         return [Finding("misfit", "error", text, numbers)]
     if chi2 < floor:
         text = "the images are less noisy than gain, read noise and offset imply: standard errors are not valid"

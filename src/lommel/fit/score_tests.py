@@ -23,7 +23,7 @@ import scipy
 
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
-from lommel.fit.findings import Finding
+from lommel.fit.findings import Finding, untested_finding
 from lommel.fit.scoring import covariance
 
 SEEN = 3.0  # a candidate is significant if the log of its Bayes factor exceeds SEEN + ln(number of candidates)
@@ -212,8 +212,7 @@ def untested_findings(
         items.append(f"{', '.join(priors)} ({'known by their priors' if len(priors) > 1 else 'known by its prior'})")
     numbers: dict[str, dict[str, float]] = {name: {term: by} for name, (term, by) in changes.items()}
     numbers |= {name: {} for name in (*priors, *never)}
-    text = f"not tested: {', '.join((*items, *never))}"
-    return [Finding("untested", "note", text, numbers)] if numbers else []
+    return [untested_finding([*items, *never], numbers)] if numbers else []
 
 
 def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], c: Sequence[int]) -> tuple[Array, Array]:

@@ -22,7 +22,7 @@ from lommel.base.arrays import Array, Json
 from lommel.base.units import format_length, percent, with_error
 from lommel.detection.molecules import DEFECT, Spots
 from lommel.estimation.star_images import label
-from lommel.fit.findings import Finding, Findings, Severity
+from lommel.fit.findings import Finding, Findings, Severity, untested_finding
 from lommel.fit.goodness_of_fit import excess_test
 from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
 from lommel.localize.fitting import Molecules, in_electrons
@@ -256,7 +256,7 @@ class Checks:
                 for name, (size, estimate, bias) in untested.items()
             ]
             sizes: Json = {name: {"error": size, estimate: bias} for name, (size, estimate, bias) in untested.items()}
-            yield Finding("untested", "note", f"not tested: {', '.join((*stated, *_NOT_TESTABLE))}", sizes)
+            yield untested_finding([*stated, *_NOT_TESTABLE], sizes)
 
     def _spot_findings(self) -> Iterator[Finding]:
         sums = self._sums

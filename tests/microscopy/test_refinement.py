@@ -164,6 +164,14 @@ def test_the_right_index_is_compared_and_stays(monkeypatch):
     assert (found.code, found.severity) == ("psf_compared", "note")
     assert {at for at, _ in calls} == {1.325, 1.33, 1.335}
     assert "lnL changes by -5 +- 4 with 1.325 and -2 +- 3 with 1.335" in found.text
+    assert "which excludes" not in found.text
+    found, _ = trial(monkeypatch, 1.33, 1.33, bend=1.6e6)
+    assert found.text.endswith("which excludes 1.325 and 1.335")
+
+
+def test_a_difference_of_lnl_that_is_no_evidence_is_no_doubt(monkeypatch):
+    found, _ = trial(monkeypatch, 1.332, 1.33, bend=3e5)  # lnL rises by 1
+    assert found.code == "psf_compared", found.numbers
 
 
 def test_of_a_flat_stack_nothing_is_compared():
@@ -174,7 +182,7 @@ def test_of_a_flat_stack_nothing_is_compared():
 
 def test_where_one_half_is_not_sure_the_other_one_decides_too(monkeypatch):
     for noise, code in ((0.0, "psf_doubtful"), (-1040.0, "psf_compared")):  # it is two standard errors in one half
-        found, calls = trial(monkeypatch, 1.33, 1.335, bend=4.16e5, noise=noise)
+        found, calls = trial(monkeypatch, 1.33, 1.335, bend=5e5, noise=noise)
         assert {(1.335, 1), (1.33, 1)} <= set(calls), found.numbers
         assert found.code == code, found.numbers
 

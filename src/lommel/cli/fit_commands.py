@@ -139,7 +139,7 @@ def retrieve(
     titles = dict(zip(facts["coefficients"], map(label, result.coefficients), strict=True))
     blurs = blurs_in_words(result, instrument.side, None)
     shown = tables(facts | {"row": row, "column": column}, titles)
-    return report_findings(facts, *verdict_lines(facts), *shown, *blurs, "") + files
+    return report_findings(facts, *verdict_lines(facts, result.summary), *shown, *blurs, "") + files
 
 
 def _files(paths: list[Path]) -> list[Path]:
@@ -309,7 +309,7 @@ def fit_field(
     files = written([output, twin, figure, spots], lambda path: note if path in (output, twin) else "")
     facts = _facts(result, targets) | {"notes": [*without_compared(read.notes), *header]}
     middle = described({"coma_in_the_middle": facts["coma"], "focus_in_the_middle": facts["focus"]})
-    shown: list[Any] = [*verdict_lines(facts), *middle, ""]
+    shown: list[Any] = [*verdict_lines(facts, result.summary), *middle, ""]
     for name, wave in facts["waves"].items():
         found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
         shown += [*tables({f"waves rms, {name}": found, "errors": errors}), ""]
@@ -536,7 +536,7 @@ def beads(
         nanometres = [{axis: 1e9 * pair[k] for axis, pair in widths.items()} for k in (0, 1)]
         title = "FWHM at the first bead, without bead and pixel"
         shown += ["", *tables({title: nanometres[0], "errors": nanometres[1], "units": dict.fromkeys("xyz", "nm")})]
-    return report_findings(facts, *verdict_lines(facts), *shown, "") + files
+    return report_findings(facts, *verdict_lines(facts, result.summary), *shown, "") + files
 
 
 def _fitted(microscope: Microscope, result: BeadFit, step: float) -> Microscope:

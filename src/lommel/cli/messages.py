@@ -158,11 +158,11 @@ def _flag_in(match: re.Match[str]) -> str:
     return match[0]
 
 
-def verdict_lines(facts: Facts) -> list[Wrapped]:
+def verdict_lines(facts: Facts, summary: str) -> list[Wrapped]:
     """Return the status of a fit with the named cause, if any, in bold, and the summary."""
     head = facts["message"].partition("; ")[0]
-    summary = [] if facts["summary"].partition("; ")[0] in head else [Wrapped(facts["summary"])]
-    return [Wrapped(with_options(head), "bold"), *summary, Wrapped("")]
+    second = [] if summary.partition("; ")[0] in head else [Wrapped(summary)]
+    return [Wrapped(with_options(head), "bold"), *second, Wrapped("")]
 
 
 def finding_lines(facts: Facts) -> list[Wrapped]:
@@ -171,7 +171,7 @@ def finding_lines(facts: Facts) -> list[Wrapped]:
 
     reliable, head = facts["reliable"], facts["message"].partition("; ")[0].partition(": ")[2]
     # Not again the cause that the first line has.
-    others = [f for f in facts["findings"] if f["text"] != head or f["text"] == facts.get("summary")]
+    others = [f for f in facts["findings"] if f["text"] != head]
     others.sort(key=lambda f: place_of(f["code"], f["severity"], reliable))
     texts = [(f["code"], f"{f['code'].replace('_', ' ')}: {with_options(f['text'])}") for f in others]
     return [Wrapped(line) for line in (*shortened(texts), *facts["notes"])]

@@ -374,7 +374,7 @@ def restore(
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(result.light))
     facts = {"seconds": seconds, "method": algorithm} | result.to_dict() | {"clipped": clipped}
-    findings = [Wrapped(found.text) for found in result.findings]
+    findings = [Wrapped(found.text) for found in result.findings.printed]
     return job.report(facts) + Report({}, findings, result.converged)
 
 
@@ -539,7 +539,7 @@ def verdict_report(verdict: DefocusVerdict) -> Report:
     del facts["misfit"]  # commands report their own misfit
     facts |= {"agrees": verdict.agrees, "untested": untested_finding and untested_finding.numbers["what"]}
     lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
-    lines += [finding.text for finding in verdict.findings]
+    lines += [finding.text for finding in verdict.findings.printed]
     return Report(facts, [*map(with_options, lines)], verdict.converged)
 
 

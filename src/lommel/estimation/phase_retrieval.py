@@ -553,7 +553,7 @@ def _build_retrieval(
         read = model.read.reshape(residual.shape)
         findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
     if not settled:
-        text = f"the steps have not settled: more than {steps} steps may be needed"
+        text = f"the steps have not settled after {steps}: estimate fewer terms, or start nearer to the wavefront"
         findings.append(Finding("not_settled", "error", text))
     sums = counts.filled().sum(axis=(1, 2))
     if not Findings(findings).converged and np.all(np.abs(sums - 1.0) < _MAX_SUM_ERROR):

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length, percent
 from lommel.estimation.depth_precision import WINDOW
-from lommel.fit.findings import Finding, Findings, FitReport, Severity
+from lommel.fit.findings import Finding, Findings, FitReport, Severity, untested_finding
 from lommel.imaging.focal_engine import BLOCK, UNMEASURED, FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 from lommel.recorded.noise import Noise
@@ -70,7 +70,8 @@ class DefocusVerdict(FitReport):
     """Test of frames that differ in focus against their stated lenses and noise.
 
     The findings have the codes "no_depth", "misfit", "too_quiet", "left_out", "estimated_noise", "lens_scale" and
-    "untested". The finding "untested" lists errors that these frames, or any frames, cannot reveal.
+    "stated" (what errors of the lens change) and "untested" (errors that these frames, or any frames, cannot reveal:
+    all are in its `numbers`).
 
     Attributes
     ----------
@@ -208,12 +209,11 @@ class DefocusVerdict(FitReport):
             agreements.append(
                 f"blurs differ as the lenses state{errors} ({ratio} of it; f-numbers wrong by {unseen} agree too)"
             )
-        details: dict[str, object] = {"what": untested}
-        text = "not tested: " + ", ".join(untested)
+        details, parts = dict[str, float](), list[str]()
         if all(map(math.isfinite, changes)):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}
             by_f_number, by_foci = (format_length(abs(change), digits=2) for change in changes)
-            text += f"; 1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci}"
+            parts += [f"1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci}"]
         if not math.isnan(lens_error):
             details |= {"lens_error": lens_error}
             f_number, focus = map(percent, UNMEASURED)
@@ -221,8 +221,10 @@ class DefocusVerdict(FitReport):
             if not unmeasured:
                 part = "noise and of the lens as stated," if included else "noise alone: the lens as stated adds"
             size = format_length(lens_error, digits=2)
-            text += f"; standard errors are of {part} {size}, the same for whole surfaces"
-        add("untested", "note", text, details)
+            parts += [f"standard errors are of {part} {size}, the same for whole surfaces"]
+        if parts:
+            add("stated", "note", "; ".join(parts), details)
+        findings.append(untested_finding(untested, {}))
         disagrees = any(finding.severity != "note" for finding in findings)
         nothing = "what was tested disagrees" if disagrees else "nothing could be tested"
         return cls(

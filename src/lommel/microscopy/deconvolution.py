@@ -471,10 +471,7 @@ def _conclude(
             context.stack, context.camera, background, context.saturation, reverse=model.is_reversed
         )
     if isinstance(model, GivenPSF) and not model.is_contained:
-        text = (
-            f"{percent(model.rim)} of the light of the PSF is on the rim of its window, which cuts off its light "
-            "cone: light beyond it counts as background or as uniform specimen; use a wider window, or the objective"
-        )
+        text = f"not tested: light beyond the window of the PSF ({percent(model.rim)} on its rim): widen it"
         findings.append(Finding("untested", "note", text, {"rim": model.rim, "most": MAX_RIM}))
     if outcome.stopped == INTERRUPTED:
         findings.append(Finding("interrupted", "error", "it was interrupted: the completed steps are kept"))
@@ -484,8 +481,9 @@ def _explain_misfit(misfit: Finding, alternatives: list[str]) -> Finding:
     """Return the misfit with the PSFs that fit the stack better; if there are none, with the severity "doubt"."""
     if not alternatives:
         text = (
-            "the residual exceeds the noise, but no other PSF fits better: the cause may be points between voxels or "
-            "a wrong gain; check `white` and `read` of the noise"
+            "the residual exceeds the noise, but no other PSF fits better: rows or planes may be displaced or of "
+            "unequal light, points lie between voxels, or the gain is wrong: see residuals by row and plane, and "
+            "check `white` and `read` of the noise"
         )
         return replace(misfit, severity="doubt", text=text)
     text = f"PSFs with {alternatives[0]} fit the stack better"

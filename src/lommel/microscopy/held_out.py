@@ -33,7 +33,7 @@ _USUAL_STEPS = 55  # typical number of iterations
 _RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # background steps: relative size, largest number, iterations after each
 _MAX_LOSS = 2.0  # accepted decrease of lnL (log likelihood), relative to the best background
 _INDEX_STEP, _MORE_CHANGES = 0.005, 4  # tested change of the sample index, and number of further changes
-_SIGNIFICANT = 2.5  # significance of a better PSF, standard errors
+_SIGNIFICANT, _MIN_GAIN = 3.0, 5.0  # least increase of lnL by a better PSF: standard errors, and absolute
 _UNCERTAIN = -1.0, 4.0  # significance range, standard errors, in which the halves are exchanged for a second test
 _USUAL_RUNS = 8.0  # typical number of deconvolutions
 _ESTIMATED, _UNIFORM = Background(None), State()
@@ -244,11 +244,13 @@ class HeldOut(TrialDeconvolution):
             more_gain, more_error = _gain(second, second_other)
             gains[value] = gain, error = gain + more_gain, math.hypot(error, more_error)
         numbers: dict[str, float] = {"sample": start, "lnL": gain, "lnL_error": error}
-        if gain <= _SIGNIFICANT * error:
+        if gain <= max(_SIGNIFICANT * error, _MIN_GAIN):
             changes = " and ".join(f"{x:+.0f} +- {sigma:.0f} with {index:.4g}" for index, (x, sigma) in gains.items())
             text = (
                 f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {changes}"
             )
+            excluded = [f"{i:.4g}" for i, (x, sigma) in gains.items() if x <= -max(_SIGNIFICANT * sigma, _MIN_GAIN)]
+            text += f", which excludes {' and '.join(excluded)}" if excluded else ""
             return Finding("psf_compared", "note", text, numbers)
         change, best = value - start, results[value]
         for farther in range(2, 2 + _MORE_CHANGES):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
@@ -22,7 +23,7 @@ from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
 from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import FieldFitOptions, RetrieveOptions
-from lommel.estimation.star_checks import error_findings, missing_findings, star_tests
+from lommel.estimation.star_checks import error_findings, estimated_findings, freed, missing_findings, star_tests
 from lommel.estimation.star_images import (
     MAX_LINEAR_ERROR,
     StarImages,
@@ -35,10 +36,10 @@ from lommel.estimation.star_images import (
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
-from lommel.fit.score_tests import Marginal, ScoreTest, causes_of_misfit
+from lommel.fit.score_tests import Grade, Marginal, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
-from lommel.methods.derivative_names import SHIFTS, Name, term_of
+from lommel.methods.derivative_names import POWERS, SHIFTS, Name, term_of
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
@@ -58,6 +59,8 @@ _MIN_AGREEING = 3
 _MIN_SIGNIFICANCE = 5.0  # smallest (flux) / (standard error of the flux) of a visible star
 _MIN_DISTANCE_RATIO = 2.0  # smallest ratio of the twins' distances from the initial wavefront that decides the sign
 _MAX_SUM_ERROR = 0.05  # images whose sums differ from 1 by less count as normalized
+# Effects that are estimated because the images favour them: number of refits in turn, and of rivals in each.
+_MAX_REFITS, _MAX_RIVALS, _REFIT_STEPS = 2, 3, 30
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
@@ -179,7 +182,7 @@ class Retrieval(FitReport):
             If `unit` is unknown, or the pupil has no wavelength.
         """
         factor = radians_per(unit, self.pupil.wavelength)
-        terms = [name for name in self.coefficients if name not in _UNITS]
+        terms = [name for name in self.coefficients if _is_term(name)]
         factors = {name: 2.0 / factor if name == "defocus" and unit != "radians" else 1.0 / factor for name in terms}
         errors = {name: self.errors[name] * factors[name] for name in terms}
         return {name: self.coefficients[name] * factors[name] for name in terms}, errors
@@ -229,7 +232,7 @@ class Retrieval(FitReport):
         ImportError
             If matplotlib is not installed.
         """
-        labels = [label(name) for name in self.coefficients if name not in _UNITS]
+        labels = [label(name) for name in self.coefficients if _is_term(name)]
         values, errors = (list(part.values()) for part in self.in_unit(unit))
         titles = [f"image {k}" for k in range(len(self.images))] if names is None else list(names)
         bars = labels, values, errors, unit
@@ -491,6 +494,42 @@ def _random_starts(model: StarImages, rows: Array, draw: np.random.Generator, co
     return x
 
 
+def _with_causes_freed(
+    model: StarImages, x: Array, scores: Scores, settled: bool
+) -> tuple[StarImages, Array, Scores, bool, tuple[tuple[ScoreTest, ...], Grade, list[Finding]]]:
+    """Return a fit and its tests; effects that the images favour are estimated, as far as the model can."""
+
+    def tested() -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
+        return star_tests(model, x, (float(scores.chi2[0]), float(scores.spread[0])))
+
+    checked = tested()
+    for _ in range(_MAX_REFITS):
+        refits, rivals = [], [(test, freed(model, test.name)) for test in seen(checked[0])[:_MAX_RIVALS]]
+        for test, unknowns in rivals:
+            if unknowns is None or rivals[0][1] is None:  # another effect explains the images at least as well
+                continue
+            with suppress(Declined, ToleranceError):
+                free, row = model.with_unknowns(unknowns, x)
+                row, *_ = search_rows(free, row, _REFIT_STEPS, _no_report, fast=True)
+                row, free_scores, ended, _ = search_rows(free, row, _REFIT_STEPS, _no_report, fast=False)
+                if ended[0] and free_scores.deviance[0] < scores.deviance[0] - 0.5 * test.log_bayes:
+                    refits.append((free, row, free_scores))
+        if not refits:
+            break
+        model, x, scores = min(refits, key=lambda refit: float(refit[2].deviance[0]))
+        settled, checked = True, tested()
+    return model, x, scores, settled, checked
+
+
+def _no_report(step: int, chi2: float) -> None:
+    """Report no progress, for short searches."""
+
+
+def _is_term(name: Name) -> bool:
+    """Return whether a coefficient is one of the wavefront."""
+    return name in POWERS or term_of(name) is not None
+
+
 def _build_retrieval(
     model: StarImages,
     x: Array,
@@ -507,19 +546,21 @@ def _build_retrieval(
     Without `checks`, parameters are those of maximum likelihood, and errors the Cramer-Rao bound.
     """
     steps, starts = effort
+    stated, plain = model, x
+    tests: tuple[ScoreTest, ...] = ()
+    if checks:
+        model, x, scores, settled, (tests, grade, untested) = _with_causes_freed(model, x, scores, settled)
+        marginal = grade.marginal
+    inverse = covariance(scores.information[0])
+    if not checks:
+        untested = [Finding("unchecked", "doubt", "the fit was not checked: checked() tests it")]
+        marginal = Marginal(np.zeros(model.common_count), inverse[: model.common_count, : model.common_count])
     psf = model.plan(model.pupils(x[0]))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
     valid = model.valid > 0.0
     residual = np.where(valid, (model.counted - mean) / np.sqrt(model.variance(mean)), np.nan)
-    inverse = covariance(scores.information[0])
     unknowns, common_count, image_parameters = model.unknowns, model.common_count, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
-    if checks:
-        tests, marginal, untested = star_tests(model, x)
-    else:
-        tests: tuple[ScoreTest, ...] = ()
-        untested = [Finding("unchecked", "doubt", "the fit was not checked: checked() tests it")]
-        marginal = Marginal(np.zeros(common_count), inverse[:common_count, :common_count])
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
@@ -539,9 +580,14 @@ def _build_retrieval(
     wavefront = model.wavefront(corrected_x[0])
     chi2, deviation = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
-    effect_findings = missing_findings(tests)
+    effect_findings = missing_findings(tests, grade, [label(name) for name in names]) if checks else []
     causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
     findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
+    if effect_findings and grade.explained:
+        findings = [finding for finding in findings if finding.code == "too_quiet"]
+    common_errors, k = np.sqrt(np.diag(marginal.covariance)), len(stated.unknowns.terms)
+    moves = np.abs(corrected_x[0, :k] - plain[0, :k]) / common_errors[:k]
+    effect_findings += estimated_findings(model, corrected_x, common_errors, stated, float(moves.max(initial=0.0)))
     variance = model.variance(mean)
     difference = residual * np.sqrt(variance)
     shape = counts.values.shape
@@ -570,10 +616,15 @@ def _build_retrieval(
         wavefront=wavefront,
         twin=model.wavefront(model.even_part_negated(corrected_x)[0]) if model.sign_ambiguous else None,
         pupil=replace(model.pupil.carrying(wavefront, None), **pupil_parameters),
-        coefficients=dict(zip(names, corrected_x[0, :common_count].tolist(), strict=True)),
-        errors=dict(zip(names, np.sqrt(np.diag(marginal.covariance)).tolist(), strict=True)) | image_errors,
+        coefficients=dict(zip(names, model.values(corrected_x).tolist(), strict=True)),
+        errors=dict(zip(names, common_errors.tolist(), strict=True)) | image_errors,
         covariance=marginal.covariance,
-        units={name: (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad") for name in (*names, *image_errors)},
+        units={
+            name: (_UNITS | _UNITS_PER_IMAGE | {name: phase.unit for name, phase in unknowns.phases.items()}).get(
+                str(name), "rad"
+            )
+            for name in (*names, *image_errors)
+        },
         chi2=chi2,
         findings=Findings(findings),
         summary=summary,

@@ -17,6 +17,8 @@ from lommel.blur.mixtures import BlurProfile
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OBSCURATION, OVAL, SHIFT, SLANT, PupilChanges, changes_of
 from lommel.estimation.star_images import (
+    OF_PUPIL,
+    Phase,
     StarImages,
     Unknowns,
     error_factors,
@@ -30,11 +32,11 @@ from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import (
     Candidate,
-    Marginal,
+    Grade,
     ScoreTest,
     favoured,
-    marginalized,
-    other_explanation,
+    graded,
+    graded_explanation,
     score_tests,
     seen,
     untested,
@@ -62,6 +64,7 @@ _CONSTANT_FACTOR, _TRAIL_FACTOR, _RIPPLE_FACTOR = 0.5, 0.25, 0.2
 _TRAIL_DECAY, _TRAIL_LENGTH = 2.0, 8  # trail of deferred charge: decay to 1/e and length, pixels
 _STATED_ERROR = 0.01  # relative error of a stated number for which the bias of the estimates is reported
 _DRIFTS = " that changes over the images"
+_DEFOCI = "defocus scale"
 _MAX_FOCI = 9  # largest number of images whose defoci are tested one by one
 # Standard error of the phase, radians rms, above which the likelihood often has other maxima that are equally high.
 _MAX_PHASE_ERROR = 0.25
@@ -168,8 +171,13 @@ def missing_drifts(terms: Sequence[Term], derivatives: Iterable[Array], exposure
     """
     if exposures > 1:
         for term, derivative in zip(terms, derivatives, strict=False):
-            time = np.tile(np.linspace(-1.0, 1.0, exposures), len(derivative) // exposures)[:, None, None]
+            time = np.tile(_time(exposures), len(derivative) // exposures)[:, None, None]
             yield MissingEffect(label(term) + _DRIFTS, _DRIFT, (derivative * time * zernike.rms_factor(*term),))
+
+
+def _time(exposures: int) -> Array:
+    """Return the times of exposures, -1 to 1."""
+    return np.linspace(-1.0, 1.0, exposures)
 
 
 def apodized(pupil: Pupil) -> Pupil | None:
@@ -247,6 +255,57 @@ def _of_each_exposure(exposures: int, *images: Array) -> tuple[Array, ...]:
     return tuple(image * (exposure == i)[:, None, None] for i in range(exposures) for image in images)
 
 
+def freed(model: StarImages, name: str) -> Unknowns | None:
+    """Return the unknowns of `model` and the candidate `name`; None if the model cannot estimate it."""
+    unknowns, defoci = model.unknowns, model.known_defoci
+    terms = {label(term): term for term in next_terms(unknowns.stated, unknowns.edge)}
+    if name in terms:
+        return unknowns.freeing(terms[name])
+    if name in OF_PUPIL:
+        return unknowns.freeing(name)
+    phases = {
+        label(term) + _DRIFTS: Phase(term, _time(model.count) * zernike.rms_factor(*term), 0.0, "rad")
+        for term in unknowns.stated
+    }
+    if (2, 0) in unknowns.edge:
+        phases["defocus"] = Phase((2, 0), defoci, 1.0, "")
+        phases |= {
+            f"defocus of image {k + 1}": Phase((2, 0), row, defoci[k], "rad")
+            for k, row in enumerate(np.eye(model.count))
+        }
+    if name not in phases or model.one_focus:
+        return None
+    return unknowns.freeing(_DEFOCI if name == "defocus" else name, phases[name])
+
+
+def estimated_findings(fit: StarImages, x: Array, errors: Array, plain: StarImages, moves: float) -> list[Finding]:
+    """Return the finding on parameters that `fit` estimates, at `x` (1, p), and `plain` assumes to be known.
+
+    `moves` is the largest change of another estimate, in standard errors.
+    """
+    texts, numbers = [], {}
+    stated = dict(zip(fit.unknowns.terms, fit.start, strict=True))
+    stated |= {name: getattr(fit.pupil, name) for name in fit.unknowns.pupil}
+    stated |= {name: phase.stated for name, phase in fit.unknowns.phases.items()}
+    for name, value, error in zip(fit.names, fit.values(x), errors, strict=True):
+        if name in plain.names:
+            continue
+        also = " with this pixel and wavelength" if name == "f_number" else ""
+        unit = (
+            ""
+            if name in OF_PUPIL
+            else " rad"
+            if name not in fit.unknowns.phases
+            else f" {fit.unknowns.phases[str(name)].unit}"
+        )
+        texts.append(
+            f"{label(name)} {' +- '.join(with_error(value, error))}{unit.rstrip()} (stated {stated[name]:.6g}{also})"
+        )
+        numbers[label(name)] = {"value": value, "error": error, "stated": stated[name]}
+    text = f"estimated besides: {', '.join(texts)}: terms allow for it (it moves them by {moves:.2g} standard errors)"
+    return [Finding("estimated", "note", text, numbers)] if texts else []
+
+
 def candidates_of(effects: Sequence[MissingEffect], first_column: int) -> list[Candidate]:
     """Return candidates of score tests for effects, whose coefficients have the columns from `first_column` on."""
     candidates = []
@@ -314,10 +373,11 @@ def untestable(model: StarImages) -> tuple[str, ...]:
     return (_FOCI,) if model.foci_exchangeable else ()
 
 
-def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
-    """Return the finding on missing effects that the images significantly favour."""
+def missing_findings(tests: Sequence[ScoreTest], grade: Grade, names: Sequence[str]) -> list[Finding]:
+    """Return the finding on missing effects that the images significantly favour; `names` are those of estimates."""
     significant = seen(tests)
-    return [other_explanation(significant, [_in_words(test) for test in significant])] if significant else []
+    words = [_in_words(test) for test in significant]
+    return [graded_explanation(significant, words, grade, names)] if significant else []
 
 
 def _in_words(test: ScoreTest) -> str:
@@ -330,17 +390,20 @@ def _in_words(test: ScoreTest) -> str:
     return f"{name} = {', '.join(' +- '.join(with_error(*pair)) for pair in pairs)}{unit} {sigmas}"
 
 
-def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
+def star_tests(
+    model: StarImages, x: Array, quality: tuple[float, float]
+) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
     """Return tests of effects that the model of one star lacks, a marginalized correction, and findings.
 
     1. Score tests at the estimate `x` (1, p), in the order of falling Bayes factors. 2. Shift and covariance of the
-    common parameters, marginalized over effects. 3. Findings on effects that were not tested.
+    common parameters, marginalized over effects, with the grade of significant effects. 3. Findings on effects that
+    were not tested. `quality` is chi2 and its standard deviation.
     """
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     image_parameters = model.per_image(x)[0]
     flux = image_parameters[-2][:, None, None]
-    defoci = model.fixed_of_images[:, 0] - model.fixed[0]
-    terms, ripples = next_terms(unknowns.edge, ()), ripple_terms(unknowns.edge)
+    defoci = model.known_defoci
+    terms, ripples = next_terms(unknowns.stated, unknowns.edge), ripple_terms(unknowns.stated)
     constants = constants_to_test(pupil, defoci, unknowns.pupil)
     values, pixel_derivatives = model.images(x)
     _, extra_derivatives = model.images(x, fast=True, names=(*terms, *constants, *ripples))
@@ -370,6 +433,8 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     else:
         blurs = reader.other_blurs(samples, np.empty((1, 0)))
         effects += missing_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
+    estimated = {"defocus" if name == _DEFOCI else name for name in unknowns.phases}
+    effects = [effect for effect in effects if effect.name not in estimated]
     mean = flux * values + image_parameters[-1][:, None, None]
     effects += [missing_gradients(model.count, grid.shape, model.count), missing_nonlinearity(mean)]
     # Products of all derivatives and the residuals: the information matrix, and in the last column the gradient.
@@ -379,14 +444,14 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     matrix = products[0]
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
-    marginal = marginalized(*scores, to_marginalize(candidates, tests), model.common_count)
+    grade = graded(*scores, to_marginalize(candidates, tests), model.common_count, tests, quality)
     fit = matrix[:-1, :-1], range(model.size)
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
     is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)
     spectrum = ("spectrum of the star within the filter",) if is_spectral else ()
     columns, never = range(len(unknowns.terms)), (*untestable(model), *spectrum)
     notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, columns, never)
-    return tests, marginal, notes
+    return tests, grade, notes
 
 
 @lru_cache(maxsize=2)

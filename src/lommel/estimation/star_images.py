@@ -13,9 +13,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import replace
 from functools import cached_property, lru_cache
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +26,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Pixels
 from lommel.core.engine import star_likelihood
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
-from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts
+from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts, term_of
 from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Prepared, output_type
@@ -48,6 +49,18 @@ _ZONE_ORDER = 20  # largest radial order of zones (m = 0), unless that of the ri
 _FIRST_NOLL = 4  # Noll's index of defocus, after piston and tilts
 
 
+class Phase(NamedTuple):
+    """A change of the phases of single images: `weights` (n,) times the Zernike `term` (1 at the edge).
+
+    `stated` is the value that the model assumes without it.
+    """
+
+    term: Term
+    weights: Array
+    stated: float
+    unit: str
+
+
 class Unknowns:
     """The estimated parameters, from the arguments `terms` and `also` of :func:`lommel.retrieve`.
 
@@ -63,6 +76,10 @@ class Unknowns:
         Nuisance parameters of the pupil, common to all images.
     places : tuple of str
         "row" and "column" if estimated, separately for each image.
+    phases : dict of str to Phase
+        Estimated changes of the phases of single images.
+    stated : tuple of (n, m)
+        The terms in `edge` without those that are estimated because the images favour them.
     """
 
     def __init__(self, terms: int | Sequence[Term | str], also: str | Sequence[str]) -> None:
@@ -78,6 +95,8 @@ class Unknowns:
         self.edge = tuple(dict.fromkeys(term for share in shares for term in share))
         directions = np.array([share.get(term, 0.0) for share in shares for term in self.edge])
         self.directions = directions.reshape(len(shares), len(self.edge))
+        self.phases: dict[str, Phase] = {}
+        self.stated = self.edge
         if shares and np.linalg.matrix_rank(self.directions) < len(shares):
             raise ValueError(
                 f"terms must be linearly independent, got {validation.shown(terms)}: remove repeated terms"
@@ -88,6 +107,21 @@ class Unknowns:
                     f"terms must be without {SHIFTS[place]} if the {place} of each image is estimated: remove it, or "
                     f"leave {place!r} and 'center' out of `also`"
                 )
+
+    def freeing(self, name: str | Term, phase: Phase | None = None) -> Unknowns:
+        """Return the unknowns and one more: a Zernike term, a parameter of the pupil, or a change of phases."""
+        freed = copy(self)
+        if phase is not None:
+            freed.phases = self.phases | {str(name): phase}
+        elif isinstance(name, str):
+            freed.pupil = tuple(p for p in OF_PUPIL if p in (*self.pupil, name))
+        else:
+            in_noll = any(isinstance(term, str) for term in self.terms)
+            freed.terms = (*self.terms, f"noll {zernike.index_of(*name, 'noll')}" if in_noll else name)
+            freed.edge = (*self.edge, name)
+            freed.directions = np.pad(self.directions, ((0, 1), (0, 1)))
+            freed.directions[-1, -1] = zernike.rms_factor(*name)
+        return freed
 
 
 def checked_terms(terms: object, first: int, texts: Sequence[str] = ()) -> tuple[Name, ...]:
@@ -142,10 +176,8 @@ def ripple_terms(estimated: Sequence[Term]) -> tuple[Term, ...]:
 def label(name: Name) -> str:
     """Return the label of a term in a table: Noll's index and the usual name of the aberration."""
     if isinstance(name, str):
-        if name in POWERS or name in OF_PUPIL:
-            return name
-        order, index = name.split()
-        return f"{name} {zernike.name(*zernike.term(int(index), order))}"
+        term = term_of(name)
+        return name if term is None else f"{name} {zernike.name(*term)}"
     return f"noll {zernike.index_of(*name, 'noll')} {zernike.name(*name)}"
 
 
@@ -240,7 +272,8 @@ class StarImages(RowModel):
         self.pupil, self.unknowns, self.plan, self.pixel = pupil, unknowns, plan, pixel
         tilts = [SHIFTS[place] for place in unknowns.places]
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
-        self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # parameters common to all images
+        #: Parameters common to all images.
+        self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil, *unknowns.phases)
         self._prepared: dict[tuple[float, tuple[int, ...]], Prepared] = {}
         self.search_tol = loosest_tolerance(self.pixel_data, plan.tol)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale  # radians at the edge, for a shift of one pixel
@@ -263,13 +296,16 @@ class StarImages(RowModel):
         # The n values of each parameter of single images are in adjacent columns.
         k, self.common_count = len(unknowns.terms), len(self.names)
         self.size = self.common_count + (len(unknowns.places) + 2) * count
-        self.wave_columns, self.pupil_columns = slice(0, k), slice(k, self.common_count)
+        self.wave_columns, self.pupil_columns = slice(0, k), slice(k, k + len(unknowns.pupil))
+        self.phase_columns = slice(self.pupil_columns.stop, self.common_count)
         self.image_columns = slice(self.common_count, self.size)
         self._chain = np.zeros((count, self.size + 1, len(self.derivatives) + 3))
         term_count = len(unknowns.edge)
         self._phases = term_count + len(self.tilts)
         self._chain[:, self.wave_columns, :term_count] = unknowns.directions
         self._chain[:, self.pupil_columns, self._phases : -3] = np.eye(len(unknowns.pupil))
+        for column, phase in enumerate(unknowns.phases.values(), self.phase_columns.start):
+            self._chain[:, column, unknowns.edge.index(phase.term)] = phase.weights
         self._chain[:, -1, -1] = 1.0
         for j, row in enumerate([*range(term_count, self._phases), -3, -2]):
             self._chain[np.arange(count), self.common_count + j * count + np.arange(count), row] = 1.0
@@ -281,6 +317,25 @@ class StarImages(RowModel):
     def __getstate__(self) -> dict[str, object]:
         """Return the state without prepared computations, which cannot be pickled and are prepared again."""
         return {**self.__dict__, "_prepared": {}}
+
+    @property
+    def known_defoci(self) -> Array:
+        """The known C_d of each image, radians, shape (n,)."""
+        return np.asarray(self.fixed_of_images[:, 0] - self.fixed[0])
+
+    def with_unknowns(self, unknowns: Unknowns, x: Array) -> tuple[StarImages, Array]:
+        """Return the model with more unknowns, and its parameters (1, p) for the images of this one at `x`."""
+        counted, variance, _, valid = self.pixel_data.reshape(4, self.count, *self.shape)
+        model = StarImages(
+            counted, variance, valid > 0.0, self.pupil, self.known_defoci, unknowns, self.plan, self.pixel
+        )
+        values: dict[Name, float] = dict(zip(unknowns.terms, model.start, strict=True))
+        values |= {name: getattr(self.pupil, name) for name in unknowns.pupil}
+        values |= dict(zip(self.names, x[0], strict=False))
+        row = np.zeros((1, model.size))
+        row[0, : model.common_count] = [values.get(name, 0.0) for name in model.names]
+        row[:, model.image_columns] = x[:, self.image_columns]
+        return model, row
 
     def mean_tilts(self, edge: Array) -> Array:
         """Return the shift of the centroid due to a wavefront `edge` (..., terms), as tilts (places, ...)."""
@@ -354,6 +409,8 @@ class StarImages(RowModel):
         image_parameters = x[..., self.image_columns].reshape(*x.shape[:-1], -1, self.count)
         for j, column in enumerate(self.tilts):
             edge[..., column] += image_parameters[..., j, :]
+        for column, phase in enumerate(self.unknowns.phases.values(), self.phase_columns.start):
+            edge[..., self.terms.index(phase.term)] += x[..., column, None] * phase.weights
         parameters: dict[str, Any] = self.pupil_parameters(x) if self.unknowns.pupil else {}
         if "wavelength" in parameters:
             # Parameters are path differences, in radians at the initial wavelength: convert to the estimated one.
@@ -369,6 +426,11 @@ class StarImages(RowModel):
         """Return the initial wavelength divided by the estimated one."""
         wavelength = self.pupil.wavelength
         return 1.0 if wavelength is None else wavelength / parameters.get("wavelength", wavelength)
+
+    def values(self, x: Array) -> Array:
+        """Return the values of the parameters common to all images, from the first row of `x`."""
+        phases = [0.0] * self.phase_columns.start + [phase.stated for phase in self.unknowns.phases.values()]
+        return np.asarray(x[0, : self.common_count] + phases)
 
     def per_image(self, x: Array) -> Array:
         """Return a view of the parameters of single images, shape (s, parameters, n): tilts, flux, background."""

@@ -19,6 +19,7 @@ CODES: Mapping[str, str] = {
     "contradiction": "values that were stated contradict each other",
     "crowded": "many images contain other molecules in addition to the fitted molecule",
     "errors_change": "a standard error changes within one standard deviation of the estimate",
+    "estimated": "a stated value, or an effect that the model lacked, is estimated: the images favour it",
     "estimated_noise": "the noise is estimated from the images, which therefore cannot test it",
     "exchanged": "the images agree better in another order",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,11 +23,14 @@ import scipy
 
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
-from lommel.fit.findings import Finding, untested_finding
+from lommel.fit.findings import Finding, Severity, untested_finding
+from lommel.fit.goodness_of_fit import largest_plausible_chi2, smallest_plausible_chi2
 from lommel.fit.scoring import covariance
 
 SEEN = 3.0  # a candidate is significant if the log of its Bayes factor exceeds SEEN + ln(number of candidates)
 RIVAL = 5.0  # largest difference of log Bayes factors between candidates that explain the data equally well
+# Difference between rival answers, standard errors, below which they agree, and above which a linear estimate fails.
+_CLOSED, _OPEN = 1.0, 3.0
 _EXPLAINED = 0.5  # fraction of (chi2 - 1) above which a candidate explains a misfit
 _MIN_INFORMATION = 1e-9  # least eigenvalue of S, relative to the diagonal of I, that is not due to rounding
 
@@ -148,10 +151,44 @@ def _tested_together(
 
 
 class Marginal(NamedTuple):
-    """Changes of u estimates (u,) and their covariance (u, u), marginalized over effects that the model lacks."""
+    """Changes of u estimates (u,) and their covariance (u, u), marginalized over effects that the model lacks.
+
+    `gain` is the increase of the log-posterior that these changes and those of the effects predict.
+    """
 
     shift: Array
     covariance: Array
+    gain: float = 0.0
+
+
+class Grade(NamedTuple):
+    """Significance of effects that the data favour for u estimates, in standard errors.
+
+    `move` is the largest change of an estimate if one of the rival effects is allowed for instead of ignored. `rest`
+    is the largest difference between an answer that allows for one rival and `marginal`, which allows for all
+    effects, and whose covariance contains these differences. `worst` is the index of the estimate of the largest
+    `rest`. `left` is chi2 after the predicted gain, which is plausible between the `limits` of noise.
+    """
+
+    marginal: Marginal
+    move: float
+    rest: float
+    worst: int
+    left: float
+    limits: tuple[float, float]
+
+    @property
+    def explained(self) -> bool:
+        """Whether noise and the favoured effects explain chi2."""
+        return self.limits[0] < self.left < self.limits[1]
+
+    @property
+    def severity(self) -> Severity:
+        """The severity of a finding on the effects: how far they affect the estimates."""
+        if not self.explained or self.rest > _OPEN:
+            return "error"
+        # A large correction by linear equations is not exact.
+        return "doubt" if self.rest > _CLOSED or self.move > _OPEN else "note"
 
 
 def marginalized(
@@ -163,10 +200,60 @@ def marginalized(
     """
     columns = [*unknowns, *(column for effect in effects for column in effect.columns)]
     prior_information = [0.0] * len(unknowns) + [effect.scale**-2 for effect in effects for _ in effect.columns]
-    matrix = covariance(information[np.ix_(columns, columns)] + np.diag(prior_information))[:count]
+    matrix = covariance(information[np.ix_(columns, columns)] + np.diag(prior_information))
     determined = np.isfinite(np.diag(matrix))
-    shift = np.where(determined, np.where(determined[:, None], matrix, 0.0) @ slope[columns], 0.0)
-    return Marginal(shift, matrix[:, :count])
+    shift = np.where(determined & determined[:, None], matrix, 0.0) @ slope[columns]
+    return Marginal(shift[:count], matrix[:count, :count], 0.5 * float(shift @ slope[columns]))
+
+
+def graded(
+    information: Array,
+    slope: Array,
+    unknowns: Sequence[int],
+    effects: Sequence[Candidate],
+    count: int,
+    tests: Sequence[ScoreTest],
+    quality: tuple[float, float],
+) -> Grade:
+    """Return the grade of the first `count` unknowns by the rival effects in `tests` (see `seen`).
+
+    `effects` are those to marginalize, including all that the data favour. `quality` is chi2 per degree of freedom
+    and its standard deviation.
+    """
+    (chi2, spread), rivals = quality, seen(tests)
+    sizes = {test.name: 2.0 * float(np.abs(test.size).max()) for test in tests if rivals and test.log_bayes > 0.0}
+    # The prior of an effect that is seen must not shrink it.
+    wide = {e.name: replace(e, scale=max(e.scale, sizes.get(e.name, 0.0))) for e in effects}
+    ignored = [effect for name, effect in wide.items() if name not in sizes]
+
+    def allowing(*chosen: Candidate) -> Marginal:
+        return marginalized(information, slope, unknowns, [*ignored, *chosen], count)
+
+    every = allowing(*(effect for name, effect in wide.items() if name in sizes))
+    bare = marginalized(information, slope, unknowns, (), count)
+    left = chi2 - (every.gain - bare.gain) * spread**2  # noise has 2 / spread^2 degrees of freedom
+    limits = float(smallest_plausible_chi2(spread)), float(largest_plausible_chi2(spread))
+    compared = [test for test in rivals if test.name in wide]
+    if not compared:
+        return Grade(every, 0.0, 0.0, 0, left, limits)
+    answers = [allowing(wide[test.name]) for test in compared]
+
+    def distances(reference: Marginal) -> Array:
+        errors = np.sqrt(np.diag(reference.covariance))
+        return np.asarray(np.abs([answer.shift - reference.shift for answer in answers]) / errors).max(axis=0)
+
+    move, rest = distances(allowing()), distances(every)
+    # Mixture of the answers about the one that is reported, weighted by their Bayes factors.
+    weights = np.exp([0.0, *(test.log_bayes - compared[0].log_bayes for test in compared)])
+    matrix, total = weights[0] * every.covariance, float(weights.sum())
+    for weight, answer in zip(weights[1:], answers, strict=True):
+        difference = answer.shift - every.shift
+        matrix = matrix + weight * (answer.covariance + np.outer(difference, difference))
+    matrix /= total
+    is_open = np.flatnonzero(rest > _CLOSED)
+    matrix[is_open, is_open] += 0.25 * rest[is_open] ** 2 * np.diag(every.covariance)[is_open]
+    worst = int((rest if rest.max() > _CLOSED else move).argmax())
+    return Grade(every._replace(covariance=matrix), float(move.max()), float(rest.max()), worst, left, limits)
 
 
 def untested(
@@ -255,6 +342,23 @@ def causes_of_misfit(causes: str, chi2: float, spread: float, tests: Sequence[Sc
     # `chi2` is per degree of freedom. For n of them, its standard deviation is sqrt(2 / n): n = 2 / spread^2.
     excess = (chi2 - 1.0) * 2.0 / max(spread, 1e-9) ** 2  # of the sum of squares
     return "" if any(test.sigmas**2 > _EXPLAINED * excess for test in seen(tests)) else causes
+
+
+def graded_explanation(
+    rivals: Sequence[ScoreTest], words: Sequence[str], grade: Grade, names: Sequence[str]
+) -> Finding:
+    """Return the finding on significant candidates with its grade; `names` are those of the estimates."""
+    finding, name, rest = other_explanation(rivals, words), names[grade.worst], grade.rest
+    if not grade.explained:
+        low, high = grade.limits
+        text = f"allowing for it, chi2 is {grade.left:.3g}, not within the {low:.3g} to {high:.3g} of noise"
+    elif rest > _CLOSED:
+        text = f"{name} remains open by {rest:.2g} standard errors" + ", which its error includes" * (rest <= _OPEN)
+    else:
+        text = f"estimates allow for it, and it moves {name} by {grade.move:.2g} standard errors"
+        text += ", too far for a linear correction" * (grade.move > _OPEN)
+    numbers = {**finding.numbers, "move": grade.move, "rest": rest, "left": grade.left}
+    return replace(finding, severity=grade.severity, text=f"{finding.text}: {text}", numbers=numbers)
 
 
 def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Finding:

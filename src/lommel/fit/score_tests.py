@@ -14,7 +14,7 @@ effects.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -207,53 +207,41 @@ def marginalized(
 
 
 def graded(
-    information: Array,
-    slope: Array,
-    unknowns: Sequence[int],
-    effects: Sequence[Candidate],
-    count: int,
-    tests: Sequence[ScoreTest],
-    quality: tuple[float, float],
-) -> Grade:
+    information: Array, slope: Array, unknowns: Sequence[int], effects: Sequence[Candidate], count: int,
+    tests: Sequence[ScoreTest], quality: tuple[float, float],
+) -> Grade:  # fmt: skip
     """Return the grade of the first `count` unknowns by the rival effects in `tests` (see `seen`).
 
     `effects` are those to marginalize, including all that the data favour. `quality` is chi2 per degree of freedom
     and its standard deviation.
     """
-    (chi2, spread), rivals = quality, seen(tests)
-    sizes = {test.name: 2.0 * float(np.abs(test.size).max()) for test in tests if rivals and test.log_bayes > 0.0}
+    chi2, spread = quality
+    rivals = seen(tests)
     # The prior of an effect that is seen must not shrink it.
+    sizes = {test.name: 2.0 * float(np.abs(test.size).max()) for test in tests if rivals and test.log_bayes > 0.0}
     wide = {e.name: replace(e, scale=max(e.scale, sizes.get(e.name, 0.0))) for e in effects}
-    ignored = [effect for name, effect in wide.items() if name not in sizes]
 
-    def allowing(*chosen: Candidate) -> Marginal:
-        return marginalized(information, slope, unknowns, [*ignored, *chosen], count)
+    def allowing(names: Collection[str]) -> Marginal:
+        chosen = [effect for name, effect in wide.items() if name in names or name not in sizes]
+        return marginalized(information, slope, unknowns, chosen, count)
 
-    every = allowing(*(effect for name, effect in wide.items() if name in sizes))
-    bare = marginalized(information, slope, unknowns, (), count)
-    left = chi2 - (every.gain - bare.gain) * spread**2  # noise has 2 / spread^2 degrees of freedom
-    limits = float(smallest_plausible_chi2(spread)), float(largest_plausible_chi2(spread))
-    compared = [test for test in rivals if test.name in wide]
-    if not compared:
-        return Grade(every, 0.0, 0.0, 0, left, limits)
-    answers = [allowing(wide[test.name]) for test in compared]
-
-    def distances(reference: Marginal) -> Array:
-        errors = np.sqrt(np.diag(reference.covariance))
-        return np.asarray(np.abs([answer.shift - reference.shift for answer in answers]) / errors).max(axis=0)
-
-    move, rest = distances(allowing()), distances(every)
+    none, every = allowing(()), allowing(sizes)
+    answers = [every, *(allowing((test.name,)) for test in rivals)]
+    shifts = np.array([answer.shift for answer in answers])
+    errors, differences = np.sqrt(np.diag(every.covariance)), shifts - every.shift
+    move = np.abs(shifts[1:] - none.shift).max(axis=0, initial=0.0) / np.sqrt(np.diag(none.covariance))
+    rest = np.abs(differences).max(axis=0) / errors
     # Mixture of the answers about the one that is reported, weighted by their Bayes factors.
-    weights = np.exp([0.0, *(test.log_bayes - compared[0].log_bayes for test in compared)])
-    matrix, total = weights[0] * every.covariance, float(weights.sum())
-    for weight, answer in zip(weights[1:], answers, strict=True):
-        difference = answer.shift - every.shift
-        matrix = matrix + weight * (answer.covariance + np.outer(difference, difference))
-    matrix /= total
+    weights = np.exp([0.0, *(test.log_bayes - rivals[0].log_bayes for test in rivals)])
+    parts = [answer.covariance + np.outer(d, d) for answer, d in zip(answers, differences, strict=True)]
+    mixture = np.tensordot(weights / weights.sum(), parts, 1)
     is_open = np.flatnonzero(rest > _CLOSED)
-    matrix[is_open, is_open] += 0.25 * rest[is_open] ** 2 * np.diag(every.covariance)[is_open]
-    worst = int((rest if rest.max() > _CLOSED else move).argmax())
-    return Grade(every._replace(covariance=matrix), float(move.max()), float(rest.max()), worst, left, limits)
+    mixture[is_open, is_open] += (0.5 * rest * errors)[is_open] ** 2
+    worst = int((rest if (rest > _CLOSED).any() else move).argmax()) if count else 0
+    left = chi2 - every.gain * spread**2  # noise has 2 / spread^2 degrees of freedom
+    limits = float(smallest_plausible_chi2(spread)), float(largest_plausible_chi2(spread))
+    rest_of_all, move_of_all = (float(part.max(initial=0.0)) for part in (rest, move))
+    return Grade(every._replace(covariance=mixture), move_of_all, rest_of_all, worst, left, limits)
 
 
 def untested(

@@ -17,13 +17,14 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.options import listed
 from lommel.base.quantities import in_unit
+from lommel.base.units import with_error
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
 from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import FieldFitOptions, RetrieveOptions
-from lommel.estimation.star_checks import error_findings, estimated_findings, freed, missing_findings, star_tests
+from lommel.estimation.star_checks import error_findings, freed, missing_findings, star_tests
 from lommel.estimation.star_images import (
     MAX_LINEAR_ERROR,
     StarImages,
@@ -65,7 +66,7 @@ _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
 )
-_UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
+_UNITS = {"f_number": "", "obscuration": "", "wavelength": "m", "defocus scale": ""}
 _UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
 
 
@@ -525,6 +526,28 @@ def _no_report(step: int, chi2: float) -> None:
     """Report no progress, for short searches."""
 
 
+def _estimated_findings(
+    model: StarImages, x: Array, errors: Array, first_model: StarImages, first_x: Array
+) -> list[Finding]:
+    """Return the finding on parameters (1, p) that the images favoured, unlike the model and parameters at first."""
+    words, numbers, k = [], {}, len(first_model.unknowns.terms)
+    for name, value, error in zip(model.names, x[0], errors, strict=False):
+        if name not in first_model.names:
+            stated = f"stated {model.stated[name]:.6g}" + ", with this pixel and wavelength" * (name == "f_number")
+            words.append(
+                f"{label(name)} {' +- '.join(with_error(value, error))} {_unit(name)}".rstrip() + f" ({stated})"
+            )
+            numbers[label(name)] = {"value": value, "error": error, "stated": model.stated[name]}
+    moves = (np.abs(x[0, :k] - first_x[0, :k]) / errors[:k]).max(initial=0.0) if words else 0.0
+    text = f"estimated besides: {', '.join(words)}: terms allow for it (it moves them by {moves:.2g} standard errors)"
+    return [Finding("estimated", "note", text, numbers | {"move": moves})] if words else []
+
+
+def _unit(name: Name) -> str:
+    """Return the unit of a coefficient or of a parameter of single images."""
+    return (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad")
+
+
 def _is_term(name: Name) -> bool:
     """Return whether a coefficient is one of the wavefront."""
     return name in POWERS or term_of(name) is not None
@@ -546,7 +569,7 @@ def _build_retrieval(
     Without `checks`, parameters are those of maximum likelihood, and errors the Cramer-Rao bound.
     """
     steps, starts = effort
-    stated, plain = model, x
+    first_model, first_x = model, x  # before effects are freed
     tests: tuple[ScoreTest, ...] = ()
     if checks:
         model, x, scores, settled, (tests, grade, untested) = _with_causes_freed(model, x, scores, settled)
@@ -585,9 +608,8 @@ def _build_retrieval(
     findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
     if effect_findings and grade.explained:
         findings = [finding for finding in findings if finding.code == "too_quiet"]
-    common_errors, k = np.sqrt(np.diag(marginal.covariance)), len(stated.unknowns.terms)
-    moves = np.abs(corrected_x[0, :k] - plain[0, :k]) / common_errors[:k]
-    effect_findings += estimated_findings(model, corrected_x, common_errors, stated, float(moves.max(initial=0.0)))
+    common_errors = np.sqrt(np.diag(marginal.covariance))
+    effect_findings += _estimated_findings(model, corrected_x, common_errors, first_model, first_x)
     variance = model.variance(mean)
     difference = residual * np.sqrt(variance)
     shape = counts.values.shape
@@ -616,15 +638,10 @@ def _build_retrieval(
         wavefront=wavefront,
         twin=model.wavefront(model.even_part_negated(corrected_x)[0]) if model.sign_ambiguous else None,
         pupil=replace(model.pupil.carrying(wavefront, None), **pupil_parameters),
-        coefficients=dict(zip(names, model.values(corrected_x).tolist(), strict=True)),
+        coefficients=dict(zip(names, corrected_x[0, :common_count].tolist(), strict=True)),
         errors=dict(zip(names, common_errors.tolist(), strict=True)) | image_errors,
         covariance=marginal.covariance,
-        units={
-            name: (_UNITS | _UNITS_PER_IMAGE | {name: phase.unit for name, phase in unknowns.phases.items()}).get(
-                str(name), "rad"
-            )
-            for name in (*names, *image_errors)
-        },
+        units={name: _unit(name) for name in (*names, *image_errors)},
         chi2=chi2,
         findings=Findings(findings),
         summary=summary,
@@ -667,7 +684,7 @@ def _build_blurred_retrieval(
         coefficients=dict(zip(field_fit.names, field_fit.coefficients[:, 0].tolist(), strict=True)),
         errors=dict(zip(field_fit.names, errors.tolist(), strict=True)) | image_errors,
         covariance=field_fit.covariance,
-        units={name: _UNITS_PER_IMAGE.get(str(name), "rad") for name in (*field_fit.names, *image_errors)},
+        units={name: _unit(name) for name in (*field_fit.names, *image_errors)},
         chi2=field_fit.chi2,
         findings=field_fit.findings,
         summary=f"chi2 {field_fit.chi2:.3g} per degree of freedom",

@@ -52,7 +52,8 @@ _TERM = 0.1  # Zernike term, radians rms
 _WIDTH, _WING_LIGHT = 0.1, 0.3  # variance of an additional blur, pixels^2; fraction of light in a wider blur
 _WIDTH_CHANGE = 0.3  # change of the blur variance from the middle to the edge of the field, pixels^2
 _SLOPE, _NONLINEAR = 1.0, 0.05  # background gradient, electrons per pixel; fraction of electrons lost at 10^4
-_CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, "defocus": 0.05}  # relative; that of the obscuration is absolute
+_DEFOCI = "defocus scale"
+_CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, _DEFOCI: 0.05}  # relative; that of the obscuration is absolute
 # Relative amplitude at the pupil edge (SLANT, FOLDS), pupil radii (SHIFT), relative lengths (OVAL, ASPECT).
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
 _TRAIL = 0.01  # fraction of the charge that is deferred
@@ -64,7 +65,6 @@ _CONSTANT_FACTOR, _TRAIL_FACTOR, _RIPPLE_FACTOR = 0.5, 0.25, 0.2
 _TRAIL_DECAY, _TRAIL_LENGTH = 2.0, 8  # trail of deferred charge: decay to 1/e and length, pixels
 _STATED_ERROR = 0.01  # relative error of a stated number for which the bias of the estimates is reported
 _DRIFTS = " that changes over the images"
-_DEFOCI = "defocus scale"
 _MAX_FOCI = 9  # largest number of images whose defoci are tested one by one
 # Standard error of the phase, radians rms, above which the likelihood often has other maxima that are equally high.
 _MAX_PHASE_ERROR = 0.25
@@ -109,7 +109,7 @@ _DESCRIPTIONS = {
     **{name: (f"{name}: fraction", "") for name in _TRAILS.values()},
     "f_number": ("another f-number: its difference from the stated one", ""),
     OBSCURATION: ("another obscuration: its difference from the stated one", ""),
-    "defocus": ("known defoci of another scale than stated: relative change", ""),
+    _DEFOCI: ("known defoci of another scale than stated: relative change", ""),
     "apodization": ("an amplitude that falls towards the edge of the pupil, by exp(-g rho^2), g", ""),
 }
 
@@ -149,7 +149,7 @@ def missing_terms(
             yield MissingEffect(str(name), scale, (derivative,))
             continue
         defoci = np.tile(known_defoci, len(derivative) // len(known_defoci))[:, None, None]
-        yield MissingEffect("defocus", _CONSTANTS["defocus"], (derivative * defoci,))
+        yield MissingEffect(_DEFOCI, _CONSTANTS[_DEFOCI], (derivative * defoci,))
         if 2 < len(known_defoci) <= _MAX_FOCI:  # with two images, a single defocus is equivalent to the scale
             for k, image in enumerate(_of_each_exposure(len(known_defoci), derivative)):
                 yield MissingEffect(f"defocus of image {k + 1}", _DEFOCUS, (image,))
@@ -258,52 +258,16 @@ def _of_each_exposure(exposures: int, *images: Array) -> tuple[Array, ...]:
 def freed(model: StarImages, name: str) -> Unknowns | None:
     """Return the unknowns of `model` and the candidate `name`; None if the model cannot estimate it."""
     unknowns, defoci = model.unknowns, model.known_defoci
-    terms = {label(term): term for term in next_terms(unknowns.stated, unknowns.edge)}
-    if name in terms:
-        return unknowns.freeing(terms[name])
-    if name in OF_PUPIL:
-        return unknowns.freeing(name)
-    phases = {
-        label(term) + _DRIFTS: Phase(term, _time(model.count) * zernike.rms_factor(*term), 0.0, "rad")
-        for term in unknowns.stated
-    }
-    if (2, 0) in unknowns.edge:
-        phases["defocus"] = Phase((2, 0), defoci, 1.0, "")
-        phases |= {
-            f"defocus of image {k + 1}": Phase((2, 0), row, defoci[k], "rad")
-            for k, row in enumerate(np.eye(model.count))
-        }
-    if name not in phases or model.one_focus:
-        return None
-    return unknowns.freeing(_DEFOCI if name == "defocus" else name, phases[name])
-
-
-def estimated_findings(fit: StarImages, x: Array, errors: Array, plain: StarImages, moves: float) -> list[Finding]:
-    """Return the finding on parameters that `fit` estimates, at `x` (1, p), and `plain` assumes to be known.
-
-    `moves` is the largest change of another estimate, in standard errors.
-    """
-    texts, numbers = [], {}
-    stated = dict(zip(fit.unknowns.terms, fit.start, strict=True))
-    stated |= {name: getattr(fit.pupil, name) for name in fit.unknowns.pupil}
-    stated |= {name: phase.stated for name, phase in fit.unknowns.phases.items()}
-    for name, value, error in zip(fit.names, fit.values(x), errors, strict=True):
-        if name in plain.names:
-            continue
-        also = " with this pixel and wavelength" if name == "f_number" else ""
-        unit = (
-            ""
-            if name in OF_PUPIL
-            else " rad"
-            if name not in fit.unknowns.phases
-            else f" {fit.unknowns.phases[str(name)].unit}"
-        )
-        texts.append(
-            f"{label(name)} {' +- '.join(with_error(value, error))}{unit.rstrip()} (stated {stated[name]:.6g}{also})"
-        )
-        numbers[label(name)] = {"value": value, "error": error, "stated": stated[name]}
-    text = f"estimated besides: {', '.join(texts)}: terms allow for it (it moves them by {moves:.2g} standard errors)"
-    return [Finding("estimated", "note", text, numbers)] if texts else []
+    terms: dict[str, Term] = {label(term): term for term in next_terms(unknowns.stated, unknowns.edge)}
+    if name in terms or name in OF_PUPIL:
+        return unknowns.freeing(terms.get(name, name))
+    drifts = {term: _time(model.count) * zernike.rms_factor(*term) for term in unknowns.stated}
+    phases = {label(term) + _DRIFTS: Phase(term, weights, 0.0) for term, weights in drifts.items()}
+    if (2, 0) in drifts:
+        phases[_DEFOCI] = Phase((2, 0), defoci, 1.0)
+        for k, row in enumerate(np.eye(model.count)):
+            phases[f"defocus of image {k + 1}"] = Phase((2, 0), row, defoci[k])
+    return None if name not in phases or model.one_focus else unknowns.freeing(name, phases[name])
 
 
 def candidates_of(effects: Sequence[MissingEffect], first_column: int) -> list[Candidate]:
@@ -433,8 +397,7 @@ def star_tests(
     else:
         blurs = reader.other_blurs(samples, np.empty((1, 0)))
         effects += missing_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
-    estimated = {"defocus" if name == _DEFOCI else name for name in unknowns.phases}
-    effects = [effect for effect in effects if effect.name not in estimated]
+    effects = [effect for effect in effects if effect.name not in unknowns.phases]
     mean = flux * values + image_parameters[-1][:, None, None]
     effects += [missing_gradients(model.count, grid.shape, model.count), missing_nonlinearity(mean)]
     # Products of all derivatives and the residuals: the information matrix, and in the last column the gradient.

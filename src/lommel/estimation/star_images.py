@@ -52,13 +52,12 @@ _FIRST_NOLL = 4  # Noll's index of defocus, after piston and tilts
 class Phase(NamedTuple):
     """A change of the phases of single images: `weights` (n,) times the Zernike `term` (1 at the edge).
 
-    `stated` is the value that the model assumes without it.
+    The weights are multiplied by the change of the coefficient from its `stated` value.
     """
 
     term: Term
     weights: Array
     stated: float
-    unit: str
 
 
 class Unknowns:
@@ -323,17 +322,22 @@ class StarImages(RowModel):
         """The known C_d of each image, radians, shape (n,)."""
         return np.asarray(self.fixed_of_images[:, 0] - self.fixed[0])
 
+    @property
+    def stated(self) -> dict[Name, float]:
+        """The values of the parameters common to all images that the pupil and the known defoci state."""
+        of_pupil: dict[Name, float] = {name: getattr(self.pupil, name) for name in self.unknowns.pupil}
+        of_pupil |= {name: phase.stated for name, phase in self.unknowns.phases.items()}
+        return dict(zip(self.unknowns.terms, self.start.tolist(), strict=True)) | of_pupil
+
     def with_unknowns(self, unknowns: Unknowns, x: Array) -> tuple[StarImages, Array]:
         """Return the model with more unknowns, and its parameters (1, p) for the images of this one at `x`."""
         counted, variance, _, valid = self.pixel_data.reshape(4, self.count, *self.shape)
         model = StarImages(
             counted, variance, valid > 0.0, self.pupil, self.known_defoci, unknowns, self.plan, self.pixel
         )
-        values: dict[Name, float] = dict(zip(unknowns.terms, model.start, strict=True))
-        values |= {name: getattr(self.pupil, name) for name in unknowns.pupil}
-        values |= dict(zip(self.names, x[0], strict=False))
+        values = model.stated | dict(zip(self.names, x[0], strict=False))
         row = np.zeros((1, model.size))
-        row[0, : model.common_count] = [values.get(name, 0.0) for name in model.names]
+        row[0, : model.common_count] = [values[name] for name in model.names]
         row[:, model.image_columns] = x[:, self.image_columns]
         return model, row
 
@@ -410,7 +414,7 @@ class StarImages(RowModel):
         for j, column in enumerate(self.tilts):
             edge[..., column] += image_parameters[..., j, :]
         for column, phase in enumerate(self.unknowns.phases.values(), self.phase_columns.start):
-            edge[..., self.terms.index(phase.term)] += x[..., column, None] * phase.weights
+            edge[..., self.terms.index(phase.term)] += (x[..., column, None] - phase.stated) * phase.weights
         parameters: dict[str, Any] = self.pupil_parameters(x) if self.unknowns.pupil else {}
         if "wavelength" in parameters:
             # Parameters are path differences, in radians at the initial wavelength: convert to the estimated one.
@@ -426,11 +430,6 @@ class StarImages(RowModel):
         """Return the initial wavelength divided by the estimated one."""
         wavelength = self.pupil.wavelength
         return 1.0 if wavelength is None else wavelength / parameters.get("wavelength", wavelength)
-
-    def values(self, x: Array) -> Array:
-        """Return the values of the parameters common to all images, from the first row of `x`."""
-        phases = [0.0] * self.phase_columns.start + [phase.stated for phase in self.unknowns.phases.values()]
-        return np.asarray(x[0, : self.common_count] + phases)
 
     def per_image(self, x: Array) -> Array:
         """Return a view of the parameters of single images, shape (s, parameters, n): tilts, flux, background."""

@@ -16,7 +16,7 @@ from lommel.estimation.star_checks import BLURS, MissingEffect
 from lommel.estimation.star_images import Unknowns, label, next_terms, ripple_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
-from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
+from lommel.fit.score_tests import Candidate, Grade, ScoreTest, graded, score_tests, sigmas_of
 
 _EXPECTED_SIZE = 0.05  # radians rms: expected size of a polynomial of higher degree, or of a deviation in a part
 _DEGREES = 2  # number of tested degrees above the degree of the fit
@@ -30,13 +30,13 @@ _SURE = 5.0  # smallest significance of slopes (standard deviations) at which th
 
 
 def missing_tests(
-    model: WholeField, x: Array, places: Array, degree: int
-) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
+    model: WholeField, x: Array, quality: tuple[float, float], places: Array, degree: int
+) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
     """Return tests of effects that a fit lacks, a marginalized correction, and findings on untested constants.
 
     1. Score tests at the parameters `x`, the most likely effect first. 2. Shift and covariance of the coefficients,
-    marginalized over effects. 3. Findings on input constants (f-number, obscuration, defocus) that the stars do not
-    test.
+    marginalized over effects, with the grade of significant effects. 3. Findings on input constants (f-number,
+    obscuration, defocus) that the stars do not test. `quality` is chi2 and its standard deviation.
 
     Effects are further terms, polynomials of higher degrees in `places` (n, 2), deviations in parts of the field,
     uneven pupil illumination, charge transfer, other blurs, slopes of the background, and a nonlinear gain. Effects
@@ -77,7 +77,7 @@ def missing_tests(
     # A known blur is assumed to be exact: other blurs are marginalized only if the blur is estimated.
     kept_names = BLURS if stars.width_count else ()
     to_marginalize = star_checks.to_marginalize([*candidates, *effect_candidates], tests, kept_names)
-    marginal = marginalized(matrix, gradient, estimated, to_marginalize, k * m)
+    grade = graded(matrix, gradient, estimated, to_marginalize, k * m, tests, quality)
     unknowns, fit = stars.first_star.unknowns, (matrix, estimated)
     constant_columns = [j * m for j in range(k)]
     # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
@@ -87,7 +87,7 @@ def missing_tests(
     untested = star_checks.untested_constants(
         stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, constant_columns, never
     )
-    return tests, marginal, untested
+    return tests, grade, untested
 
 
 def _tested_degrees(degree: int) -> range:

@@ -619,7 +619,8 @@ def _build_field_fit(
     k, m = polynomials.shape
     fit_covariance = fit.model.covariance(fit.scores)
     errors = np.sqrt(np.diag(fit_covariance))[k * m :]
-    shift, covariance = outcome.marginal[0].reshape(k, m), outcome.marginal[1]
+    marginal = outcome.grade.marginal
+    shift, covariance = marginal.shift.reshape(k, m), marginal.covariance
     shifted_waves = fit.model.basis @ shift.T
     mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()
     # The shift is linear in the parameters: where it is large, it means nothing.
@@ -637,7 +638,8 @@ def _build_field_fit(
             fit.x[0, : k * m] = polynomials.ravel()
         twin = field_of(twin_coefficients)
         findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
-    findings = [*outcome.findings, *missing_findings(tests), *findings]
+    labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
+    findings = [*outcome.findings, *missing_findings(tests, outcome.grade, labels), *findings]
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)
     blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, width_errors, outer_errors)

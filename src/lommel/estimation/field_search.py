@@ -27,7 +27,7 @@ from lommel.estimation.field_signs import candidates, highest_degree, monomials,
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
-from lommel.fit.score_tests import Marginal, ScoreTest, causes_of_misfit
+from lommel.fit.score_tests import Grade, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Report, Scores, search_rows
 from lommel.methods.derivative_names import term_of
 
@@ -108,7 +108,7 @@ class Outcome:
     blur_costs: dict[str, float]  # -lnL of each profile of blur that was compared
     notes: list[Finding]  # findings on sloping backgrounds, and on input values that the images do not test
     tests: tuple[ScoreTest, ...]  # score tests of terms that the model lacks
-    marginal: Marginal  # shift and covariance of the coefficients, marginalized over possible effects
+    grade: Grade  # of significant effects; shift and covariance of the coefficients, marginalized over effects
     rival: Rival | None = None
 
     @property
@@ -118,6 +118,8 @@ class Outcome:
         degree = "the degree is too low, " if len(self.places) > 1 else ""
         causes = causes_of_misfit(_CAUSES.format(degree), chi2, deviation, self.tests)
         findings = chi2_findings(chi2, deviation, causes)
+        if seen(self.tests) and self.grade.explained:
+            findings = [finding for finding in findings if finding.code == "too_quiet"]
         causes = causes and f"; {causes}"
         bright_chi2, bright_deviation = self.bright_chi2
         limit = float(largest_plausible_chi2(bright_deviation))
@@ -620,13 +622,14 @@ class Search:
         if slope_notes := slope_findings(fit.model, fit.x):
             self.places = places
             fit, rejected = self.fit_all_stars(self._with_background_slopes(fit))
-        tests, marginal, untested = missing_tests(fit.model, fit.x, self.places, self.degree)
+        quality = float(fit.scores.chi2[0]), float(fit.scores.spread[0])
+        tests, grade, untested = missing_tests(fit.model, fit.x, quality, self.places, self.degree)
         chosen, nuisance = fit.model.chosen, fit.nuisance()
         psf = self.stars.images(chosen, *fit.model.parts(fit.x), fast=False, derivatives="none")[0]
         parameters = fit.model.common_count + len(chosen) * self.stars.parameters_per_image * self.stars.exposures
         bright_chi2 = self.stars.bright_pixel_chi2(chosen, psf, nuisance, float(parameters))
         held_out = self.held_out(fit)
-        results = self.blur_costs, [*slope_notes, *untested], tests, marginal, self.rival
+        results = self.blur_costs, [*slope_notes, *untested], tests, grade, self.rival
         return Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
 
     def _with_background_slopes(self, fit: Solution) -> Solution:

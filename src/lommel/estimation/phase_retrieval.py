@@ -501,12 +501,13 @@ def _with_causes_freed(
     """Return a fit and its tests; effects that the images favour are estimated, as far as the model can."""
 
     def tested() -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
-        return star_tests(model, x, (float(scores.chi2[0]), float(scores.spread[0])))
+        return star_tests(model, x, (float(scores.chi2[0]), float(scores.spread[0])), names)
 
+    names: list[str] = []  # effects that explain the images as well as those that are estimated
     checked = tested()
     for _ in range(_MAX_REFITS):
-        refits, rivals = [], [(test, freed(model, test.name)) for test in seen(checked[0])[:_MAX_RIVALS]]
-        for test, unknowns in rivals:
+        refits, rivals = [], [(test, freed(model, test.name)) for test in seen(checked[0])]
+        for test, unknowns in rivals[:_MAX_RIVALS]:
             if unknowns is None or rivals[0][1] is None:  # another effect explains the images at least as well
                 continue
             with suppress(Declined, ToleranceError):
@@ -518,6 +519,7 @@ def _with_causes_freed(
         if not refits:
             break
         model, x, scores = min(refits, key=lambda refit: float(refit[2].deviance[0]))
+        names += [test.name for test, _ in rivals]
         settled, checked = True, tested()
     return model, x, scores, settled, checked
 

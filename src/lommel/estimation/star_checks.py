@@ -355,13 +355,13 @@ def _in_words(test: ScoreTest) -> str:
 
 
 def star_tests(
-    model: StarImages, x: Array, quality: tuple[float, float]
+    model: StarImages, x: Array, quality: tuple[float, float], rivals: Sequence[str] = ()
 ) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
     """Return tests of effects that the model of one star lacks, a marginalized correction, and findings.
 
     1. Score tests at the estimate `x` (1, p), in the order of falling Bayes factors. 2. Shift and covariance of the
     common parameters, marginalized over effects, with the grade of significant effects. 3. Findings on effects that
-    were not tested. `quality` is chi2 and its standard deviation.
+    were not tested. `quality` is chi2 and its standard deviation; effects named `rivals` are marginalized in full.
     """
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     image_parameters = model.per_image(x)[0]
@@ -407,7 +407,7 @@ def star_tests(
     matrix = products[0]
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
-    grade = graded(*scores, to_marginalize(candidates, tests), model.common_count, tests, quality)
+    grade = graded(*scores, to_marginalize(candidates, tests, rivals), model.common_count, tests, quality)
     fit = matrix[:-1, :-1], range(model.size)
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
     is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)

@@ -118,10 +118,11 @@ class Outcome:
         degree = "the degree is too low, " if len(self.places) > 1 else ""
         causes = causes_of_misfit(_CAUSES.format(degree), chi2, deviation, self.tests)
         findings = chi2_findings(chi2, deviation, causes)
+        bright_chi2, bright_deviation = self.bright_chi2
         if seen(self.tests) and self.grade.explained:
             findings = [finding for finding in findings if finding.code == "too_quiet"]
+            bright_chi2 -= self.grade.marginal.gain * bright_deviation**2
         causes = causes and f"; {causes}"
-        bright_chi2, bright_deviation = self.bright_chi2
         limit = float(largest_plausible_chi2(bright_deviation))
         if not findings and math.isfinite(bright_chi2) and bright_chi2 >= limit:
             pixels = "of the pixels in which stars exceed the noise"

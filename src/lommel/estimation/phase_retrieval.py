@@ -62,6 +62,7 @@ _MIN_DISTANCE_RATIO = 2.0  # smallest ratio of the twins' distances from the ini
 _MAX_SUM_ERROR = 0.05  # images whose sums differ from 1 by less count as normalized
 # Effects that are estimated because the images favour them: number of refits in turn, and of rivals in each.
 _MAX_REFITS, _MAX_RIVALS, _REFIT_STEPS = 2, 3, 30
+_SAME_COST = 0.5  # difference of lnL up to which the first of two rivals is preferred
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
@@ -497,31 +498,35 @@ def _random_starts(model: StarImages, rows: Array, draw: np.random.Generator, co
 
 def _with_causes_freed(
     model: StarImages, x: Array, scores: Scores, settled: bool
-) -> tuple[StarImages, Array, Scores, bool, tuple[tuple[ScoreTest, ...], Grade, list[Finding]]]:
-    """Return a fit and its tests; effects that the images favour are estimated, as far as the model can."""
+) -> tuple[StarImages, Array, Scores, bool, tuple[tuple[ScoreTest, ...], Grade, list[Finding]], list[str]]:
+    """Return a fit and its tests; effects that the images favour are estimated, as far as the model can.
+
+    The last item lists rivals of these effects.
+    """
 
     def tested() -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
-        return star_tests(model, x, (float(scores.chi2[0]), float(scores.spread[0])), names)
+        return star_tests(model, x, (float(scores.chi2[0]), float(scores.spread[0])), rivals)
 
-    names: list[str] = []  # effects that explain the images as well as those that are estimated
+    rivals: list[str] = []
     checked = tested()
     for _ in range(_MAX_REFITS):
-        refits, rivals = [], [(test, freed(model, test.name)) for test in seen(checked[0])]
-        for test, unknowns in rivals[:_MAX_RIVALS]:
-            if unknowns is None or rivals[0][1] is None:  # another effect explains the images at least as well
+        refits, favoured = [], [(test, freed(model, test.name)) for test in seen(checked[0])]
+        for test, unknowns in favoured[:_MAX_RIVALS]:
+            if unknowns is None or favoured[0][1] is None:  # another effect explains the images at least as well
                 continue
             with suppress(Declined, ToleranceError):
                 free, row = model.with_unknowns(unknowns, x)
                 row, *_ = search_rows(free, row, _REFIT_STEPS, _no_report, fast=True)
                 row, free_scores, ended, _ = search_rows(free, row, _REFIT_STEPS, _no_report, fast=False)
                 if ended[0] and free_scores.deviance[0] < scores.deviance[0] - 0.5 * test.log_bayes:
-                    refits.append((free, row, free_scores))
+                    refits.append((free, row, free_scores, test.name))
         if not refits:
             break
-        model, x, scores = min(refits, key=lambda refit: float(refit[2].deviance[0]))
-        names += [test.name for test, _ in rivals]
+        least = min(float(refit[2].deviance[0]) for refit in refits)
+        model, x, scores, name = next(refit for refit in refits if refit[2].deviance[0] < least + _SAME_COST)
+        rivals += [test.name for test, _ in favoured if test.name != name]
         settled, checked = True, tested()
-    return model, x, scores, settled, checked
+    return model, x, scores, settled, checked, rivals
 
 
 def _no_report(step: int, chi2: float) -> None:
@@ -529,9 +534,12 @@ def _no_report(step: int, chi2: float) -> None:
 
 
 def _estimated_findings(
-    model: StarImages, x: Array, errors: Array, first_model: StarImages, first_x: Array
+    model: StarImages, x: Array, errors: Array, first_model: StarImages, first_x: Array, rivals: Sequence[str]
 ) -> list[Finding]:
-    """Return the finding on parameters (1, p) that the images favoured, unlike the model and parameters at first."""
+    """Return the finding on parameters (1, p) that the images favoured, unlike the model and parameters at first.
+
+    `rivals` are effects that explain the images as well.
+    """
     words, numbers, k = [], {}, len(first_model.unknowns.terms)
     for name, value, error in zip(model.names, x[0], errors, strict=False):
         if name not in first_model.names:
@@ -541,6 +549,7 @@ def _estimated_findings(
             )
             numbers[label(name)] = {"value": value, "error": error, "stated": model.stated[name]}
     moves = (np.abs(x[0, :k] - first_x[0, :k]) / errors[:k]).max(initial=0.0) if words else 0.0
+    words += [f"or as well {' or '.join(rivals[:_MAX_RIVALS])}"] if rivals else []
     text = f"estimated besides: {', '.join(words)}: terms allow for it (it moves them by {moves:.2g} standard errors)"
     return [Finding("estimated", "note", text, numbers | {"move": moves})] if words else []
 
@@ -573,8 +582,9 @@ def _build_retrieval(
     steps, starts = effort
     first_model, first_x = model, x  # before effects are freed
     tests: tuple[ScoreTest, ...] = ()
+    rivals: list[str] = []
     if checks:
-        model, x, scores, settled, (tests, grade, untested) = _with_causes_freed(model, x, scores, settled)
+        model, x, scores, settled, (tests, grade, untested), rivals = _with_causes_freed(model, x, scores, settled)
         marginal = grade.marginal
     inverse = covariance(scores.information[0])
     if not checks:
@@ -611,7 +621,7 @@ def _build_retrieval(
     if effect_findings and grade.explained:
         findings = [finding for finding in findings if finding.code == "too_quiet"]
     common_errors = np.sqrt(np.diag(marginal.covariance))
-    effect_findings += _estimated_findings(model, corrected_x, common_errors, first_model, first_x)
+    effect_findings += _estimated_findings(model, corrected_x, common_errors, first_model, first_x, rivals)
     variance = model.variance(mean)
     difference = residual * np.sqrt(variance)
     shape = counts.values.shape

@@ -407,7 +407,9 @@ def star_tests(
     matrix = products[0]
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
-    grade = graded(*scores, to_marginalize(candidates, tests, rivals), model.common_count, tests, quality)
+    # A rival that is left out of the tests is the same effect under another name.
+    kept = {*rivals} & {test.name for test in tests}
+    grade = graded(*scores, to_marginalize(candidates, tests, [*kept]), model.common_count, tests, quality)
     fit = matrix[:-1, :-1], range(model.size)
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
     is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)

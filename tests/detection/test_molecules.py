@@ -38,12 +38,24 @@ def test_thresholds_hold_for_pixels_of_unlike_read_noise():
     assert len(blind) > 10 * len(told) + 10
 
 
-def test_the_sums_of_the_kernel_are_those_of_every_pixel_also_at_edges():
+@pytest.mark.parametrize("weight", [0.0, 0.84])
+def test_the_sums_of_the_kernel_are_those_of_every_pixel_also_at_edges(weight):
     pixels = np.eye(23 * 31).reshape(-1, 23, 31)
-    kernel = np.stack([smoothed(one, 1.2) - smoothed(one, 3.0) for one in pixels])  # response of each pixel to each
-    squares, cubes = _moments(23, 31, 1.2, 3.0)
+    wide = np.stack([smoothed(one, 3.0) for one in pixels])
+    wider = np.stack([smoothed(one, 3.0) for one in wide])
+    # The response of each pixel to each pixel.
+    kernel = np.stack([smoothed(one, 1.2) for one in pixels]) - (1.0 + weight) * wide + weight * wider
+    squares, cubes = _moments(23, 31, 1.2, 3.0, weight)
     np.testing.assert_allclose(squares, (kernel**2).sum(axis=0), rtol=1e-12)
     np.testing.assert_allclose(cubes, (kernel**3).sum(axis=0), rtol=1e-10)
+
+
+@pytest.mark.parametrize("width", [13.0, 18.0])
+def test_a_smooth_hump_of_background_has_no_spots(width):
+    """A hump of 8 to 48 electrons, where a flat background on either side of spots finds 0.6 spots a frame."""
+    row, column = np.mgrid[:64, :64]
+    mean = 8.0 + 40.0 * np.exp(-((row - 29.0) ** 2 + (column - 38.0) ** 2) / (2.0 * width**2))
+    assert len(find(np.random.default_rng(4).poisson(mean, (60, 64, 64)))) == 0
 
 
 def test_heights_are_standard_deviations_where_there_are_many_electrons():

@@ -1,6 +1,8 @@
 r"""Detection of molecules: spots of light above the background, and boxes around them.
 
-Frames of electrons d are smoothed by a kernel k of sum 0, a narrow Gaussian minus a wide one. In a region of
+Frames of electrons d are smoothed by a kernel k of sum 0, a narrow Gaussian N minus a wide one W. For molecules, k is
+``N - (1 + a) W + a W * W``, where * is a convolution and ``a = 1 - (width of N / width of W)^2``: its second moment
+is 0, so that backgrounds with the shape of a parabola, as in the middle of a smooth hump, yield 0. In a region of
 background, e = sum k d has the variance ``m sum k^2`` and the third moment ``m sum k^3``, where m is the background
 (smoothed by the wide Gaussian) plus the read variance, in electrons. A scaled Poisson variable has the same moments
 if its mean is ``lambda = m sum k^2 / a^2`` and its scale ``a = sum k^3 / sum k^2``. The score of a spot is the signed
@@ -18,6 +20,7 @@ of Random Fields, 6.9)
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 from functools import lru_cache
@@ -164,7 +167,7 @@ def find(
                 f"read must be below {DEFECT:g} electrons for pixels that are not defects, got no such pixel"
             )
         read = np.where(defects, np.median(read[~defects]), read)
-    kernel = Kernel(electrons.shape[1:], narrow, wide)
+    kernel = Kernel(electrons.shape[1:], narrow, wide, flat=False)
     variance = np.full(electrons.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
 
     known_fraction = smoothed(1.0 - defects, narrow)
@@ -185,7 +188,7 @@ def find(
     frame, corners = frame[kept], corners[kept]
     boxes = frame[:, None, None], *box_pixels(corners, box)
     saturated, left_out = (int(pixels[boxes].sum()) for pixels in (counts.full, counts.hidden))
-    false_spots = _density(level, narrow, wide) * electrons.shape[1] * electrons.shape[2]
+    false_spots = _density(level, narrow, wide, kernel.weight) * electrons.shape[1] * electrons.shape[2]
     (row, column), omitted = corners.T, (borders, overlapping, saturated, left_out)
     return Spots(frame + start, row, column, score[kept], counts.marked()[boxes], *omitted, false_spots)
 
@@ -237,11 +240,11 @@ def filled(planes: Values, left_out: NDArray[np.bool_], width: float, known_frac
 
 
 class Kernel:
-    """The difference of two Gaussians (module docstring) for frames of a given shape."""
+    """The kernel (module docstring) for frames of a given shape; `flat` if backgrounds have no curvature."""
 
-    def __init__(self, shape: tuple[int, ...], narrow: float, wide: float) -> None:
-        self.narrow, self.wide = narrow, wide
-        self.squares, self.cubes = _moments(shape[0], shape[1], narrow, wide)
+    def __init__(self, shape: tuple[int, ...], narrow: float, wide: float, *, flat: bool = True) -> None:
+        self.narrow, self.wide, self.weight = narrow, wide, 0.0 if flat else 1.0 - (narrow / wide) ** 2
+        self.squares, self.cubes = _moments(shape[0], shape[1], narrow, wide, self.weight)
 
     def maxima(self, light: Array, variance: Array, level: float) -> tuple[Values, Values, Array]:
         """Return rows, columns and scores (module docstring) of the maxima of a frame whose score is >= `level`.
@@ -250,6 +253,8 @@ class Kernel:
         """
         background = smoothed(light, self.wide)
         excess = smoothed(light, self.narrow) - background
+        if self.weight:
+            excess -= self.weight * (background - smoothed(background, self.wide))
         mean = np.maximum(np.maximum(background, 0.0) + variance, _MIN_MEAN)
         # The score is less than (excess / standard deviation): it is computed only for pixels where that is at least
         # `level`. The product x abs(x) has the sign of x, which rejects pixels below the background.
@@ -287,38 +292,43 @@ def smoothed(light: Array, sigma: float) -> Array:
 
 
 @lru_cache(maxsize=16)
-def _moments(rows: int, columns: int, narrow: float, wide: float) -> tuple[Array, Array]:
+def _moments(rows: int, columns: int, narrow: float, wide: float, weight: float = 0.0) -> tuple[Array, Array]:
     """Return the sums of squares and of cubes of the kernel at each pixel, with reflection at the edges."""
     of_rows, of_columns = (_sums(side, narrow, wide) for side in (rows, columns))
-    # Binomial expansion of (narrow - wide)^power; each term is separable in rows and columns.
-    squares, cubes = (
-        sum(sign * math.comb(power, k) * np.outer(of_rows[power - k, k], of_columns[power - k, k])
-            for k, sign in zip(range(power + 1), (1.0, -1.0, 1.0, -1.0), strict=False))
-        for power in (2, 3)
-    )  # fmt: skip
-    return np.asarray(squares), np.asarray(cubes)
+    moments = np.zeros((2, rows, columns))
+    # Multinomial expansion of (N - (1 + a) W + a W * W)^power; each term is separable in rows and columns.
+    for powers in of_rows:
+        factor = math.factorial(sum(powers)) / math.prod(map(math.factorial, powers))
+        factor *= (-1.0 - weight) ** powers[1] * weight ** powers[2]
+        moments[sum(powers) - 2] += factor * np.outer(of_rows[powers], of_columns[powers])
+    return moments[0], moments[1]
 
 
-def _sums(side: int, narrow: float, wide: float) -> dict[tuple[int, int], Array]:
-    """Return, for powers (i, j), the sums of narrow^i wide^j along one axis at each pixel."""
-    reach = math.ceil(_TRUNCATION * wide) + 1
+def _sums(side: int, narrow: float, wide: float) -> dict[tuple[int, ...], Array]:
+    """Return, for powers (i, j, k), the sums of N^i W^j (W * W)^k along one axis at each pixel."""
+    reach = math.ceil(2.0 * _TRUNCATION * wide) + 2
     count = min(side, 2 * reach + 1)
     narrow_weights, wide_weights = (
         scipy.ndimage.gaussian_filter1d(np.eye(count), sigma, axis=0, mode="reflect", truncate=_TRUNCATION)
         for sigma in (narrow, wide)
     )
+    wider_weights = wide_weights @ wide_weights
     # Pixels farther than `reach` from both edges have equal sums.
     index = np.minimum(np.arange(side), np.maximum(reach, np.arange(side) + count - side))
-    powers = [(i, power - i) for power in (2, 3) for i in range(power + 1)]
-    return {(i, j): (narrow_weights**i * wide_weights**j).sum(axis=1)[index] for i, j in powers}
+    powers = [powers for powers in itertools.product(range(4), repeat=3) if sum(powers) in (2, 3)]
+    return {
+        (i, j, k): (narrow_weights**i * wide_weights**j * wider_weights**k).sum(axis=1)[index] for i, j, k in powers
+    }
 
 
-def _density(threshold: float, narrow: float, wide: float) -> float:
+def _density(threshold: float, narrow: float, wide: float, weight: float = 0.0) -> float:
     """Return the expected number of maxima of noise above a threshold, per pixel (module docstring)."""
-    pairs = ((1.0, 2.0 * narrow**2), (-2.0, narrow**2 + wide**2), (1.0, 2.0 * wide**2))
+    parts = (1.0, narrow**2), (-1.0 - weight, wide**2), (weight, 2.0 * wide**2)
     # Integrals of (dk/dx)^2 and k^2, up to common factors: a product of two Gaussians depends on the sum of
     # variances.
-    gradients, squares = (math.fsum(factor / total**power for factor, total in pairs) for power in (2.0, 1.0))
+    gradients, squares = (
+        math.fsum(f * g / (u + v) ** power for f, u in parts for g, v in parts) for power in (2.0, 1.0)
+    )
     return gradients / squares * threshold * math.exp(-0.5 * threshold**2) / math.sqrt(2.0 * math.pi) ** 3
 
 

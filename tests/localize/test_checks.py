@@ -87,6 +87,22 @@ def test_a_term_that_the_table_lacks_is_named(term, size, biased, table):
     assert "tilted_background" not in found.findings.codes
 
 
+@pytest.mark.parametrize(("short", "long", "direction"), [(0.5, 0.5, None), (0.1, 0.6, 40.0)])
+def test_blur_is_named_with_its_size_and_direction(short, long, direction, table):
+    """Vibration, and motion during an exposure: a Gaussian, by its transfer function."""
+    y, x = np.fft.fftfreq(100)[:, None], np.fft.rfftfreq(100)
+    turn = np.exp(1j * np.radians(direction or 0.0)) * (x - 1j * y)
+    transfer = np.exp(-2.0 * np.pi**2 * ((long * turn.real) ** 2 + (short * turn.imag) ** 2))
+    blurred = np.fft.irfft2(np.fft.rfft2(light(table, 8, 2000.0)) * transfer, (100, 100))
+    found = localize_movie(CAMERA.record(np.maximum(blurred, 0.0), 3), table, noise=CAMERA)
+    told = found.findings.get("other_explanation")
+    assert next(iter(told.numbers)) == "blur"
+    assert told.numbers["blur"]["size"][0] == pytest.approx(0.5 * (short**2 + long**2), rel=0.15)
+    assert told.text.startswith("the data favour blur of 0.")
+    named = [word for word in told.text.split() if "degrees" in told.text]
+    assert abs(float(named[named.index("degrees") - 1]) - direction) < 6.0 if direction else not named
+
+
 CHANGED = {
     "depth": lambda pupil, by: replace(pupil, depth=pupil.depth + by),
     "wavelength": lambda pupil, by: pupil.in_light(pupil.wavelength * (1.0 + by)),
@@ -103,7 +119,9 @@ def test_changes_are_differences_of_tables(table):
     made = checks.ChangeImages(table)
     places = np.array([7.3, 6.1]), np.array([6.6, 8.2]), np.array([-0.35e-6, 0.41e-6])
     images = made(*places)
-    for k, name in enumerate(made.names):
+    for name, (k, *_) in made.columns.items():
+        if name == "blur":
+            continue
         if k < len(checks._TERMS):
             step, (n, m) = 1e-3, checks._TERMS[k]
             waves = [simulated.ASTIGMATISM + lm.Wavefront.zernike({(n, m): by}) for by in (step, -step)]
@@ -116,8 +134,8 @@ def test_changes_are_differences_of_tables(table):
         np.testing.assert_allclose(
             images[:, k], difference, rtol=0, atol=0.03 * np.abs(difference).max(), err_msg=name
         )
-    assert made.names[len(checks._TERMS) :] == list(checks._CONSTANTS)
-    sizes = np.linspace(-0.5, 0.7, len(made.names)) * made.scales
+    assert list(made.columns)[len(checks._TERMS) :] == [*checks._CONSTANTS, "blur"]
+    sizes = np.linspace(-0.5, 0.7, len(made.scales)) * made.scales
     together = np.einsum("k,nkyx->nyx", sizes, images)
     np.testing.assert_allclose(made.combined(sizes)(*places)[:, 0], together, atol=1e-6 * np.abs(together).max())
 

@@ -52,6 +52,7 @@ _MIN_COMPARED = 10  # smallest number of molecules from which the standard devia
 # expected sizes _CONSTANTS. _TEST_MOLECULES is the number of molecules for these tests.
 _TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) != (2, 0)), (6, 0))
 _TERM, _TEST_MOLECULES = 0.1, 300
+_BLUR, _VARIANCE = "blur", 0.1  # expected variance of blur that the table lacks, pixels^2
 _CONSTANTS = {"depth": 0.2e-6, "sample": 0.02, "immersion": 2e-3, "NA": 0.02, "wavelength": 0.02}
 _UNITS = {"depth": " m", "wavelength": " of it"}
 _STEP = 0.05  # step of differences, as a fraction of these sizes
@@ -299,6 +300,19 @@ def _format_error(name: str, size: float) -> str:
     return f"{100.0 * size:.2g} % of it" if name == "wavelength" else f"{size:.2g} of it"
 
 
+def _label(test: ScoreTest) -> str:
+    """Return a change of the images and its size as text."""
+    size = " +- ".join(with_error(test.size[0], test.errors[0]))
+    if test.name == _BLUR:
+        angle = 0.5 * math.degrees(math.atan2(test.size[2], -test.size[1])) % 180.0
+        is_long = math.hypot(*test.size[1:]) > 5.0 * test.errors[1:].max()
+        direction = f", most along {angle:.0f} degrees from columns to rows" if is_long else ""
+        return f"blur of {math.sqrt(test.size[0]):.2g} pixels rms (variance {size} pixels^2{direction})"
+    if test.name in _CONSTANTS:
+        return f"{test.name} off by {size}{_UNITS.get(test.name, '')}"
+    return f"{test.name} = {size} rad"
+
+
 def _change_constant(pupil: ObjectivePupil, along: str, name: str, change: float) -> ObjectivePupil:
     """Return a pupil with the constant `name` increased by `change` (wavelength: relative).
 
@@ -314,14 +328,17 @@ def _change_constant(pupil: ObjectivePupil, along: str, name: str, change: float
 
 
 class ChangeImages:
-    """Derivatives of the images of a table by Zernike terms (radians rms) and constants, in the range of the table.
+    """Derivatives of the images of a table by Zernike terms (radians rms), constants and blur, in the table's range.
+
+    Blur has three columns: with variances vy, vx and covariance c of a kernel that blurs the images (pixels^2), they
+    are (vy + vx) / 2, (vy - vx) / 2 and c.
 
     Attributes
     ----------
-    names : list of str
-        Labels of the terms, and names of the constants.
+    columns : dict of str to list of int
+        Columns of each term by its label, of each constant by its name, and of blur.
     scales : ndarray
-        Expected size of each term and of the error of each constant.
+        Expected size of each column.
     """
 
     def __init__(self, table: Table) -> None:
@@ -335,7 +352,7 @@ class ChangeImages:
         pupil = waves.at(np.linspace(low, high, planes))
         images, derivatives = image(pupil).values, image(pupil, derivatives=_TERMS).derivatives
         changes = [derivatives[term] * zernike.rms_factor(*term) for term in _TERMS]
-        layers, self.names, scales = pupil.layers, [label(term) for term in _TERMS], [_TERM] * len(_TERMS)
+        layers, names, scales = pupil.layers, [label(term) for term in _TERMS], [_TERM] * len(_TERMS)
         for name, size in _CONSTANTS.items():
             step = _STEP * size
             if name == "immersion" and layers.immersion == 1.0:
@@ -344,9 +361,16 @@ class ChangeImages:
                 continue  # NA must be less than the index of the immersion
             # A forward difference, because the depth of molecules on the cover glass cannot be reduced.
             changes.append((image(_change_constant(pupil, table.along, name, step)).values - images) / step)
-            self.names.append(name)
+            names.append(name)
             scales.append(size)
-        self.scales = np.array(scales)
+        # A narrow kernel changes an image by half the sum of its covariances times second derivatives.
+        rows, columns, oblique = (
+            _SUBPIXELS**2 * np.gradient(np.gradient(images, axis=first), axis=second)
+            for first, second in ((1, 1), (2, 2), (1, 2))
+        )
+        changes += [0.5 * (rows + columns), 0.5 * (rows - columns), oblique]
+        self.columns = {name: [k] for k, name in enumerate(names)} | {_BLUR: [len(names) + k for k in range(3)]}
+        self.scales = np.array([*scales, *[_VARIANCE] * 3])
         sides = 0, _SUBPIXELS, _SUBPIXELS
         averaged = (_SUBPIXELS**2 * scipy.ndimage.uniform_filter(change, sides) for change in changes)
         self._splines = [scipy.ndimage.spline_filter(change) for change in averaged]
@@ -514,15 +538,16 @@ class TableTest:
         """Return a test of each change, after elimination of the changes with the indices `eliminated`."""
         if not len(self._bias):
             return ()
-        names = enumerate(zip(self._images.names, self._images.scales.tolist(), strict=True))
-        candidates = [Candidate(name, (k,), scale) for k, (name, scale) in names if k not in eliminated]
-        return score_tests(self._square, self._pull, eliminated, candidates)
+        columns, scales = self._images.columns, self._images.scales.tolist()
+        candidates = [Candidate(name, (*k,), scales[k[0]]) for name, k in columns.items() if k[0] not in eliminated]
+        tests = score_tests(self._square, self._pull, eliminated, candidates)
+        return tuple(test for test in tests if test.name != _BLUR or test.size[0] > 0.0)
 
     def _significant_sizes(self) -> Array:
         """Return the sizes of significant changes, which are selected one by one; 0 for all other changes."""
         sizes, chosen = np.zeros(len(self._pull)), list[int]()
         while significant := seen(self.tests(chosen)):
-            chosen.append(self._images.names.index(significant[0].name))
+            chosen += self._images.columns[significant[0].name]
         if chosen:
             # The expected sizes are a prior, because chosen changes may be nearly linearly dependent.
             square = self._square[np.ix_(chosen, chosen)] + np.diag(self._images.scales[chosen] ** -2.0)
@@ -540,18 +565,18 @@ class TableTest:
         significant = seen(self.tests())
         if not significant:
             return []
-        strongest, sizes = self._images.names.index(significant[0].name), self._sizes
-        biases = np.abs(sizes[strongest]) * np.sqrt(np.square(self._bias[:, :, strongest]).mean(axis=0))
+        strongest, sizes = self._images.columns[significant[0].name], self._sizes
+        biases = np.sqrt(np.square(self._bias[:, :, strongest] @ sizes[strongest]).mean(axis=0))
         total_biases = np.sqrt(np.square(self._bias @ sizes).mean(axis=0))
-        labels = [
-            f"{test.name} {'off by' if test.name in _CONSTANTS else '='} "
-            f"{' +- '.join(with_error(test.size[0], test.errors[0]))}{_UNITS.get(test.name, '')}"
-            + ("" if test.name in _CONSTANTS else " rad")
-            for test in significant
-        ]
+        labels = [_label(test) for test in significant]
         cause = other_explanation(significant, [f"{labels[0]} beside what the table states", *labels[1:]])
-        name = _BIASES[int(biases.argmax())]
-        text = f"{cause.text}: this moves {name} by {biases.max():.2g} standard errors rms; fit the pupil to beads"
+        name, is_blur = _BIASES[int(biases.argmax())], significant[0].name == _BLUR
+        step = (
+            "check for vibration, motion in an exposure and focus of the camera"
+            if is_blur
+            else "fit the pupil to beads"
+        )
+        text = f"{cause.text}: this moves {name} by {biases.max():.2g} standard errors rms; {step}"
         numbers = {**cause.numbers, "bias": dict(zip(_BIASES, biases.tolist(), strict=True))}
         severity: Severity = "doubt" if max(biases.max(), total_biases.max()) >= _BIASED else "note"
         return [Finding(cause.code, severity, text, numbers)]
@@ -564,10 +589,10 @@ class TableTest:
         """
         errors, result = {test.name: float(test.errors[0]) for test in self.tests()}, {}
         for name, size in _CONSTANTS.items():
-            if not len(self._bias) or name not in self._images.names:
+            if not len(self._bias) or name not in self._images.columns:
                 continue
             error = min(2.0 * errors.get(name, np.inf), _MAX_STATED * size)
-            biases = error * np.sqrt(np.square(self._bias[:, :, self._images.names.index(name)]).mean(axis=0))
+            biases = error * np.sqrt(np.square(self._bias[:, :, self._images.columns[name][0]]).mean(axis=0))
             if biases.max() > _BIASED:
                 result[name] = error, _BIASES[int(biases.argmax())], float(biases.max())
         return result

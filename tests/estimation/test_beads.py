@@ -212,7 +212,7 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
     assert (blur.size[0] < 0.0, abs(blur.sigmas) > 5.0) == (True, True)
     assert "blur lower than 0 pixels^2, beyond what is possible (" in found.message
     setup = Setup(OIL, WAVE, pupil.emitter, PIXEL, 0.1e-6)
-    for name, worst, best in (("sample", 0.9, 1.0), ("NA", 1.52, 1.5), ("depth", 0.0, 0.03e-6), ("step", 0.0, 0.5)):
+    for name, worst, best in (("sample", 0.9, 1.0), ("NA", 1.52, 1.5), ("depth", -1e-9, 0.0), ("step", 0.0, 0.5)):
         assert not is_possible(setup, name, worst)
         assert is_possible(setup, name, best)
 

@@ -26,7 +26,6 @@ from lommel.estimation.bead_search import (
     Prior,
     State,
     climb,
-    min_depth,
     start_of,
 )
 from lommel.estimation.star_images import label, next_terms
@@ -82,9 +81,8 @@ def available_constants(setup: Setup) -> list[str]:
 
 def is_possible(setup: Setup, name: str, value: float) -> bool:
     """Return whether a microscope with this value of a constant exists."""
-    smallest = {"depth": min_depth(setup), "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
-    if name in smallest:
-        return value >= smallest[name]
+    if name in ("depth", "diameter", "blur", "coverslip"):
+        return value >= 0.0
     if name in ("pixel", "step"):
         return value > 0.0
     with suppress(ValueError):

@@ -302,8 +302,8 @@ class BeadImages:
             edge[:, -2:] = pixel_v * np.outer(stack.times, place.drift)
         rule = self.rule(samples, edge)
         u, fractions = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
-        # No disc may lie inside the cover glass.
-        depths = np.maximum(place.depth + 0.5 * setup.diameter * u, 0.0)
+        # No disc may lie inside the cover glass: a bead nearer than its radius is flattened, which keeps images smooth.
+        depths = place.depth + min(0.5 * setup.diameter, place.depth) * u
         focus, amplitudes = np.tile(place.focus + setup.step * stack.z, len(u)), by or ()
         planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
         light_of = partial(light_by_rule.light, layers, setup.emitter, planes, samples, rule, self.terms)
@@ -356,8 +356,7 @@ class BeadImages:
         """Return the derivative with respect to a constant or the depth, by finite differences (`CONSTANTS`)."""
         step = CONSTANTS[name].step
         if name == "depth":
-            # A bead that touches the cover glass cannot be nearer to it: its difference is one-sided.
-            low, high = place.depth - min(step, max(place.depth - 0.5 * setup.diameter, 0.0)), place.depth + step
+            low, high = max(place.depth - step, 0.0), place.depth + step
             places = place._replace(depth=high), place._replace(depth=low)
             pair = [self.values(setup, waves, bead_place, stack) for bead_place in places]
             return np.asarray((pair[0] - pair[1]) / (high - low))

@@ -43,14 +43,6 @@ _MAX_STEPS = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "dri
 _MAX_STEPS |= dict.fromkeys(GRADIENT, math.inf)
 
 
-def min_depth(setup: Setup) -> float:
-    """Return the smallest allowed depth (m) of a bead: half the depth of a bead that touches the cover glass.
-
-    The margin allows for errors of the bead's diameter and of the position of the cover glass.
-    """
-    return 0.25 * setup.diameter
-
-
 class Prior(NamedTuple):
     """Normal prior of a constant: value, and standard error (inf without prior knowledge)."""
 
@@ -251,13 +243,13 @@ class BeadModel:
         state = x.state
         step = damped_steps(scores, damping)
         if "depth" in self.bead_parameters:
-            depth_index, smallest = self.bead_parameters.index("depth"), min_depth(state.setup)
+            depth_index = self.bead_parameters.index("depth")
             for j, place in enumerate(state.places):
                 column = self.columns(j, len(self.names))[depth_index]
-                # A bead that would sink into the glass is set to the smallest depth; the steps of all other
-                # parameters are computed again for this depth.
-                if place.depth + step[0][0, column] < smallest:
-                    scores = _with_fixed_step(scores, column, smallest - place.depth)
+                # A bead that would sink into the glass is set to the depth 0; the steps of all other parameters are
+                # computed again for this depth.
+                if place.depth + step[0][0, column] < 0.0:
+                    scores = _with_fixed_step(scores, column, -place.depth)
             step = damped_steps(scores, damping)
         return step
 
@@ -298,8 +290,7 @@ class BeadModel:
             new_place = place._replace(**{name: getattr(place, name) + change for name, change in changes})
             half_sides = 0.5 * np.array(stack.shape)
             row, column = np.clip([new_place.row, new_place.column], -half_sides, half_sides).tolist()
-            depth = max(new_place.depth, min_depth(setup))
-            places.append(new_place._replace(row=row, column=column, depth=depth))
+            places.append(new_place._replace(row=row, column=column, depth=max(new_place.depth, 0.0)))
         return replace(state, setup=setup, waves=state.waves + factor * step[:k], places=tuple(places))
 
     def chi2_of(self, parts: Sequence[Part]) -> tuple[float, float]:

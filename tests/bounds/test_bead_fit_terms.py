@@ -83,7 +83,7 @@ def test_standard_errors_of_beads_are_those_of_all_unknowns_together():
 @pytest.mark.parametrize(("excess", "steps", "wave", "told"), [(1.0, 20, 0.0, []), (2.0, 20, 0.0, ["excess_noise",
     "misfit"]), (1.0, 1, 0.6, ["not_settled"])])  # fmt: skip
 def test_a_fit_of_beads_is_judged_by_its_noise_and_its_steps(excess, steps, wave, told, monkeypatch):
-    nothing = {"missing_tests": ((), None, []), "missing_findings": ([], None), "reversed_findings": []}
+    nothing = {"missing_tests": ((), None, []), "missing_findings": ([], None, []), "reversed_findings": []}
     for name, found in (nothing | {"model_error": 0.0}).items():
         monkeypatch.setattr(bead_checks, name, lambda *_, found=found: found)
     place = OIL.pupil(depth=80e-9, wavelength=WAVE).focus
@@ -225,7 +225,7 @@ def test_effects_are_fitted_that_are_nearly_as_likely_as_the_best(evidence, coun
     """At least 0.4 of the largest evidence, or within 5 of it; the brightest beads suffice for a misfit."""
     asked, fewer = [], []
     fit = Made(quality=(1.0, 0.1), log_posterior=0.0, fits=lambda _: fits)
-    monkeypatch.setattr(bead_checks, "_refit_with_free", lambda model, fit, name, *_: asked.append(name) or fit)
+    monkeypatch.setattr(bead_checks, "_refit_with_free", lambda model, fit, names, *_: asked.extend(names) or fit)
     monkeypatch.setattr(bead_checks, "brightest_beads", lambda *pair: fewer.append(pair) or pair)
     monkeypatch.setattr(bead_checks, "_in_words", lambda *_: "")
     bead_checks.missing_findings(None, fit, [score(str(k), one) for k, one in enumerate(evidence)], None, None)

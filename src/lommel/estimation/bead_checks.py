@@ -17,7 +17,18 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, NONLINEAR, UNITS, Setup, Stack, expected
+from lommel.estimation.bead_images import (
+    AMPLITUDES,
+    CONSTANTS,
+    DYE,
+    GRADIENT,
+    NONLINEAR,
+    UNITS,
+    Part,
+    Setup,
+    Stack,
+    expected,
+)
 from lommel.estimation.bead_search import (
     DRIFT,
     GROSS_CHI2,
@@ -46,7 +57,8 @@ from lommel.fit.score_tests import (
     untested,
     untested_findings,
 )
-from lommel.fit.scoring import Report
+from lommel.fit.scoring import Report, covariance
+from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
@@ -60,6 +72,16 @@ _TERM = 0.1  # expected size of a missing term, radians rms
 _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
 _MISFIT_BEADS = 2  # largest number of beads in further searches after a misfit
 _MAX_REFITS = 4  # maximum number of candidates that are estimated in a new fit
+ROUNDS = 2
+"""Maximum number of times that favoured candidates are estimated besides."""
+_MAX_SIZES = 6.0  # largest plausible error of a stated constant, in expected sizes (`Constant.size`)
+_MIN_DEPTH = 0.25  # smallest plausible depth of a bead, in diameters: half of that of a bead on the glass
+_RIVAL_SIZES = 3.0  # standard error of the priors of constants that the data do not tell apart, in expected sizes
+_ISOTROPIC = emitter_of("isotropic")
+_POLARIZED = "a dye that keeps polarization"
+_JUMP_SIZE = CONSTANTS["jump"].size
+_BEAD_EFFECTS = {"depth": ("depth",), "drift": DRIFT, _GRADIENT: GRADIENT}  # effects that are parameters of each bead
+_EFFECT_UNITS = {"drift": " pixels", _GRADIENT: " electrons"}
 _MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
 _WIDER_FACTOR = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
 _NEIGHBOR = 0.3  # expected light of a neighbour, divided by the light of the bead
@@ -67,13 +89,14 @@ _MIN_DISTANCE = 2.0  # smallest distance of a neighbour, Rayleigh distances; a n
 _MOVED_RATIO = 4.0  # smallest significance of a displaced plane, divided by the median of all planes
 _MOVED_SIGMAS = 5.0  # smallest significance of a displaced plane, standard deviations
 _CONTRADICTED = 3.5  # smallest significance (standard deviations) at which the beads contradict a prior
-_NEVER_TESTED = "wavelength", "dye that does not radiate alike in all directions"  # equivalent to other constants
+_NEVER_TESTED = ("wavelength",)  # equivalent to other constants
 
 
 def available_constants(setup: Setup) -> list[str]:
     """Return the names of the constants that may be estimated for this microscope; an index of 1 (air) is exact."""
     objective = setup.objective
     absent = {"coverslip": objective.coverslip is None, "diameter": setup.diameter == 0.0}
+    absent["jump"] = True  # of planes that are not known before a fit
     absent["sample"] = objective.sample == 1.0
     absent["immersion"] = objective.working_distance is None or objective.immersion == 1.0
     return [name for name in CONSTANTS if not absent.get(name, False)]
@@ -89,6 +112,42 @@ def is_possible(setup: Setup, name: str, value: float) -> bool:
         setup.with_constant(name, value)
         return True
     return False
+
+
+def _is_plausible(model: BeadModel, stated: Setup, name: str, value: float) -> bool:
+    """Return whether a constant may have this value although another one is stated."""
+    reference = model.depths[0].value if name == "depth" else stated.value(name)
+    largest = _MAX_SIZES * CONSTANTS[name].size * (1.0 if name == "depth" else stated.scale(name))
+    sunk = name == "depth" and value < _MIN_DEPTH * stated.diameter
+    return is_possible(stated, name, value) and abs(value - reference) <= largest and not sunk
+
+
+def _displacements(planes: int) -> dict[str, Array]:
+    """Return which planes (planes,) are displaced by a jump of the stage: a single plane, or all before the jump."""
+    index = np.arange(planes)
+    masks = {f"plane {k} displaced along z": index == k for k in range(planes)}
+    masks |= {f"planes 0 to {k} displaced along z": index <= k for k in range(1, planes - 2)}
+    return {name: mask.astype(np.float64) for name, mask in masks.items()}
+
+
+def _displacement_tests(
+    model: BeadModel, parts: Sequence[Part], information: Array, gradient: Array, unknowns: Sequence[int]
+) -> list[ScoreTest]:
+    """Return the test of the most likely displacement of planes along z, common to all beads."""
+    masks, p = _displacements(len(model.stacks[0].z)), len(gradient)
+    common_count = p - len(model.bead_parameters) * len(model.stacks)
+    focus = common_count + model.bead_parameters.index("focus")
+    mixed, diagonal, slope = np.zeros((p, len(masks))), 0.0, 0.0
+    planes = np.array([*masks.values()])
+    # The focus of each plane is a parameter: its derivatives are those of the focus of the bead, plane by plane.
+    for j, part in enumerate(parts):
+        mixed[[*range(common_count), *model.columns(j, common_count)]] += (planes @ part.information[:, focus]).T
+        diagonal, slope = diagonal + part.information[:, focus, focus], slope + part.gradient[:, focus]
+    square = np.block([[information, mixed], [mixed.T, planes * diagonal @ planes.T]])
+    candidates = [Candidate(name, (p + k,), _JUMP_SIZE) for k, name in enumerate(masks)]
+    tests = score_tests(square, np.concatenate([gradient, planes @ slope]), unknowns, candidates)
+    # The penalty is for the search over planes.
+    return [replace(test, log_bayes=test.log_bayes - math.log(len(masks))) for test in tests[:1]]
 
 
 def _fixed_constants(model: BeadModel, setup: Setup) -> list[str]:
@@ -134,8 +193,11 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     waves = np.concatenate([fit.state.waves, np.zeros(len(added_terms))])
     constants = _fixed_constants(model, setup)
     drift = () if model.drifts else DRIFT
-    added_names = [*constants, *drift, NONLINEAR]  # columns after the common parameters
-    _, information, gradient = wider_model.normal_equations(replace(fit.state, waves=waves), fit.values, added_names)
+    dye = tuple(DYE) if setup.emitter == _ISOTROPIC else ()
+    added_names = [*constants, *drift, *dye, NONLINEAR]  # columns after the common parameters
+    parts, information, gradient = wider_model.normal_equations(
+        replace(fit.state, waves=waves), fit.values, added_names
+    )
     names = [*wider_model.names, *added_names]
     gradients = () if model.gradients else _bead_columns(wider_model, GRADIENT, len(names))
     unknowns = [*map(names.index, model.names), *(k for k in range(len(names), len(gradient)) if k not in gradients)]
@@ -146,8 +208,11 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     # Expected sizes: drift, pixels over half the stack; gradient, electrons over the window; fraction lost at 10^4.
     groups = {"drift": (tuple(map(names.index, drift)), 0.3), _GRADIENT: (gradients, 5.0)}
     groups["non-linear gain"] = (names.index(NONLINEAR),), 0.05
+    groups[_POLARIZED] = tuple(map(names.index, dye)), 0.3  # fractions that prefer an axis
     candidates += [Candidate(name, columns, size) for name, (columns, size) in groups.items() if columns]
     tests = (*score_tests(information, gradient, unknowns, candidates), *_neighbor_tests(model, fit))
+    if "jump" not in model.priors:
+        tests += (*_displacement_tests(wider_model, parts, information, gradient, unknowns),)
     favoured_candidates = [candidate for candidate in candidates if candidate.name in favoured(tests)]
     for candidate in favoured_candidates:
         if candidate.known:  # a prior that is too narrow
@@ -224,25 +289,28 @@ def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
 
 def missing_findings(
     model: BeadModel, fit: Evaluation, tests: Sequence[ScoreTest], stated: Setup, report: Report
-) -> tuple[list[Finding], float | None]:
+) -> tuple[list[Finding], float | None, list[str]]:
     """Return the finding on significant effects, and the log-posterior of a fit that estimates the best effect.
 
     Score tests are linear approximations: each of the most likely effects is estimated by a new fit, which ranks it.
-    The log-posterior is None if there is no such fit, or if it is of fewer beads.
+    The log-posterior is None if there is no such fit, or if it is of fewer beads. The third result are the names of
+    the effects that explain the data equally well.
     """
     likely_tests = seen(tests)
     if not likely_tests:
         # There are few priors: a contradiction is significant even if it is not among all candidates.
         contradictions = [test for test in tests if test.name in model.priors and abs(test.sigmas) > _CONTRADICTED]
         descriptions = [f"{_in_words(test, model, stated, None)}, against its prior" for test in contradictions]
-        return [other_explanation(contradictions, descriptions)] if contradictions else [], None
+        names = [test.name for test in contradictions]
+        return [other_explanation(contradictions, descriptions)] if contradictions else [], None, names
     limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely_tests[-1].log_bayes)
     likely_tests = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
     is_misfit = not fit.fits(goodness_of_fit.BY_CHANCE)
     few_model, few_fit = brightest_beads(model, fit) if is_misfit else (model, fit)
     is_gross = few_fit.quality[0] >= GROSS_CHI2
     fits = [
-        None if is_gross else _refit_with_free(few_model, few_fit, test.name, stated, report) for test in likely_tests
+        None if is_gross else _refit_with_free(few_model, few_fit, [test.name], stated, report)
+        for test in likely_tests
     ]
     gains = [
         test.log_bayes if refit is None else refit.log_posterior - few_fit.log_posterior
@@ -252,7 +320,8 @@ def missing_findings(
     descriptions = [_in_words(likely_tests[k], model, stated, fits[k]) for k in order]
     best_fit = fits[order[0]]
     finding = other_explanation([likely_tests[k] for k in order], descriptions)
-    return [finding], None if best_fit is None or few_fit is not fit else best_fit.log_posterior
+    best_posterior = None if best_fit is None or few_fit is not fit else best_fit.log_posterior
+    return [finding], best_posterior, [likely_tests[k].name for k in order]
 
 
 def brightest_beads(model: BeadModel, fit: Evaluation) -> tuple[BeadModel, Evaluation]:
@@ -282,6 +351,11 @@ def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluatio
     if name not in CONSTANTS:
         if name == _GRADIENT:
             return f"{name}s {sigmas}"
+        if name == _POLARIZED:
+            weights = 1.0 + np.array([[2.0, -1.0, 0.5], [-1.0, 2.0, 0.5], [-1.0, -1.0, -1.0]]) @ test.size
+            return f"{name}, dipole weights {' : '.join(f'{w:.2f}' for w in weights)} along x, y, z {sigmas}"
+        if name in _displacements(len(model.stacks[0].z)):
+            return f"{name} by {' +- '.join(with_error(1e9 * size, 1e9 * error))} nm {sigmas}"
         if refit is not None and len(refit.state.waves) > len(model.images.estimated_terms):
             size = float(refit.state.waves[-1])
         unit = {"non-linear gain": "", "drift": " pixels"}.get(name, " rad" if name.startswith("noll") else "")
@@ -291,39 +365,100 @@ def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluatio
     stated_value = model.depths[0].value if name == "depth" else stated.value(name)
     factor, unit = UNITS[CONSTANTS[name].unit]
     value = stated_value + size
-    if not is_possible(stated, name, value):
-        direction = "lower" if size < 0.0 else "higher"
-        return f"{name} {direction} than {factor * stated_value:.6g}{unit}, beyond what is possible {sigmas}"
     if refit is not None:
         refitted_value = refit.state.places[0].depth if name == "depth" else refit.state.setup.value(name)
         value = refitted_value if is_possible(stated, name, refitted_value) else value
+    if not _is_plausible(model, stated, name, value):
+        direction = "lower" if value < stated_value else "higher"
+        return f"{name} {direction} than {factor * stated_value:.6g}{unit}, beyond what is possible {sigmas}"
     text = " +- ".join(with_error(factor * value, factor * error))
     return f"{name} = {text}{unit}, stated {factor * stated_value:.6g} {sigmas}"
 
 
+def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Setup) -> tuple[BeadModel, State] | None:
+    """Return model and start in which the effects `names` are estimated; None if one of them cannot be.
+
+    A single constant has no prior. Several constants, which the data do not tell apart, have wide priors.
+    """
+    for name in names:
+        priors, images, width = dict(model.priors), model.images, _RIVAL_SIZES if len(names) > 1 else math.inf
+        masks = _displacements(len(model.stacks[0].z))
+        if name == "depth":
+            error = width * CONSTANTS[name].size
+            model = replace(model, depths=tuple(Prior(prior.value, error) for prior in model.depths))
+        elif name in CONSTANTS:
+            priors[name] = Prior(stated.value(name), width * CONSTANTS[name].size * stated.scale(name))
+            model = replace(model, priors=priors)
+        elif name in masks:
+            stacks = tuple(replace(stack, displaced=masks[name]) for stack in model.stacks)
+            model = replace(model, stacks=stacks, priors=priors | {"jump": Prior(0.0, math.inf)})
+        elif name in ("drift", _GRADIENT):
+            model = replace(model, **{"drifts" if name == "drift" else "gradients": True})
+        else:
+            candidates = next_terms(images.estimated_terms, ((2, 0), *images.fixed_terms))
+            terms = [term for term in candidates if label(term) == name]
+            if not terms:
+                return None
+            model = replace(model, images=images.with_terms(terms))
+            state = replace(state, waves=np.append(state.waves, np.zeros(len(terms))))
+    return model, state
+
+
 def _refit_with_free(
-    model: BeadModel, fit: Evaluation, name: str, stated: Setup, report: Report
+    model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report
 ) -> Evaluation | None:
-    """Fit with the constant, term or drift `name` estimated without prior; return None if not possible."""
-    state, depths, priors, images = fit.state, model.depths, dict(model.priors), model.images
-    if name == "depth":
-        depths = tuple(Prior(prior.value, math.inf) for prior in depths)
-    elif name in CONSTANTS:
-        priors[name] = Prior(stated.value(name), math.inf)
-    else:
-        candidates = next_terms(images.estimated_terms, ((2, 0), *images.fixed_terms))
-        terms = [term for term in candidates if label(term) == name]
-        if not terms and name != "drift":
-            return None
-        images = images.with_terms(terms)
-        state = replace(state, waves=np.concatenate([state.waves, np.zeros(len(terms))]))
-    drifts = model.drifts or name == "drift"
-    try:
-        return climb(
-            replace(model, images=images, priors=priors, depths=depths, drifts=drifts), state, _STEPS, report
-        )
-    except (Declined, ValueError):
+    """Fit with the effects `names` estimated without narrow priors; return None if not possible."""
+    freed = _with_free(model, fit.state, names, stated)
+    with suppress(Declined, ValueError):
+        return None if freed is None else climb(*freed, _STEPS, report)
+    return None
+
+
+def estimated_besides(
+    model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report
+) -> tuple[BeadModel, Evaluation] | None:
+    """Return model and fit with the effects `names` estimated; None if not possible, or implausible."""
+    freed = _with_free(model, fit.state, names, stated)
+    refit = _refit_with_free(model, fit, names, stated, report) if names and fit.quality[0] < GROSS_CHI2 else None
+    if freed is None or refit is None or not refit.settled:
         return None
+    setup, places = refit.state.setup, refit.state.places
+    values = [("depth", place.depth) for place in places if "depth" in names]
+    values += [(name, setup.value(name)) for name in names if name in freed[0].priors]
+    return (freed[0], refit) if all(_is_plausible(model, stated, *pair) for pair in values) else None
+
+
+def estimated_finding(
+    names: Sequence[str], model: BeadModel, fit: Evaluation, first: Evaluation, stated: Setup
+) -> Finding:
+    """Return the finding on the effects `names` that were estimated besides; `first` is the fit without them."""
+    errors, first_errors = (np.sqrt(np.diag(covariance(one.scores.information[0]))) for one in (fit, first))
+    estimates = dict(zip(model.names, (*fit.state.waves, *map(fit.state.setup.value, model.priors)), strict=True))
+    keys = {key if isinstance(key, str) else label(key): key for key in model.names}
+    texts = []
+    for name in names:
+        factor, unit, suffix = 1.0, _EFFECT_UNITS.get(name, ""), ""
+        if name in _BEAD_EFFECTS:
+            parameters, key = _BEAD_EFFECTS[name], name
+            columns = _bead_columns(model, parameters, len(model.names))
+            values = [getattr(place, parameter) for place in fit.state.places for parameter in parameters]
+        else:
+            key = keys.get(name, "jump")
+            columns, values = (model.names.index(key),), [estimates[key]]
+        if not unit:
+            factor, unit = UNITS[CONSTANTS[key].unit if key in CONSTANTS else "rad"]
+        if name in CONSTANTS:
+            stated_value = model.depths[0].value if name == "depth" else stated.value(name)
+            suffix = f" (stated {factor * stated_value:.6g})"
+        pairs = (with_error(factor * v, factor * errors[k]) for v, k in zip(values, columns, strict=True))
+        texts.append(f"{name} {', '.join(' +- '.join(pair) for pair in pairs)}{unit}{suffix}")
+    count, moved = len(first.state.waves), ""
+    moves = np.abs(fit.state.waves[:count] - first.state.waves) / first_errors[:count]
+    if count:
+        worst = int(moves.argmax())
+        moved = f" ({label(model.images.estimated_terms[worst])} moves by {moves[worst]:.2g} se)"
+    text = f"estimated besides: {', '.join(texts)}: terms allow for it{moved}"
+    return Finding("estimated", "note", text, {"names": [*names], "moves": moves})
 
 
 def reversed_findings(
@@ -404,12 +539,14 @@ def model_error(model: BeadModel, state: State) -> float:
     wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
     # Compare the middle plane, and the first and the last, in which defocus is largest.
     plane_indices = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
-    pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[plane_indices], "coverslip")
+    displaced = (stack.z * 0.0 + stack.displaced)[plane_indices]
+    positions = place.focus + setup.step * stack.z[plane_indices] + setup.jump * displaced
+    pupil = setup.pupil(wave, place.depth, positions, "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
     try:
         proven = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
     except ValueError:  # the aberrations are too strong
         return math.inf
-    planes = Stack(stack.pixel_data[:, plane_indices], stack.shape, stack.z[plane_indices])
+    planes = Stack(stack.pixel_data[:, plane_indices], stack.shape, stack.z[plane_indices], displaced)
     search_images = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), planes)
     return float(np.abs(search_images - proven.values).max() / proven.values.max())

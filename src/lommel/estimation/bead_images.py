@@ -27,7 +27,7 @@ from lommel.methods.layers import chordal_debye as light_by_rule
 from lommel.methods.layers.chordal_debye import MIN_MARGIN, Planes, Rule
 from lommel.methods.layers.chordal_debye import SampleLattice as Samples
 from lommel.optics.aperture.apodization import Apodization, illumination
-from lommel.optics.layers.emitter import Emitter
+from lommel.optics.layers.emitter import Dipole, Emitter
 from lommel.optics.layers.objective import Objective, layers_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil, power_at
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -36,6 +36,11 @@ from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
 GRADIENT = ("gradient_row", "gradient_column")  # gradients of the background, electrons from edge to edge
+DYE: Mapping[str, Dipole] = {
+    f"dye_{axis}": Dipole(0.5 * math.pi, azimuth, wobble=0.98)
+    for axis, azimuth in (("x", 0.0), ("y", 0.5 * math.pi), ("oblique", 0.25 * math.pi))
+}
+"""Nearly isotropic dyes that prefer an axis of the camera, for derivatives by the preferred fraction."""
 NONLINEAR = "nonlinear"  # nonlinearity of the camera: fraction of electrons that is lost at 10^4 electrons
 _MAX_CHORDS = 160  # maximum number of chords of the pupil along which the quadrature rule integrates
 _ITERATIONS = 4  # iterations for flux and background of a plane
@@ -70,6 +75,7 @@ CONSTANTS: Mapping[str, Constant] = {
     "blur": Constant(0.01, "pixels^2", 0.2, 0.1),
     "step": Constant(1e-2, "", 0.1, 0.02),
     "depth": Constant(4e-9, "m", 3e-7, 50e-9, 20e-9),
+    "jump": Constant(4e-9, "m", 3e-7, 100e-9),
     **{f"apodization_{n}": Constant(1e-2, "", 0.3, 0.1) for n in (2, 4, 6, 8)},
 }
 UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "rad": (1.0, " rad"), "": (1.0, "")}
@@ -82,7 +88,8 @@ AMPLITUDES: Mapping[str, int] = {name: int(name[-1]) for name in CONSTANTS if na
 class Setup:
     """Constants of the microscope and of the beads.
 
-    `blur` is the variance of a Gaussian, in pixels squared; `step` is a factor of the positions of the stage.
+    `blur` is the variance of a Gaussian, in pixels squared; `step` is a factor of the positions of the stage, and
+    `jump` the displacement (metres) of the planes that a stack marks as displaced.
     """
 
     objective: Objective
@@ -92,6 +99,7 @@ class Setup:
     diameter: float
     blur: float = 0.0
     step: float = 1.0
+    jump: float = 0.0
     integrate: bool = True
 
     def value(self, name: str) -> float:
@@ -144,7 +152,7 @@ class Setup:
         return math.pi * self.objective.NA * self.diameter / self.wavelength
 
 
-_SETUP_CONSTANTS = ("pixel", "diameter", "blur", "step")
+_SETUP_CONSTANTS = ("pixel", "diameter", "blur", "step", "jump")
 
 
 def changed_objective(objective: Objective, name: str, value: float) -> Objective:
@@ -184,11 +192,12 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Stack:
-    """The recorded stack of a bead: `pixel_data` of the planes, and positions of the stage."""
+    """The recorded stack of a bead: `pixel_data` and stage positions of the planes, and 1 for displaced planes."""
 
     pixel_data: Array  # (4, planes, pixels)
     shape: tuple[int, int]
     z: Array  # (planes,), metres
+    displaced: Array | float = 0.0  # (planes,)
 
     @property
     def times(self) -> Array:
@@ -302,10 +311,11 @@ class BeadImages:
             edge[:, -2:] = pixel_v * np.outer(stack.times, place.drift)
         rule = self.rule(samples, edge)
         u, fractions = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
-        # No disc may lie inside the cover glass: a bead nearer than its radius is flattened, which keeps images smooth.
+        # No disc may lie inside the cover glass: a bead nearer than its radius is flattened, and images are smooth.
         depths = place.depth + min(0.5 * setup.diameter, place.depth) * u
-        focus, amplitudes = np.tile(place.focus + setup.step * stack.z, len(u)), by or ()
-        planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
+        focus, amplitudes = place.focus + setup.step * stack.z + setup.jump * stack.displaced, by or ()
+        tilted_edge = np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge
+        planes = Planes(np.repeat(depths, count), np.tile(focus, len(u)), tilted_edge)
         light_of = partial(light_by_rule.light, layers, setup.emitter, planes, samples, rule, self.terms)
         if by is None:
             sampled = light_of(threads=self.threads)
@@ -353,7 +363,11 @@ class BeadImages:
         return rule
 
     def differences(self, setup: Setup, waves: Array, place: Place, stack: Stack, name: str) -> Array:
-        """Return the derivative with respect to a constant or the depth, by finite differences (`CONSTANTS`)."""
+        """Return the derivative by a constant, the depth or a preferred axis of the dye, by finite differences."""
+        if name in DYE:
+            changed_setup = replace(setup, emitter=DYE[name])
+            pair = [self.values(one, waves, place, stack, ball=False) for one in (changed_setup, setup)]
+            return np.asarray((pair[0] - pair[1]) / (1.0 - DYE[name].wobble))
         step = CONSTANTS[name].step
         if name == "depth":
             low, high = max(place.depth - step, 0.0), place.depth + step

@@ -18,7 +18,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.core.engine import star_likelihood
 from lommel.estimation import bead_images
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, GRADIENT, BeadImages, Part, Place, Setup, Stack
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, DYE, GRADIENT, BeadImages, Part, Place, Setup, Stack
 from lommel.fit.goodness_of_fit import BY_CHANCE, SURE, largest_plausible_chi2
 from lommel.fit.scoring import Report, Rows, Scores, damped_steps, fisher_scoring, reduced_chi2
 
@@ -222,6 +222,7 @@ class BeadModel:
         chain_rule: dict[object, tuple[int, Array]] = {name: (j, ones) for j, name in enumerate(order)}
         # Drift shifts rows and columns in proportion to time; the step shifts the focus in proportion to z.
         chain_rule |= {DRIFT[0]: (k + 1, stack.times), DRIFT[1]: (k + 2, stack.times), "step": (k, stack.z)}
+        chain_rule["jump"] = k, ones * stack.displaced
         for name in (*GRADIENT, bead_images.NONLINEAR):
             if name in (*names, *self.bead_parameters):
                 # This derivative is in electrons: it is divided by the flux, because `part_of` multiplies by it.
@@ -229,7 +230,7 @@ class BeadModel:
                 derivative = _camera_derivative(name, bead_images.expected(light, psf))
                 derivatives.append(derivative.astype(derivatives[0].dtype))
         for name in map(str, (*names, *self.bead_parameters)):
-            if name in CONSTANTS and name not in chain_rule:
+            if name in {**CONSTANTS, **DYE} and name not in chain_rule:
                 chain_rule[name] = len(derivatives), ones
                 derivatives.append(images.differences(setup, waves, place, stack, name).astype(derivatives[0].dtype))
         chain = np.zeros((len(stack.z), len(names) + len(self.bead_parameters), len(derivatives)))

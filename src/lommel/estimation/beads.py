@@ -61,7 +61,7 @@ if TYPE_CHECKING:
 _PLANES = 5  # minimum number of planes in a stack, and number of planes in a plot
 _MAX_IMAGE_ERROR = 2e-3  # largest error of the images in the search, relative to the peak
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
-_NOT_OF_POINTS = "diameter", "blur", "step"  # constants that do not affect the image of a point at exact z
+_NOT_OF_POINTS = "diameter", "blur", "step", "jump"  # constants that do not affect the image of a point at exact z
 _FWHM_SIDE = 33  # side of the images of a point whose widths are measured, quarters of the Nyquist sampling
 _FIRST_NOLL = 5  # Noll's index of the first term after defocus
 # Starts differ in focus: the search ends at the first that leads to a good fit.
@@ -609,20 +609,36 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         model = replace(model, gradients=True)
         fit = search.climb(model, fit.state)
         tests, marginal, untested = bead_checks.missing_tests(model, fit)
+    missing_findings, refit_posterior, estimated_names, first_fit = list[Finding](), None, list[str](), fit
+    if has_light:
+        judged = bead_checks.missing_findings(model, fit, tests, search.setup, search.report)
+        stages = [(model, fit, tests, marginal, untested, judged)]
+        for _ in range(bead_checks.ROUNDS):
+            refit = bead_checks.estimated_besides(model, fit, judged[2], search.setup, search.report)
+            if refit is None:
+                break
+            estimated_names += judged[2]
+            (model, fit), (tests, marginal, untested) = refit, bead_checks.missing_tests(*refit)
+            judged = bead_checks.missing_findings(model, fit, tests, search.setup, search.report)
+            stages.append((model, fit, tests, marginal, untested, judged))
+        if not fit.fits(goodness_of_fit.BY_CHANCE):  # what explains no misfit is named only
+            (model, fit, tests, marginal, untested, judged), estimated_names = stages[0], []
+        missing_findings, refit_posterior, _ = judged
     state = fit.state
     full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
     covariance = full_covariance[:common_count, :common_count]
     chi2, deviation = fit.quality
     held_out, held_out_findings = bead_checks.held_out(model, fit, search.report) if has_light else (math.nan, [])
-    all_beads = replace(search.model, gradients=model.gradients)
+    all_beads = replace(
+        model,
+        stacks=tuple(replace(stack, displaced=model.stacks[0].displaced) for stack in search.model.stacks),
+        depths=tuple(Prior(prior.value, model.depths[0].error) for prior in search.model.depths),
+    )
     beads = _beads(all_beads, fit, full_covariance, is_used, recorded, noise)
     image_error = bead_checks.model_error(model, state)
     if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        missing_findings, refit_posterior = bead_checks.missing_findings(
-            model, fit, tests, search.setup, search.report
-        )
         causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
         findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
         expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
@@ -636,9 +652,10 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         findings += goodness_of_fit.stripe_findings(windows, variance, noise.excess)
         reversed_findings: list[Finding] = []
         # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.
-        if missing_findings or not Findings(findings).converged:
+        if missing_findings or estimated_names or not Findings(findings).converged:
             few_model, few_fit = bead_checks.brightest_beads(model, fit)
-            start = State(search.setup, search.waves, few_fit.state.places)
+            added_waves = np.zeros(len(state.waves) - len(search.waves))
+            start = State(search.setup, np.append(search.waves, added_waves), few_fit.state.places)
             best_posterior = few_fit.log_posterior
             if few_fit is fit and refit_posterior is not None:
                 best_posterior = max(refit_posterior, best_posterior)
@@ -665,6 +682,11 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     if not all(is_used):
         left_out = ", ".join(map(str, np.flatnonzero(np.logical_not(is_used))))
         findings.append(Finding("left_out", "note", f"left out, inconsistent with the other beads: bead {left_out}"))
+    if estimated_names:
+        notes = [
+            bead_checks.estimated_finding(estimated_names, model, fit, first_fit, search.setup),
+            *notes,
+        ]
     findings += [*notes, *gradient_findings, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out):

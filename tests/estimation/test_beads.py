@@ -195,7 +195,7 @@ def test_a_constant_that_is_wrong_is_estimated_besides(name, value):
     asked = GIVEN | ({"depth": 0.1e-6} if name == "diameter" else {})
     found = fitted(images, OIL, **asked, terms=TERMS, priors={})
     assert (found.status, found.findings.get("estimated").numbers["names"]) == ("converged", [name])
-    assert re.search(rf"estimated besides: {name} \S+ \+- \S+( um)? \(stated \S+\): terms allow", found.message)
+    assert re.search(rf"estimated besides: {name} = \S+ \+- \S+( um)?, stated \S+: terms allow", found.message)
     depth = found.beads[0].depth, found.beads[0].errors.get("depth")
     one, error = depth if name == "depth" else (found.coefficients[name], found.errors[name])
     assert abs(one - value) < 4.0 * error
@@ -460,10 +460,10 @@ def test_a_background_that_slopes_is_estimated():
     first, second = recorded(9, true, light=3e4)[0], recorded(12, true, light=2e4)[0]
     found = fitted([first + planes, second - 0.5 * planes[:, None]], OIL, **GIVEN, terms=TERMS, priors={})
     assert found.reliable, found.message
-    assert "backgrounds slope" in found.findings.get("tilted_background").text
+    assert "background gradient = 20.1" in found.findings.get("estimated").text
     # The planes are added to the recorded images: estimates are those of level images.
     level = fitted([first, second], OIL, **GIVEN, terms=TERMS, priors={})
-    assert level.findings.get("tilted_background") is None
+    assert level.findings.get("estimated") is None
     assert [bead.gradient for bead in level.beads] == [(0.0, 0.0)] * 2
     for term, value in level.coefficients.items():
         assert abs(found.coefficients[term] - value) < 0.7 * level.errors[term]

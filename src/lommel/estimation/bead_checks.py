@@ -47,7 +47,6 @@ from lommel.fit.score_tests import (
     Candidate,
     Marginal,
     ScoreTest,
-    causes_of_misfit,
     favoured,
     log_bayes_factor,
     marginalized,
@@ -65,7 +64,6 @@ from lommel.psf import psf
 _REVERSED_GAIN = 12.0  # smallest increase of the log-posterior at which planes are reported as reversed
 _REVERSED_CHI2 = 0.25  # largest ratio of chi2 - 1 of a reversed stack that fits badly to chi2 - 1 of the original
 _GRADIENT = "background gradient"
-_SURE_GRADIENT = 5.0  # smallest significance of gradients (standard deviations) at which they are estimated
 _MIN_BEADS = 3  # smallest number of beads at which a bead is held out of the fit
 _STEPS = 20  # maximum number of steps of a search that starts at a fit
 _TERM = 0.1  # expected size of a missing term, radians rms
@@ -81,7 +79,8 @@ _ISOTROPIC = emitter_of("isotropic")
 _POLARIZED = "a dye that keeps polarization"
 _JUMP_SIZE = CONSTANTS["jump"].size
 _BEAD_EFFECTS = {"depth": ("depth",), "drift": DRIFT, _GRADIENT: GRADIENT}  # effects that are parameters of each bead
-_EFFECT_UNITS = {"drift": " pixels", _GRADIENT: " electrons"}
+_DISPLACED = "displaced along z"
+_MAX_ESTIMATES = 3  # largest number of estimates of an effect in a message
 _MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
 _WIDER_FACTOR = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
 _NEIGHBOR = 0.3  # expected light of a neighbour, divided by the light of the bead
@@ -125,8 +124,8 @@ def _is_plausible(model: BeadModel, stated: Setup, name: str, value: float) -> b
 def _displacements(planes: int) -> dict[str, Array]:
     """Return which planes (planes,) are displaced by a jump of the stage: a single plane, or all before the jump."""
     index = np.arange(planes)
-    masks = {f"plane {k} displaced along z": index == k for k in range(planes)}
-    masks |= {f"planes 0 to {k} displaced along z": index <= k for k in range(1, planes - 2)}
+    masks = {f"plane {k} {_DISPLACED}": index == k for k in range(planes)}
+    masks |= {f"planes 0 to {k} {_DISPLACED}": index <= k for k in range(1, planes - 2)}
     return {name: mask.astype(np.float64) for name, mask in masks.items()}
 
 
@@ -230,20 +229,6 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
 
 
-def gradient_findings(fit: Evaluation, tests: Sequence[ScoreTest]) -> list[Finding]:
-    """Return the finding on significant gradients of the backgrounds; none if they do not explain a misfit."""
-    test = next((test for test in tests if test.name == _GRADIENT), None)
-    if test is None or test.sigmas < _SURE_GRADIENT:
-        return []
-    if not fit.fits(goodness_of_fit.BY_CHANCE) and causes_of_misfit("another", *fit.quality, [test]):
-        return []
-    text = (
-        f"backgrounds slope ({test.sigmas:.2g} sigma), by up to {np.abs(test.size).max():.2g} electrons from edge to "
-        "edge of a window: the gradient of each is estimated"
-    )
-    return [Finding("tilted_background", "note", text, {"sigmas": test.sigmas, "sizes": test.size})]
-
-
 def _size(name: str, value: float) -> str:
     """Return the difference `value` of a constant with its unit, such as "0.05 um"."""
     factor, unit = UNITS[CONSTANTS[name].unit]
@@ -307,11 +292,8 @@ def missing_findings(
     likely_tests = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
     is_misfit = not fit.fits(goodness_of_fit.BY_CHANCE)
     few_model, few_fit = brightest_beads(model, fit) if is_misfit else (model, fit)
-    is_gross = few_fit.quality[0] >= GROSS_CHI2
-    fits = [
-        None if is_gross else _refit_with_free(few_model, few_fit, [test.name], stated, report)
-        for test in likely_tests
-    ]
+    refits = [_refit_with_free(few_model, few_fit, [test.name], stated, report) for test in likely_tests]
+    fits = [refit and refit[1] for refit in refits]
     gains = [
         test.log_bayes if refit is None else refit.log_posterior - few_fit.log_posterior
         for test, refit in zip(likely_tests, fits, strict=True)
@@ -340,39 +322,45 @@ def _restricted(state: State, beads: Sequence[int]) -> State:
 
 def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluation | None) -> str:
     """Return the result of a test as text, like "sample = 1.379 +- 0.005"; the fit `refit` estimates the effect."""
-    name, size, error = test.name, float(test.size[0]), float(test.errors[0])
-    sigmas = f"({abs(test.sigmas):.2g} sigma)"
-    if len(test.size) > 1 and name in CONSTANTS:
-        factor, unit = UNITS[CONSTANTS[name].unit]
-        depth_shifts = zip(test.size, model.depths, test.errors, strict=True)
-        texts = (with_error(factor * (shift + prior.value), factor * e) for shift, prior, e in depth_shifts)
-        text = ", ".join(" +- ".join(pair) for pair in texts)
-        return f"{name} of each bead = {text}{unit} {sigmas}"
-    if name not in CONSTANTS:
-        if name == _GRADIENT:
-            return f"{name}s {sigmas}"
-        if name == _POLARIZED:
-            weights = 1.0 + np.array([[2.0, -1.0, 0.5], [-1.0, 2.0, 0.5], [-1.0, -1.0, -1.0]]) @ test.size
-            return f"{name}, dipole weights {' : '.join(f'{w:.2f}' for w in weights)} along x, y, z {sigmas}"
-        if name in _displacements(len(model.stacks[0].z)):
-            return f"{name} by {' +- '.join(with_error(1e9 * size, 1e9 * error))} nm {sigmas}"
-        if refit is not None and len(refit.state.waves) > len(model.images.estimated_terms):
-            size = float(refit.state.waves[-1])
-        unit = {"non-linear gain": "", "drift": " pixels"}.get(name, " rad" if name.startswith("noll") else "")
-        sizes = [size] if len(test.size) == 1 else test.size.tolist()
-        text = ", ".join(" +- ".join(with_error(*pair)) for pair in zip(sizes, test.errors, strict=True))
-        return f"{name} = {text}{unit} {sigmas}"
-    stated_value = model.depths[0].value if name == "depth" else stated.value(name)
-    factor, unit = UNITS[CONSTANTS[name].unit]
-    value = stated_value + size
-    if refit is not None:
-        refitted_value = refit.state.places[0].depth if name == "depth" else refit.state.setup.value(name)
-        value = refitted_value if is_possible(stated, name, refitted_value) else value
-    if not _is_plausible(model, stated, name, value):
-        direction = "lower" if value < stated_value else "higher"
-        return f"{name} {direction} than {factor * stated_value:.6g}{unit}, beyond what is possible {sigmas}"
-    text = " +- ".join(with_error(factor * value, factor * error))
-    return f"{name} = {text}{unit}, stated {factor * stated_value:.6g} {sigmas}"
+    name, values, sigmas = test.name, test.size, f"({abs(test.sigmas):.2g} sigma)"
+    if name == _POLARIZED:
+        weights = 1.0 + np.array([[2.0, -1.0, 0.5], [-1.0, 2.0, 0.5], [-1.0, -1.0, -1.0]]) @ values
+        return f"{name}, dipole weights {' : '.join(f'{weight:.2f}' for weight in weights)} along x, y, z {sigmas}"
+    if name in CONSTANTS:
+        is_depth = name == "depth"
+        stated_value = model.depths[0].value if is_depth else stated.value(name)
+        values = values + ([prior.value for prior in model.depths][: values.size] if is_depth else stated_value)
+        if refit is not None:
+            places = refit.state.places
+            new = np.array([one.depth for one in places] if is_depth else [refit.state.setup.value(name)])
+            values = new if new.size == values.size and is_possible(stated, name, new.min()) else values
+        if not all(_is_plausible(model, stated, name, value) for value in values.tolist()):
+            direction, (factor, unit) = "lower" if values[0] < stated_value else "higher", _unit(name)
+            return f"{name} {direction} than {factor * stated_value:.6g}{unit}, beyond what is possible {sigmas}"
+    elif refit is not None and len(refit.state.waves) > len(model.images.estimated_terms):
+        values = refit.state.waves[-1:]
+    return f"{_estimate(name, values, test.errors, model, stated)} {sigmas}"
+
+
+def _unit(name: str) -> tuple[float, str]:
+    """Return the factor to the unit of an effect in messages, and the name of this unit."""
+    if name in CONSTANTS:
+        return UNITS[CONSTANTS[name].unit]
+    if name.endswith(_DISPLACED):
+        return 1e9, " nm"
+    return 1.0, " rad" if name.startswith("noll") else {"drift": " pixels", _GRADIENT: " electrons"}.get(name, "")
+
+
+def _estimate(name: str, values: Array, errors: Array, model: BeadModel, stated: Setup) -> str:
+    """Return estimates of an effect and their standard errors as text; the largest alone if there are many."""
+    (factor, unit), suffix = _unit(name), ""
+    if name in CONSTANTS:
+        suffix = f", stated {factor * (model.depths[0].value if name == 'depth' else stated.value(name)):.6g}"
+    if values.size > _MAX_ESTIMATES:
+        largest = [int(np.abs(values).argmax())]
+        values, errors, unit = values[largest], errors[largest], f"{unit} at most"
+    texts = (" +- ".join(with_error(factor * v, factor * e)) for v, e in zip(values, errors, strict=True))
+    return f"{name} = {', '.join(texts)}{unit}{suffix}"
 
 
 def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Setup) -> tuple[BeadModel, State] | None:
@@ -382,15 +370,15 @@ def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Set
     """
     for name in names:
         priors, images, width = dict(model.priors), model.images, _RIVAL_SIZES if len(names) > 1 else math.inf
-        masks = _displacements(len(model.stacks[0].z))
         if name == "depth":
             error = width * CONSTANTS[name].size
             model = replace(model, depths=tuple(Prior(prior.value, error) for prior in model.depths))
         elif name in CONSTANTS:
             priors[name] = Prior(stated.value(name), width * CONSTANTS[name].size * stated.scale(name))
             model = replace(model, priors=priors)
-        elif name in masks:
-            stacks = tuple(replace(stack, displaced=masks[name]) for stack in model.stacks)
+        elif name.endswith(_DISPLACED):
+            mask = _displacements(len(model.stacks[0].z))[name]
+            stacks = tuple(replace(stack, displaced=mask) for stack in model.stacks)
             model = replace(model, stacks=stacks, priors=priors | {"jump": Prior(0.0, math.inf)})
         elif name in ("drift", _GRADIENT):
             model = replace(model, **{"drifts" if name == "drift" else "gradients": True})
@@ -406,11 +394,11 @@ def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Set
 
 def _refit_with_free(
     model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report
-) -> Evaluation | None:
-    """Fit with the effects `names` estimated without narrow priors; return None if not possible."""
-    freed = _with_free(model, fit.state, names, stated)
+) -> tuple[BeadModel, Evaluation] | None:
+    """Return model and fit with the effects `names` estimated without narrow priors; None if not possible."""
+    freed = _with_free(model, fit.state, names, stated) if fit.quality[0] < GROSS_CHI2 else None
     with suppress(Declined, ValueError):
-        return None if freed is None else climb(*freed, _STEPS, report)
+        return None if freed is None else (freed[0], climb(*freed, _STEPS, report))
     return None
 
 
@@ -418,14 +406,13 @@ def estimated_besides(
     model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report
 ) -> tuple[BeadModel, Evaluation] | None:
     """Return model and fit with the effects `names` estimated; None if not possible, or implausible."""
-    freed = _with_free(model, fit.state, names, stated)
-    refit = _refit_with_free(model, fit, names, stated, report) if names and fit.quality[0] < GROSS_CHI2 else None
-    if freed is None or refit is None or not refit.settled:
+    refit = _refit_with_free(model, fit, names, stated, report) if names else None
+    if refit is None or not refit[1].settled:
         return None
-    setup, places = refit.state.setup, refit.state.places
-    values = [("depth", place.depth) for place in places if "depth" in names]
-    values += [(name, setup.value(name)) for name in names if name in freed[0].priors]
-    return (freed[0], refit) if all(_is_plausible(model, stated, *pair) for pair in values) else None
+    state = refit[1].state
+    values = [("depth", place.depth) for place in state.places if "depth" in names]
+    values += [(name, state.setup.value(name)) for name in names if name in refit[0].priors]
+    return refit if all(_is_plausible(model, stated, *pair) for pair in values) else None
 
 
 def estimated_finding(
@@ -433,31 +420,22 @@ def estimated_finding(
 ) -> Finding:
     """Return the finding on the effects `names` that were estimated besides; `first` is the fit without them."""
     errors, first_errors = (np.sqrt(np.diag(covariance(one.scores.information[0]))) for one in (fit, first))
-    estimates = dict(zip(model.names, (*fit.state.waves, *map(fit.state.setup.value, model.priors)), strict=True))
-    keys = {key if isinstance(key, str) else label(key): key for key in model.names}
-    texts = []
+    common = np.array([*fit.state.waves, *map(fit.state.setup.value, model.priors)])
+    keys, texts = [name if isinstance(name, str) else label(name) for name in model.names], []
     for name in names:
-        factor, unit, suffix = 1.0, _EFFECT_UNITS.get(name, ""), ""
         if name in _BEAD_EFFECTS:
-            parameters, key = _BEAD_EFFECTS[name], name
-            columns = _bead_columns(model, parameters, len(model.names))
-            values = [getattr(place, parameter) for place in fit.state.places for parameter in parameters]
+            columns = [*_bead_columns(model, _BEAD_EFFECTS[name], len(keys))]
+            values = np.array([getattr(place, key) for place in fit.state.places for key in _BEAD_EFFECTS[name]])
         else:
-            key = keys.get(name, "jump")
-            columns, values = (model.names.index(key),), [estimates[key]]
-        if not unit:
-            factor, unit = UNITS[CONSTANTS[key].unit if key in CONSTANTS else "rad"]
-        if name in CONSTANTS:
-            stated_value = model.depths[0].value if name == "depth" else stated.value(name)
-            suffix = f" (stated {factor * stated_value:.6g})"
-        pairs = (with_error(factor * v, factor * errors[k]) for v, k in zip(values, columns, strict=True))
-        texts.append(f"{name} {', '.join(' +- '.join(pair) for pair in pairs)}{unit}{suffix}")
+            columns = [keys.index(name if name in keys else "jump")]
+            values = common[columns]
+        texts.append(_estimate(name, values, errors[columns], model, stated))
     count, moved = len(first.state.waves), ""
     moves = np.abs(fit.state.waves[:count] - first.state.waves) / first_errors[:count]
     if count:
         worst = int(moves.argmax())
-        moved = f" ({label(model.images.estimated_terms[worst])} moves by {moves[worst]:.2g} se)"
-    text = f"estimated besides: {', '.join(texts)}: terms allow for it{moved}"
+        moved = f" ({keys[worst]} moves by {moves[worst]:.2g} se)"
+    text = f"estimated besides: {'; '.join(texts)}: terms allow for it{moved}"
     return Finding("estimated", "note", text, {"names": [*names], "moves": moves})
 
 

@@ -165,8 +165,8 @@ class BeadFit(FitReport):
     findings : lommel.fit.Findings
         Findings of the checks. Errors: "misfit", "no_light", "not_settled", "reversed_z". Doubts: "other_explanation"
         (the data favour an effect in `tests`), "too_dim", "held_out", "moved", "model_error", "too_quiet". Notes:
-        "untested", "tilted_background" (significant gradients of the backgrounds, which are estimated), single
-        displaced planes, beads and pixels left out.
+        "untested", "estimated" (effects that the data favour, and that are estimated besides what was asked for),
+        single displaced planes, beads and pixels left out.
     summary : str
         Chi2, and the number of steps.
     converged, reliable, status, message
@@ -604,26 +604,22 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     fit, is_used = search.fit_all()
     has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
     model = search.model.with_beads(np.flatnonzero(is_used).tolist())
-    tests, marginal, untested = bead_checks.missing_tests(model, fit) if has_light else ((), None, [])
-    if gradient_findings := bead_checks.gradient_findings(fit, tests):
-        model = replace(model, gradients=True)
-        fit = search.climb(model, fit.state)
-        tests, marginal, untested = bead_checks.missing_tests(model, fit)
-    missing_findings, refit_posterior, estimated_names, first_fit = list[Finding](), None, list[str](), fit
     if has_light:
-        judged = bead_checks.missing_findings(model, fit, tests, search.setup, search.report)
-        stages = [(model, fit, tests, marginal, untested, judged)]
-        for _ in range(bead_checks.ROUNDS):
-            refit = bead_checks.estimated_besides(model, fit, judged[2], search.setup, search.report)
+        stages = [_checked(model, fit, search)]
+        while len(stages) <= bead_checks.ROUNDS:
+            model, fit, *_, names = stages[-1]
+            refit = bead_checks.estimated_besides(model, fit, names, search.setup, search.report)
             if refit is None:
                 break
-            estimated_names += judged[2]
-            (model, fit), (tests, marginal, untested) = refit, bead_checks.missing_tests(*refit)
-            judged = bead_checks.missing_findings(model, fit, tests, search.setup, search.report)
-            stages.append((model, fit, tests, marginal, untested, judged))
-        if not fit.fits(goodness_of_fit.BY_CHANCE):  # what explains no misfit is named only
-            (model, fit, tests, marginal, untested, judged), estimated_names = stages[0], []
-        missing_findings, refit_posterior, _ = judged
+            stages.append(_checked(*refit, search))
+        # Effects that do not explain a misfit are named only.
+        stages = stages if stages[-1][1].fits(goodness_of_fit.BY_CHANCE) else stages[:1]
+    else:
+        stages = [(model, fit, (), None, [], [], None, [])]
+    model, fit, tests, marginal, untested, missing_findings, refit_posterior, _ = stages[-1]
+    if estimated_names := [name for *_, names in stages[:-1] for name in names]:
+        first_fit = stages[0][1]
+        notes = [bead_checks.estimated_finding(estimated_names, model, fit, first_fit, search.setup), *notes]
     state = fit.state
     full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
     covariance = full_covariance[:common_count, :common_count]
@@ -682,12 +678,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     if not all(is_used):
         left_out = ", ".join(map(str, np.flatnonzero(np.logical_not(is_used))))
         findings.append(Finding("left_out", "note", f"left out, inconsistent with the other beads: bead {left_out}"))
-    if estimated_names:
-        notes = [
-            bead_checks.estimated_finding(estimated_names, model, fit, first_fit, search.setup),
-            *notes,
-        ]
-    findings += [*notes, *gradient_findings, *recording_findings(recorded, noise, "bead")]
+    findings += [*notes, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out):
         summary += f", held-out bead {held_out:.4g}"
@@ -710,6 +701,12 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         _state=state,
         _images=model.images,
     )
+
+
+def _checked(model: BeadModel, fit: Evaluation, search: Search) -> tuple[Any, ...]:
+    """Return a model, its fit, and the results of the checks for effects that the model lacks."""
+    checks = bead_checks.missing_tests(model, fit)
+    return model, fit, *checks, *bead_checks.missing_findings(model, fit, checks[0], search.setup, search.report)
 
 
 def _add_shift(state: State, model: BeadModel, shift: Array) -> State:

@@ -37,6 +37,15 @@ from lommel.estimation.star_images import (
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
+from lommel.fit.model_error import (
+    MAX_MISSED,
+    MIN_GAIN,
+    ModelError,
+    is_correlated,
+    larger,
+    model_error,
+    with_errors_of_model,
+)
 from lommel.fit.score_tests import Grade, Marginal, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -529,6 +538,24 @@ def _with_causes_freed(
     return model, x, scores, settled, checked, rivals
 
 
+def _model_error(model: StarImages, x: Array, mean: Array, findings: Findings) -> ModelError | None:
+    """Return the model error, if nothing in `findings` explains it and standard errors can include it."""
+    is_misfit, shape = "misfit" in findings.codes, (model.count, *model.shape)
+    background, codes = model.per_image(x)[0, -1], {*findings.codes}
+    residual = np.where(model.valid > 0.0, model.counted - mean, np.nan).reshape(shape)
+    variance, light = model.variance(mean).reshape(shape), (mean - background[:, None]).reshape(shape)
+    if {"excess_noise", "hot_pixels", "too_quiet"} & codes:
+        return None
+    if not is_misfit and ("other_explanation" in codes or not is_correlated(residual, variance, light)):
+        return None
+    error = model_error(residual, model.columns(x), variance, light)
+    if error is None or (error.gain < MIN_GAIN and not is_misfit) or error.missed > MAX_MISSED:
+        return None
+    # Neither the step nor the errors mean anything where images are not linear in the parameters.
+    sizes = np.stack([error.shift, np.sqrt(np.diag(error.covariance))])
+    return error if bool((model.rms(sizes) <= MAX_LINEAR_ERROR).all()) else None
+
+
 def _no_report(step: int, chi2: float) -> None:
     """Report no progress, for short searches."""
 
@@ -596,6 +623,28 @@ def _build_retrieval(
     residual = np.where(valid, (model.counted - mean) / np.sqrt(model.variance(mean)), np.nan)
     unknowns, common_count, image_parameters = model.unknowns, model.common_count, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
+    chi2, deviation = float(scores.chi2[0]), float(scores.spread[0])
+    summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
+    effect_findings = missing_findings(tests, grade, [label(name) for name in names]) if checks else []
+    causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
+    findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
+    if effect_findings and grade.explained:
+        findings = [finding for finding in findings if finding.code == "too_quiet"]
+    variance = model.variance(mean)
+    difference = residual * np.sqrt(variance)
+    shape = counts.values.shape
+    findings += goodness_of_fit.outlier_findings(residual.reshape(shape))
+    if "misfit" in Findings(findings).codes and not effect_findings:
+        read = model.read.reshape(residual.shape)
+        findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
+    found = Findings([*findings, *effect_findings])
+    error = _model_error(model, x, mean, found) if checks and settled else None
+    if error is not None:
+        findings = with_errors_of_model(found, error.finding())
+        effect_findings, inverse = [], larger(error.covariance, inverse)
+        errors = np.sqrt(np.diag(inverse))
+        part = error.covariance[:common_count, :common_count]
+        marginal = Marginal(error.shift[:common_count], larger(part, marginal.covariance))
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
@@ -613,25 +662,11 @@ def _build_retrieval(
     light_findings = _light_findings(image_parameters[-2], image_errors["flux"])
     image_errors |= {name: noise.excess * image_errors[name] for name in ("flux", "background")}
     wavefront = model.wavefront(corrected_x[0])
-    chi2, deviation = float(scores.chi2[0]), float(scores.spread[0])
-    summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
-    effect_findings = missing_findings(tests, grade, [label(name) for name in names]) if checks else []
-    causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
-    findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
-    if effect_findings and grade.explained:
-        findings = [finding for finding in findings if finding.code == "too_quiet"]
     common_errors = np.sqrt(np.diag(marginal.covariance))
     effect_findings += _estimated_findings(model, corrected_x, common_errors, first_model, first_x, rivals)
-    variance = model.variance(mean)
-    difference = residual * np.sqrt(variance)
-    shape = counts.values.shape
-    findings += goodness_of_fit.outlier_findings(residual.reshape(shape))
     if checks:
         findings += goodness_of_fit.stripe_findings(difference.reshape(shape), variance.reshape(shape), noise.excess)
     findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
-    if "misfit" in Findings(findings).codes and not effect_findings:
-        read = model.read.reshape(residual.shape)
-        findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
     if not settled:
         text = f"the steps have not settled after {steps}: estimate fewer terms, or start nearer to the wavefront"
         findings.append(Finding("not_settled", "error", text))

@@ -486,12 +486,7 @@ class StarImages(RowModel):
         flux_and_background, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(extra)
         images = [values, *[slope.values for slope in derivatives], *extra]
         sums, products = star_likelihood(images, flux_and_background, self.pixel_data, self.plan.threads)
-        # Chain rule from derivatives of PSFs, flux and background to parameters; the residual is not changed.
-        factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
-        factors[..., :-3] = flux_and_background[:, 0, :, None, None]
-        if self.unknowns.pupil:
-            factors[..., : self._phases] *= self.wavelength_ratio(self.pupil_parameters(x))
-        chain = self._chain * factors
+        chain = self._chain_at(x)
         if not q:
             return sums.sum(axis=-1), (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
         # The chain rule does not change the images `extra`.
@@ -503,6 +498,20 @@ class StarImages(RowModel):
         order = np.r_[: self.size, self.size + 1 : self.size + 1 + q, self.size]
         matrix = np.block([[square, cross], [cross.swapaxes(-1, -2), rest]])
         return sums.sum(axis=-1), matrix[:, order[:, None], order]
+
+    def _chain_at(self, x: Array) -> Array:
+        """Return the chain rule (s, n, p + 1, d) from derivatives of PSFs, flux and background, and the residual."""
+        factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
+        factors[..., :-3] = self.per_image(x)[:, -2, :, None, None]
+        if self.unknowns.pupil:
+            factors[..., : self._phases] *= self.wavelength_ratio(self.pupil_parameters(x))
+        return np.asarray(self._chain * factors)
+
+    def columns(self, x: Array) -> Array:
+        """Return the derivatives of electrons by the parameters `x` (1, p), shape (p, n, height, width)."""
+        values, slopes = self.images(x)
+        images = np.stack([*(slope.values for slope in slopes), values, np.ones_like(values)]).astype(np.float64)
+        return np.einsum("npd,dnyx->pnyx", self._chain_at(x)[0, :, :-1, :-1], images)
 
     def with_flux_background(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares for the PSFs `values`."""

@@ -30,6 +30,7 @@ CODES: Mapping[str, str] = {
     "left_out": "some sources, windows or pixels were left out",
     "lens_scale": "blurs differ by more, or less, than the stated lenses imply",
     "many_rejected": "many sources do not follow the fit",
+    "missed_light": "the model misses a part of the light: errors hold between exposures of the same set-up",
     "misfit": "the images differ from the model by more than noise",
     "model_error": "images of the search differ from images with a proven error bound",
     "moved": "planes are shifted relative to the other planes",

@@ -21,15 +21,20 @@ differences between exposures of the same instrument.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 import scipy
 
 from lommel.base.arrays import Array
+from lommel.fit.findings import Finding
 
 MIN_GAIN = 10.0
 """Increase of the restricted ln(likelihood) above which a model error is significant although chi2 is plausible."""
+MAX_MISSED = 0.3
+"""Part of the light above which a model that misses it does not describe the images at all."""
 _MIN_PIXELS = 10.0  # smallest number of pixels for each parameter
 _MAX_SIDE = 18  # largest side of a binned image: V of an image has at most this number to the fourth elements
 _LENGTHS = 0.0, 0.7, 1.4  # correlation lengths l, bins
@@ -60,6 +65,34 @@ class ModelError(NamedTuple):
     length: float
     gain: float
     bins: int
+
+    def finding(self) -> Finding:
+        """Return the finding on the light that the model misses."""
+        numbers = {"kappa": self.kappa, "length": self.length, "log_likelihood": self.gain, "bins": self.bins}
+        return missed_light(self.missed, **numbers)
+
+
+def missed_light(missed: float, **numbers: float) -> Finding:
+    """Return the finding on a part `missed` of the light."""
+    text = f"the model misses {100.0 * missed:.2g} % of the light; errors hold between exposures of this set-up"
+    return Finding("missed_light", "doubt", text, {"missed": missed, **numbers})
+
+
+def part_missed(residual: Array, variance: Array, light: Array) -> float:
+    """Return the rms residual beyond noise, relative to the rms light; residuals are NaN at pixels left out."""
+    valid = np.isfinite(residual)
+    excess = float((residual[valid] ** 2 - variance[valid]).sum())
+    return math.sqrt(max(excess, 0.0) / max(float((light[valid] ** 2).sum()), 1e-300))
+
+
+def with_errors_of_model(findings: Sequence[Finding], missed: Finding) -> list[Finding]:
+    """Return findings in which a misfit is the doubt `missed`, with its causes, because errors include it."""
+    causes = [finding.text for finding in findings if finding.code == "misfit"]
+    others = [finding for finding in findings if finding.code not in ("misfit", "rare_chi2")]
+    for k, finding in enumerate(others):
+        if finding.code == "other_explanation" and finding.severity == "error":
+            others[k] = replace(finding, severity="doubt")
+    return [replace(missed, text="; ".join((missed.text, *causes))), *others]
 
 
 def is_correlated(residual: Array, variance: Array, light: Array) -> bool:
@@ -96,9 +129,8 @@ def model_error(residual: Array, derivatives: Array, variance: Array, light: Arr
     valid, bins, p = np.isfinite(residual), _bins_of(residual.shape), len(derivatives)
     if valid.sum() < _MIN_PIXELS * p:
         return None
+    missed = part_missed(residual, variance, light)
     light = np.where(valid, np.maximum(light, 0.0), 0.0)
-    excess = float((residual**2 - variance)[valid].sum())
-    missed = math.sqrt(max(excess, 0.0) / max(float((light**2).sum()), 1e-300))
     y, noise, s = (_binned(np.where(valid, part, 0.0), bins) for part in (residual, variance, light))
     columns = _binned(np.where(valid, derivatives, 0.0), bins)
     shape = y.shape
@@ -129,22 +161,24 @@ def model_error(residual: Array, derivatives: Array, variance: Array, light: Arr
         sectors = _sectors(light, bins)
         parts = [np.where(sectors == k, columns, 0.0).reshape(p, -1) for k in np.unique(sectors)]
         slopes = np.array([part @ y.ravel() for part in parts])
-        other = jackknife(np.array([part @ part.T for part in parts]), slopes, _RIDGE * np.eye(p))
+        other = jackknife(np.array([part @ part.T for part in parts]), slopes)
     covariance = larger(inverse, other) * np.outer(scale, scale)
     gain = likelihood - rotated.likelihood(0.0)
     return ModelError(scale * shift, covariance, missed, kappa, length * bins, gain, bins)
 
 
-def jackknife(information: Array, slope: Array, prior: Array) -> Array:
+def jackknife(information: Array, slope: Array, whole: tuple[Array, Array] | None = None) -> Array:
     """Return the covariance (p, p) of estimates by the delete-one jackknife, from one step of scoring each.
 
     `information` (g, p, p) and `slope` (g, p), the gradient of the log-likelihood at the estimate, are those of g
-    parts of the data; `prior` (p, p) is the information on parameters that no part contributes.
+    parts of the data; `whole` are those of all data and the priors, by default the sums over the parts.
     """
-    count, total = len(slope), information.sum(axis=0) + prior
-    steps = np.linalg.solve(total - information, (slope.sum(axis=0) - slope)[..., None])[..., 0]
+    total, gradient = (information.sum(axis=0), slope.sum(axis=0)) if whole is None else whole
+    scale = 1.0 / np.sqrt(np.maximum(np.diag(total), 1e-300))
+    matrices = (total - information) * np.outer(scale, scale) + _RIDGE * np.eye(len(scale))
+    steps = np.linalg.solve(matrices, (scale * (gradient - slope))[..., None])[..., 0] * scale
     steps -= steps.mean(axis=0)
-    return np.asarray((count - 1.0) / count * steps.T @ steps)
+    return np.asarray((1.0 - 1.0 / len(steps)) * steps.T @ steps)
 
 
 def larger(covariance: Array, other: Array) -> Array:

@@ -266,24 +266,14 @@ def depth_from_defocus(
     """
     o = DefocusOptions.of("depth_from_defocus", options, given)
     pitch = pixel_of(lenses, pixel)
-    photos = _list_photographs(photographs, lenses)
+    photos = list_photographs(photographs, lenses)
     if transfer is transfer_curve and all(lens == lenses[0] for lens in lenses):
         raise ValueError("lenses must differ in focus or aperture: photographs with one setting have one blur")
     # Without a noise photographs stay in units of white until it is estimated.
     stated = Noise(white=1.0, read=0.0) if noise is None else validation.instance("noise", noise, Noise).poisson
     validation.function("progress", progress, required=False)
     ends, vergence = checked_range(between, lenses, pitch, _MAX_CANDIDATES, transfer)
-    counts = _counts(photos)
-    scene = counts[0].values
-    if all(_is_grey(photo.values) for photo in counts):  # three copies of one channel
-        counts = [photo[..., 0] for photo in counts]
-    electrons, known = zip(
-        *(_electrons(f"photographs[{k}]", photo, encoding, stated) for k, photo in enumerate(counts)), strict=True
-    )
-    images, valid = (
-        np.stack(electrons, axis=1).astype(np.float32, order="C"),
-        np.ascontiguousarray(np.all(known, axis=0)),
-    )
+    images, valid, shape, scene = counts_in_electrons(photos, encoding, stated)
     if not valid.any():
         raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
     white, read = np.ones(len(images)), math.sqrt(float(np.mean(np.square(stated.read))))
@@ -295,7 +285,7 @@ def depth_from_defocus(
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
     # Registration returns NaN for pixels that depend on unknown pixels.
     valid = np.isfinite(images).all(axis=(0, 1)) & valid
-    colours = spectra("channels", channel_spectra(counts[0].values.shape, lenses[0].wavelength))
+    colours = spectra("channels", channel_spectra(shape, lenses[0].wavelength))
     task = FocalTask(lenses, vergence, colours, pitch, ends, BLOCK, processors(), transfer, registered.scales)
     means = images[..., _unmixed(valid, task.blur)].mean(axis=(0, 2), dtype=np.float64)
     if not np.all(means > 0.0):
@@ -342,7 +332,7 @@ def depth_from_defocus(
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
 
 
-def _list_photographs(photographs: object, lenses: Sequence[Lens]) -> list[object]:
+def list_photographs(photographs: object, lenses: Sequence[Lens]) -> list[object]:
     """Return the photographs with their masks; ValueError unless there is one for each of at least two lenses."""
     if len(lenses) < 2:
         raise ValueError(
@@ -491,14 +481,18 @@ def _electrons(name: str, counts: Counts, encoding: Encoding, noise: Noise) -> t
 
 
 def counts_in_electrons(
-    photographs: Sequence[ArrayLike], lenses: Sequence[Lens], encoding: Encoding, noise: Noise
-) -> tuple[Values, NDArray[np.bool_], tuple[int, ...]]:
-    """Return photographs in electrons, (channels, frames, height, width), known pixels, and the shape of one."""
-    counts = _counts(_list_photographs(photographs, lenses))
-    if all(_is_grey(photo.values) for photo in counts):  # three copies of one channel
+    photographs: list[object], encoding: Encoding, noise: Noise
+) -> tuple[Values, NDArray[np.bool_], tuple[int, ...], Values]:
+    """Return photographs in electrons, (channels, frames, height, width), known pixels, the shape of one, the first.
+
+    Three equal channels become one, in the shape as well.
+    """
+    counts = _counts(photographs)
+    first = counts[0].values
+    if all(_is_grey(photo.values) for photo in counts):
         counts = [photo[..., 0] for photo in counts]
     electrons, known = zip(
         *(_electrons(f"photographs[{k}]", photo, encoding, noise) for k, photo in enumerate(counts)), strict=True
     )
     images = np.stack(electrons, axis=1).astype(np.float32, order="C")
-    return images, np.ascontiguousarray(np.all(known, axis=0)), counts[0].values.shape
+    return images, np.ascontiguousarray(np.all(known, axis=0)), counts[0].values.shape, first

@@ -27,6 +27,7 @@ from lommel.estimation.depth_precision import WINDOW
 from lommel.fit.findings import Finding, Findings, FitReport, Severity, untested_finding
 from lommel.imaging.focal_engine import BLOCK, UNMEASURED, FocalEngine
 from lommel.imaging.focal_tables import residual_filters
+from lommel.imaging.pair_noise import is_compressed
 from lommel.recorded.noise import Noise
 
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
@@ -69,9 +70,9 @@ _NEWTON_STEPS = 5  # number of Newton steps to the minimum of an energy
 class DefocusVerdict(FitReport):
     """Test of frames that differ in focus against their stated lenses and noise.
 
-    The findings have the codes "no_depth", "misfit", "too_quiet", "left_out", "estimated_noise", "lens_scale" and
-    "stated" (what errors of the lens change) and "untested" (errors that these frames, or any frames, cannot reveal:
-    all are in its `numbers`).
+    The findings have the codes "no_depth", "misfit", "too_quiet", "left_out", "estimated_noise", "lens_scale",
+    "undetermined", "stated" (what errors of the lens change) and "untested" (errors that these frames, or any frames,
+    cannot reveal: all are in its `numbers`).
 
     Attributes
     ----------
@@ -124,6 +125,7 @@ class DefocusVerdict(FitReport):
         lens_error: float = math.nan,
         included: bool = True,
         noise: Noise | None = None,
+        compressed: bool = False,
     ) -> Self:
         """Return the verdict for a misfit and a scale.
 
@@ -137,6 +139,8 @@ class DefocusVerdict(FitReport):
             Whether standard errors of depth include those stated of the lenses.
         noise
             Noise estimated from these frames, which `misfit` therefore cannot test; None for a stated noise.
+        compressed
+            Whether the frames are compressed, so that the scale is not tested.
 
         Returns
         -------
@@ -192,6 +196,8 @@ class DefocusVerdict(FitReport):
                 scale, scale_error, others = math.nan, math.inf, (scale, *others)
             scales = ", ".join(f"{s:.2f}" for s in others)
             hint = f" ({scales} times the stated blur difference fit equally well)" if others else ""
+            if compressed:
+                hint = " (JPEG removes faint details, which looks like blur: use raw images or PNG to test it)"
             untested.insert(0, "the size of blur" + hint)
         elif deviation > _WRONG_DEVIATION:
             text = (
@@ -209,6 +215,13 @@ class DefocusVerdict(FitReport):
             agreements.append(
                 f"blurs differ as the lenses state{errors} ({ratio} of it; f-numbers wrong by {unseen} agree too)"
             )
+        disagrees = any(finding.severity != "note" for finding in findings)
+        if not agreements and not disagrees:
+            text = (
+                "nothing could be tested: neither noise nor lens is confirmed; state the noise, or photograph a plane "
+                "with texture at a known distance"
+            )
+            add("undetermined", "doubt", text)
         details, parts = dict[str, float](), list[str]()
         if all(map(math.isfinite, changes)):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}
@@ -225,7 +238,6 @@ class DefocusVerdict(FitReport):
         if parts:
             add("stated", "note", "; ".join(parts), details)
         findings.append(untested_finding(untested, {}))
-        disagrees = any(finding.severity != "note" for finding in findings)
         nothing = "what was tested disagrees" if disagrees else "nothing could be tested"
         return cls(
             findings=Findings(findings),
@@ -289,6 +301,8 @@ def judge_frames(
         included=included,
         noise=noise,
     )
+    if any(map(is_compressed, images[brightest])):
+        return make_verdict(compressed=True)
     minima = _scale_minima(engine, brightest, list(frames(engine.binning)))
     if not minima:
         return make_verdict()

@@ -27,7 +27,7 @@ from lommel.base.encoding import Encoding
 from lommel.base.units import format_length, percent, with_error
 from lommel.estimation.focal_model import FocalLight, Spectrum, transfer_curve
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.imaging.defocus_depth import counts_in_electrons
+from lommel.imaging.defocus_depth import counts_in_electrons, list_photographs
 from lommel.imaging.focal_engine import CONTRAST, UNMEASURED, Registration, processors
 from lommel.imaging.settings import channel_spectra, spectra
 from lommel.optics.lens import Lens, pixel_of
@@ -560,7 +560,7 @@ def calibrate_focus(
     used = _ASSUMED if noise is None else validation.instance("noise", noise, Noise).poisson
     planes = []
     for pair, distance in zip(photographs, metres.tolist(), strict=True):
-        electrons, valid, shape = counts_in_electrons(pair, lenses, encoding, used)
+        electrons, valid, shape, _ = counts_in_electrons(list_photographs(pair, lenses), encoding, used)
         images = electrons.sum(axis=0, dtype=np.float32)
         registered = Registration(magnification, lenses, valid.shape, processors())
         if registered:

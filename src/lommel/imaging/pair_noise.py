@@ -9,6 +9,7 @@ import numpy as np
 from lommel.base.arrays import Array, Values
 from lommel.recorded.camera_noise import image_noise
 
+_MIN_COMPRESSED = 6.0  # standard errors by which third differences differ at edges of JPEG blocks
 _MAX_DARK = 0.9  # largest fraction of the noise that is put down to read noise
 
 
@@ -27,6 +28,23 @@ def starting_noise(images: Values) -> tuple[Array, float]:
     share = min(float(dark.mean()), _MAX_DARK)
     white = (light / variance).max(axis=1) / (1.0 - share)
     return white, math.sqrt(share / (1.0 - share) * float((light.T * white).mean()))
+
+
+def is_compressed(image: Values) -> bool:
+    """Return whether an image (height, width) has the blocks of 8 x 8 pixels of JPEG, in part or all of it.
+
+    Quantised blocks have less noise inside than across their edges: third differences are larger at one of 8 phases,
+    along both axes.
+    """
+    total = 0.0
+    for values in (image, image.T):
+        sizes = np.median(np.abs(np.diff(values, 3, axis=1)), axis=0)
+        logs = np.log(np.maximum(sizes[: len(sizes) // 8 * 8], 1e-12)).reshape(-1, 8)
+        logs -= logs.mean(axis=1, keepdims=True)
+        means = logs.mean(axis=0)
+        error = logs[:, means.argmax()].std() / math.sqrt(len(logs))
+        total += float(means.max() / max(error, 1e-12)) ** 2
+    return total > _MIN_COMPRESSED**2
 
 
 def residual_variance(misfit: Values) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from os import PathLike
@@ -227,13 +228,7 @@ class Plan:
             pupil = question.for_axes(pupil, self._center_shape)
         if not self.plain:
             return self._blurred(pupil, derivatives, out)
-        # Checks, methods and tables depend only on these properties; successive pupils often differ only in phase.
-        light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        prepared = self._prepared
-        if prepared is None or prepared.light != light:
-            prepared = self._prepared = prepare(
-                pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
-            )
+        prepared = self.prepared(pupil)
         _, grid, candidates, _, _, _, shape, _, shortcut = prepared
         names = () if isinstance(derivatives, tuple) and not derivatives else question.names(derivatives)
         if names and self.normalize == "peak":
@@ -259,6 +254,16 @@ class Plan:
         parts["normalize"], parts["error_bound"], parts["scale"] = self.normalize, error, scale
         parts["derivatives"], parts["derivative_bounds"], parts["blur"] = {}, {}, ()
         return psf
+
+    def prepared(self, pupil: BasePupil) -> Prepared:
+        """Return the prepared computation for pupils that differ from `pupil` only in phase."""
+        # Checks, methods and tables depend only on these properties; successive pupils often differ only in phase.
+        light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
+        if self._prepared is None or self._prepared.light != light:
+            self._prepared = prepare(
+                pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
+            )
+        return self._prepared
 
     def _compute(self, prepared: Prepared, pupil: BasePupil, names: tuple[Name, ...], out: Values | None) -> PSF:
         """Return a PSF, with derivatives by checked `names`, computed without the shortcut of :class:`Prepared`."""
@@ -314,6 +319,12 @@ class Plan:
             error_bound=max(bounds) if len(bounds) == len(psfs) else None,
             scale=np.reshape([float(psf.scale) for psf in psfs], pupil.shape),
         )
+
+    def with_tol(self, tol: float) -> Plan:
+        """Return the plan with another tolerance."""
+        plan = copy(self)
+        plan.tol, plan.dtype, plan._prepared = tol, question.output_type(None, tol), None
+        return plan
 
     def __getstate__(self) -> dict[str, object]:
         # `_prepared` holds objects of the compiled core, which cannot be pickled.

@@ -365,14 +365,16 @@ def test_images_of_a_search_have_the_tolerance_of_a_search_and_others_their_own(
     def plan(shape, pixel, *, tol, integrate, threads):
         raise _AskedError(tol, integrate)
 
-    class Prepared(dict):
-        def get(self, key):
-            raise _AskedError(key[0], False)
+    def prepared_with(tol):
+        def prepared(_):
+            raise _AskedError(tol, False)
+
+        return Made(prepared=prepared)
 
     monkeypatch.setattr(field_stars, "Plan", plan)
     plain = {"search_tol": 1e-4, "tol": 1e-6, "shape": (5, 5), "pixel": 0.5, "threads": 1, "pupil": lm.Pupil()}
     stars = Made(**plain, first_star=Made(terms=((2, 0),)))
-    image = Made(pupils=lambda _: lm.Pupil(), plan=Made(tol=1e-6), search_tol=1e-4, _prepared=Prepared())
+    image = Made(pupils=lambda _: lm.Pupil(), plan=prepared_with(1e-6), _search_plan=prepared_with(1e-4))
     for fast, tol in ((True, 1e-4), (False, 1e-6)):
         for asked in (
             lambda fast=fast: field_stars.FieldStars._block(

@@ -1,6 +1,7 @@
 """Findings make the verdict: flags follow from severities, and everything is plain data."""
 
 import json
+import textwrap
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 
 from lommel.base.arrays import plain
 from lommel.fit import Finding, Findings, FitReport
+from lommel.fit.findings import untested_finding
 
 NOTE = Finding("rare_chi2", "note", "noise alone exceeds this chi2 in 0.1 % of fits")
 DOUBT = Finding("too_quiet", "doubt", "the images are less noisy than stated", {"chi2": np.float64(0.5)})
@@ -42,10 +44,50 @@ def test_findings_are_sorted_by_severity_and_found_by_code():
     assert found.get("flat_top") is None
 
 
+def message(*findings):
+    return Fit(findings=Findings(findings), summary="chi2 3", coefficients={}).message
+
+
 def test_pixels_that_may_be_saturated_are_the_first_cause_of_a_fit_that_is_not_reliable():
     flat = Finding("flat_top", "note", "1 pixel has the value 255")
-    assert Findings([flat, DOUBT, NOTE]).text == "; ".join(part.text for part in (flat, DOUBT, NOTE))
-    assert Findings([NOTE, flat]).text == f"{NOTE.text}; {flat.text}"
+    assert message(flat, DOUBT) == f"converged, but in doubt: {flat.text}; chi2 3; {DOUBT.text}"
+    assert message(NOTE, flat) == f"converged: chi2 3; {NOTE.text}; {flat.text}"
+
+
+def test_a_named_cause_is_printed_before_chi2_and_what_is_not_tested_last():
+    cause = Finding("other_explanation", "doubt", "the data favour coma")
+    estimated = Finding("estimated", "note", "estimated besides: coma")
+    untested = untested_finding(["the sign"], {})
+    assert message(untested, ERROR, cause) == f"misfit: {cause.text}; chi2 3; {ERROR.text}; not tested: the sign"
+    assert message(untested, NOTE, estimated) == f"converged: {estimated.text}; chi2 3; {NOTE.text}; {untested.text}"
+    harmless = Finding("other_explanation", "note", "perhaps coma")
+    assert message(harmless) == f"converged: chi2 3; {harmless.text}"
+
+
+def test_a_message_has_twelve_lines_at_most():
+    long = [Finding("pattern", "doubt", f"{k} " + "word " * 60) for k in range(9)]
+    said = message(*long, ERROR)
+    assert len(textwrap.wrap(said, 80)) <= 12
+    assert said.startswith("misfit: 0 word")
+    assert said.endswith(", misfit: see findings")
+
+
+@pytest.mark.parametrize(
+    ("items", "text"),
+    [
+        (["the sign (reversed, the images agree)"], "not tested: the sign (reversed, the images agree)"),
+        (["the sign (reversed, the images agree as well, and the even terms are negated)"], "not tested: the sign"),
+        (["a (1)", "b", "c"], "not tested: a (1), b, c"),
+        (["a long name of five", "another name of five words", "third one", "a fourth one"],
+         "not tested: a long name of five, another name of five words and 2 more"),
+        ([" ".join(["word"] * 20), "b"], "not tested: 2 things"),
+    ],
+)  # fmt: skip
+def test_what_is_not_tested_is_told_in_fifteen_words(items, text):
+    found = untested_finding(items, {"b": {"c": 1.0}})
+    assert found.text == text
+    assert len(text.split()) <= 15
+    assert found.numbers == {"b": {"c": 1.0}, "what": items}
 
 
 def test_a_fit_is_plain_data():

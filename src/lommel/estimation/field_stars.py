@@ -29,8 +29,6 @@ from lommel.estimation.star_readout import ROOM, StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
-from lommel.methods.question import output_type
-from lommel.methods.question import prepare as prepare_question
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -187,9 +185,7 @@ class FieldStars:
         samples_shape, pitch = (self.shape, self.pixel) if reader is None else (reader.shape, reader.step)
         pixel = pitch * float(self.pupil.scale)
         plan = Plan(samples_shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
-        pupil_key = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        dtype = output_type(None, tol)
-        prepared = prepare_question(pupil, pupil_key, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
+        prepared = plan.prepared(pupil)
         names = {"all": self._terms, "image": self._terms[-2:], "none": (), "others": self.extra_terms}[selection]
         others = selection == "others"
         # Sampled pupils do not support masks, and have derivatives by phases only.

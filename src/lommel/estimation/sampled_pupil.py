@@ -196,7 +196,7 @@ class PupilChanges:
         side = min(_MAX_UNEVEN_SIDE, max(_MIN_UNEVEN_SIDE, _STEP * math.ceil(min_side / _STEP)))
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)) / math.pi
         light = pupil.obscuration, pupil.illumination, scale
-        self._tables = _ChangeTables(*light, grid, grid.step(pupil) / grid.side, tuple(terms), side)
+        self._tables = _ChangeTables(light, grid, grid.step(pupil) / grid.side, tuple(terms), side)
 
     def images(self) -> list[Values]:
         """Return the derivatives of the images by the changes, in the order of `changes_of`, each (r, h, w)."""
@@ -222,16 +222,9 @@ class _ChangeTables:
     """The parts of :class:`PupilChanges` that do not depend on wavefronts, in `side` cells across the aperture."""
 
     def __init__(
-        self,
-        obscuration: float,
-        illumination: Apodization,
-        scale: float,
-        grid: Grid,
-        position_scale: float,
-        terms: tuple[Term, ...],
-        side: int,
+        self, light: tuple[float, Apodization, float], grid: Grid, unit: float, terms: tuple[Term, ...], side: int
     ) -> None:
-        centers, width = cell_centers(side), 2.0 / side
+        (obscuration, illumination, scale), centers, width = light, cell_centers(side), 2.0 / side
         rho, theta = np.hypot(centers, centers[:, None]), np.arctan2(centers[:, None], centers)
         # Cells at an edge are weighted by their clear fraction along the radius.
         clear_fraction = np.clip(0.5 + (1.0 - rho) / width, 0.0, 1.0)
@@ -243,7 +236,7 @@ class _ChangeTables:
         factors = np.stack([np.ones_like(rho), -rho * np.sin(theta), -rho * np.cos(theta), *folds])
         self.amplitude = (amplitude * factors).astype(np.float32)
         self.terms = _zernike_values(terms, rho, theta)
-        self.positions = [position_scale * positions for positions in (grid.y, grid.x)]
+        self.positions = [unit * positions for positions in (grid.y, grid.x)]
         self.waves = [_plane_waves(positions, centers) for positions in self.positions]
         angles: Array = np.linspace(0.0, 2.0 * math.pi, _EDGE_POINTS * side, endpoint=False)
         # At points along each edge: Zernike terms, plane waves along rows and columns, and the amplitude of each

@@ -29,8 +29,6 @@ from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, re
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts, term_of
 from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.derivatives import Slope, translated
-from lommel.methods.question import Prepared, output_type
-from lommel.methods.question import prepare as prepare_question
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan
@@ -273,8 +271,8 @@ class StarImages(RowModel):
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
         #: Parameters common to all images.
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil, *unknowns.phases)
-        self._prepared: dict[tuple[float, tuple[int, ...]], Prepared] = {}
         self.search_tol = loosest_tolerance(self.pixel_data, plan.tol)
+        self._search_plan = plan.with_tol(self.search_tol)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale  # radians at the edge, for a shift of one pixel
         start = pupil.wavefront.edge_terms()
         all_terms = {*start, *unknowns.edge, *SHIFTS.values()}
@@ -312,10 +310,6 @@ class StarImages(RowModel):
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
         # The mean square of a term with amplitude 1 at the edge is 1 / (n + 1) if m = 0, otherwise half of this.
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
-
-    def __getstate__(self) -> dict[str, object]:
-        """Return the state without prepared computations, which cannot be pickled and are prepared again."""
-        return {**self.__dict__, "_prepared": {}}
 
     @property
     def known_defoci(self) -> Array:
@@ -443,17 +437,8 @@ class StarImages(RowModel):
         By default, derivatives are by all parameters except flux and background. If `fast`, the tolerance is
         `search_tol`.
         """
-        pupil, plan = self.pupils(x), self.plan
-        tol = self.search_tol if fast else plan.tol
-        pupil_key = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        # Steps of a search differ in their phases only: the window is checked and the method is chosen once.
-        prepared = self._prepared.get((tol, pupil.shape))
-        if prepared is None or prepared.light != pupil_key:
-            dtype = output_type(None, tol)
-            prepared = self._prepared[tol, pupil.shape] = prepare_question(
-                pupil, pupil_key, plan.grid(pupil), plan.method, tol, plan.normalize, dtype, plan.threads
-            )
-        _, pixels, derivatives = prepared.images(pupil, self.derivatives if names is None else names)
+        pupil, plan = self.pupils(x), self._search_plan if fast else self.plan
+        _, pixels, derivatives = plan.prepared(pupil).images(pupil, self.derivatives if names is None else names)
         return pixels.values, derivatives
 
     def mean(self, x: Array, psf: Array) -> Array:

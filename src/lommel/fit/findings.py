@@ -18,6 +18,7 @@ CODES: Mapping[str, str] = {
     "blur_shape": "the most likely shape of the blur",
     "contradiction": "values that were stated contradict each other",
     "crowded": "many images contain other molecules in addition to the fitted molecule",
+    "estimated": "a stated value, or an effect that the model lacked, is estimated: the images favour it",
     "errors_change": "a standard error changes within one standard deviation of the estimate",
     "estimated": "a stated value, or an effect that the model lacked, is estimated: the images favour it",
     "estimated_noise": "the noise is estimated from the images, which therefore cannot test it",
@@ -167,11 +168,6 @@ class Findings(tuple[Finding, ...]):
             Findings, sorted(self, key=lambda finding: place_of(finding.code, finding.severity, self.reliable))
         )
 
-    @property
-    def text(self) -> str:
-        """The texts of the findings in the order of `printed`, separated by semicolons; at most ten lines."""
-        return "; ".join(shortened([(finding.code, finding.text) for finding in self.printed]))
-
     def get(self, code: str) -> Finding | None:
         """Return the first finding with a code.
 
@@ -207,18 +203,11 @@ def untested_finding(items: Sequence[str], numbers: Mapping[str, Any]) -> Findin
 
     Items are names, the most important first, with explanations in brackets.
     """
-    names = [item.partition(" (")[0] for item in items]
-    rest = [f" and {len(items) - k} more" for k in range(len(items))]
-    # As many items as possible, the first one with its explanation if there is room.
+    names, count = [item.partition(" (")[0] for item in items], len(items)
     texts = [", ".join(items), ", ".join(names)]
-    texts += [
-        ", ".join(part[:k]) + rest[k]
-        for k in range(len(items) - 1, 0, -1)
-        for part in ((items[0], *names[1:]), names)
-    ]
-    texts = [f"not tested: {text}" for text in (*texts, f"{len(items)} things")]
-    text = next((text for text in texts if len(text.split()) <= _MOST_WORDS), texts[-1])
-    return Finding("untested", "note", text, {**numbers, "what": list(items)})
+    texts += [f"{', '.join(names[:k])} and {count - k} more" for k in range(count - 1, 0, -1)]
+    text = next((text for text in texts if len(text.split()) <= _MOST_WORDS - 2), f"{count} things")
+    return Finding("untested", "note", f"not tested: {text}", {**numbers, "what": list(items)})
 
 
 class Judged:

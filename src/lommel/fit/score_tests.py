@@ -126,9 +126,7 @@ def _tested_together(
     diagonal = np.maximum(np.diag(information)[[list(candidate.columns) for candidate in candidates]], 1e-300)
     square, gradient, eye = np.stack(squares), np.stack(gradients), np.eye(diagonal.shape[1])
     known, scale = np.array([(candidate.known, candidate.scale) for candidate in candidates]).T
-    offset = np.empty(diagonal.shape)
-    for row, candidate in zip(offset, candidates, strict=True):
-        row[:] = candidate.offset
+    offset = np.array([np.zeros(len(eye)) + candidate.offset for candidate in candidates])
     # Subtract the prior of an estimated parameter: the test is of the data alone.
     prior = np.where(known > 0.0, 1.0 / np.square(np.where(known > 0.0, known, 1.0)), 0.0)[:, None]
     square, gradient = square - prior[..., None] * eye, gradient + prior * offset

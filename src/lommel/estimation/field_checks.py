@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -26,17 +26,25 @@ _PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
 # Middles of the parts, half fields.
 _DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[index] for index in np.divmod(np.arange(9), 3))
 _DRIFT = "motion of the images within an exposure, which widens the blur"
+_FREE = 1e3  # factor of the prior standard deviation of an effect that is estimated
 _SURE = 5.0  # smallest significance of slopes (standard deviations) at which they are estimated
 
 
 def missing_tests(
-    model: WholeField, x: Array, quality: tuple[float, float], places: Array, degree: int
+    model: WholeField,
+    x: Array,
+    quality: tuple[float, float],
+    places: Array,
+    degree: int,
+    freed: Collection[str] = (),
+    rivals: Sequence[str] = (),
 ) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
     """Return tests of effects that a fit lacks, a marginalized correction, and findings on untested constants.
 
     1. Score tests at the parameters `x`, the most likely effect first. 2. Shift and covariance of the coefficients,
     marginalized over effects, with the grade of significant effects. 3. Findings on input constants (f-number,
-    obscuration, defocus) that the stars do not test. `quality` is chi2 and its standard deviation.
+    obscuration, defocus) that the stars do not test. `quality` is chi2 and its standard deviation; `freed` constants
+    are estimated, and effects named `rivals` are marginalized in full.
 
     Effects are further terms, polynomials of higher degrees in `places` (n, 2), deviations in parts of the field,
     uneven pupil illumination, charge transfer, other blurs, slopes of the background, and a nonlinear gain. Effects
@@ -72,10 +80,13 @@ def missing_tests(
         for j, name in enumerate(stars.first_star.unknowns.terms)
         for part, columns in parts
     ]
-    effect_candidates = star_checks.candidates_of(effects, first_column)
+    effect_candidates = [
+        replace(candidate, scale=_FREE * candidate.scale) if candidate.name in freed else candidate
+        for candidate in star_checks.candidates_of(effects, first_column)
+    ]
     tests = score_tests(matrix, gradient, estimated, [*candidates, *effect_candidates])
     # A known blur is assumed to be exact: other blurs are marginalized only if the blur is estimated.
-    kept_names = BLURS if stars.width_count else ()
+    kept_names = (*freed, *rivals, *(BLURS if stars.width_count else ()))
     to_marginalize = star_checks.to_marginalize([*candidates, *effect_candidates], tests, kept_names)
     grade = graded(matrix, gradient, estimated, to_marginalize, k * m, tests, quality)
     unknowns, fit = stars.first_star.unknowns, (matrix, estimated)
@@ -110,7 +121,8 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
 def _missing_effects(model: WholeField, x: Array, places: Array) -> list[MissingEffect]:
     """Return effects that the model of the stars lacks, except polynomials of higher degree."""
     stars, parts, r, e = model.stars, model.parts(x), len(model.chosen), model.stars.exposures
-    terms, ripples = next_terms(stars.first_star.unknowns.edge, ()), ripple_terms(stars.first_star.unknowns.edge)
+    unknowns = stars.first_star.unknowns
+    terms, ripples = next_terms(unknowns.stated, unknowns.edge), ripple_terms(unknowns.stated)
     constants = star_checks.constants_to_test(stars.first_star.pupil, stars.defocus, ())
     names = *terms, *constants, *ripples
     images = stars.copy_with(extra_terms=names).images(model.chosen, *parts, fast=True, derivatives="others")

@@ -600,6 +600,7 @@ def _build_field_fit(
     # The best search may be an earlier one than the last, with another profile of blur: restore its places and stars.
     search.places, stars = outcome.places, fit.model.stars
     search.stars, first_star = stars, stars.first_star
+    pupil = stars.pupil.carrying(pupil.wavefront, None)
     polynomials, degree = fit.polynomials(), search.degree
     distortion = _estimated_distortion(fit, chip, places, distortion_settings)
     x, y = _map_positions(chip, degree, distortion)

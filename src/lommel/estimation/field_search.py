@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -25,6 +25,8 @@ from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_checks import missing_tests, slope_findings
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
+from lommel.estimation.star_checks import changed, estimated_findings, stated_value
+from lommel.estimation.star_images import label
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
 from lommel.fit.score_tests import Grade, ScoreTest, causes_of_misfit, seen
@@ -63,6 +65,8 @@ _MAX_NEGATED = 3  # largest number of searches with a negated sign
 _TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; further steps of the best search
 _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
+# Refits in turn with effects that the stars favour; distance of a constant, standard errors, that needs no more.
+_MAX_REFITS, _SETTLED = 4, 0.3
 _TOO_STRONG = "aberrations are too strong for the tolerance; pass a design as pupil"
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missing"
 
@@ -182,8 +186,12 @@ class Search:
             (stars.exposures, stars.width_count), _START_BLUR**2 / max(stars.width_count, 1)
         )
         self.widest = (_MAX_BLUR * min(stars.shape)) ** 2
-        directions = stars.first_star.directions
-        self.metric = (directions * stars.first_star.mean_squares) @ directions.T
+
+    @property
+    def metric(self) -> Array:
+        """Matrix (k, k) of the mean square of the phase as a function of the terms."""
+        directions = self.stars.first_star.directions
+        return np.asarray((directions * self.stars.first_star.mean_squares) @ directions.T)
 
     def basis(self, chosen: NDArray[np.intp], degree: int | None = None) -> Array:
         """Return the monomials at the positions of stars, shape (n, m)."""
@@ -623,15 +631,51 @@ class Search:
         if slope_notes := slope_findings(fit.model, fit.x):
             self.places = places
             fit, rejected = self.fit_all_stars(self._with_background_slopes(fit))
-        quality = float(fit.scores.chi2[0]), float(fit.scores.spread[0])
-        tests, grade, untested = missing_tests(fit.model, fit.x, quality, self.places, self.degree)
+        first_fit, freed, rivals = fit, dict[str, float](), list[str]()
+        tests, grade, untested = self._tested(fit, freed, rivals)
+        for _ in range(_MAX_REFITS):
+            refit = self._freeing(fit, tests, freed)
+            if refit is None:
+                break
+            fit, rivals = refit, [*rivals, *(test.name for test in seen(tests)[1:])]
+            tests, grade, untested = self._tested(fit, freed, rivals)
         chosen, nuisance = fit.model.chosen, fit.nuisance()
         psf = self.stars.images(chosen, *fit.model.parts(fit.x), fast=False, derivatives="none")[0]
         parameters = fit.model.common_count + len(chosen) * self.stars.parameters_per_image * self.stars.exposures
         bright_chi2 = self.stars.bright_pixel_chi2(chosen, psf, nuisance, float(parameters))
         held_out = self.held_out(fit)
-        results = self.blur_costs, [*slope_notes, *untested], tests, grade, self.rival
+        estimated = _estimated_findings(first_fit, fit, tests, grade, freed, rivals)
+        results = self.blur_costs, [*slope_notes, *estimated, *untested], tests, grade, self.rival
         return Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
+
+    def _tested(
+        self, fit: Solution, freed: Collection[str], rivals: Sequence[str]
+    ) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
+        quality = float(fit.scores.chi2[0]), float(fit.scores.spread[0])
+        return missing_tests(fit.model, fit.x, quality, self.places, self.degree, freed, rivals)
+
+    def _freeing(self, fit: Solution, tests: Sequence[ScoreTest], freed: dict[str, float]) -> Solution | None:
+        """Return a fit that estimates the effect that the stars favour most; None if the model cannot estimate it.
+
+        Constants change by the estimate of their score test. Their names are added to `freed`, with this estimate.
+        """
+        stars, significant = fit.model.stars, seen(tests)
+        moved = [test for test in tests if test.name in freed and abs(test.sigmas) > _SETTLED]
+        test = next(iter((*moved, *significant)), None)
+        optics = test and changed(stars.first_star, test.name, float(test.size[0]))
+        if test is None or not optics:
+            return None
+        self.stars = stars.with_optics(*optics)
+        nuisance, added_count = fit.nuisance(), len(optics[0].terms) - fit.model.wave_count
+        nuisance[:, :2] *= self.stars.first_star.tilt_of_pixel / stars.first_star.tilt_of_pixel
+        polynomials = np.pad(fit.polynomials(), ((0, added_count), (0, 0)))
+        refit = self.refine(fit.model.chosen, polynomials, fit.squared_widths(), 20, nuisance, fast=False)
+        if refit is None or refit.scores.deviance[0] > fit.scores.deviance[0]:
+            self.stars = stars
+            return None
+        if not added_count:
+            freed[test.name] = freed.get(test.name, 0.0) + float(test.size[0])
+        return refit
 
     def _with_background_slopes(self, fit: Solution) -> Solution:
         """Return the fit with a model that has a slope of each background, initially 0."""
@@ -659,6 +703,33 @@ class Search:
         x = model.row(refit.polynomials(), refit.squared_widths(), nuisance[is_held_out])
         _, scores, *_ = search_rows(model, x, 6, _no_progress, fast=True)
         return float(scores.chi2[0]), float(scores.spread[0])
+
+
+def _estimated_findings(
+    first_fit: Solution,
+    fit: Solution,
+    tests: Sequence[ScoreTest],
+    grade: Grade,
+    freed: Mapping[str, float],
+    rivals: Sequence[str],
+) -> list[Finding]:
+    """Return the finding on terms and constants that `fit` estimates and `first_fit` does not."""
+    star, first_star = fit.model.stars.first_star, first_fit.model.stars.first_star
+    errors, before = np.sqrt(np.diag(grade.marginal.covariance)), first_fit.polynomials()
+    estimates = {}
+    for j, name in enumerate(star.unknowns.terms[len(before) :], len(before)):
+        m = before.shape[1]
+        estimates[label(name)] = (
+            float(fit.polynomials()[j, 0] + grade.marginal.shift[j * m]),
+            float(errors[j * m]),
+            0.0,
+        )
+    for test in tests:
+        if test.name in freed:
+            stated = stated_value(first_star, test.name)
+            estimates[test.name] = (stated + freed[test.name] + float(test.size[0]), float(test.errors[0]), stated)
+    moves = np.abs(fit.polynomials()[: len(before)] - before).ravel() / errors[: before.size]
+    return estimated_findings(estimates, float(moves.max()), rivals)
 
 
 def _no_progress(step: int, chi2: float) -> None:

@@ -120,6 +120,22 @@ class FieldStars:
         degrees_of_freedom = self.degrees_of_freedom - added_count
         return self.copy_with(has_slopes=True, degrees_of_freedom=degrees_of_freedom, **changes)
 
+    def with_optics(self, unknowns: Unknowns, pupil: Pupil, defocus: Array) -> FieldStars:
+        """Return a model of the same stars with other unknowns, another aperture, and other known defoci."""
+        first, (counted, variance, _, valid) = self.first_star, self.pixel_data[:, 0].reshape(4, -1, *self.shape)
+        edge = self.fixed_of_images[:, 0] + self.start @ first.directions
+        edge[:, 0] -= self.defocus[0]
+        new = StarImages(counted, variance, valid > 0.0, pupil, defocus, unknowns, first.plan, first.pixel)
+        start, fixed = new.split(dict(zip(first.terms, edge.T, strict=True)), (self.count,))
+        fixed_of_images = np.repeat(fixed[:, None], self.exposures, axis=1)
+        fixed_of_images[:, :, 0] += defocus
+        added_count = len(unknowns.terms) - len(first.unknowns.terms)
+        return self.copy_with(
+            first_star=new, pupil=pupil, pixel=first.pixel / float(pupil.scale), defocus=defocus, start=start,
+            fixed_of_images=fixed_of_images, size=self.size + added_count, _reader=None, _sampled_pupils={},
+            degrees_of_freedom=self.degrees_of_freedom - added_count, _terms=(*unknowns.edge, *self._terms[-2:]),
+        )  # fmt: skip
+
     def copy_with(self, **changes: Any) -> FieldStars:
         """Return a copy in which the attributes in `changes`, such as `extra_terms` or `pupil`, are replaced."""
         replaced = copy(self)

@@ -17,14 +17,20 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.options import listed
 from lommel.base.quantities import in_unit
-from lommel.base.units import with_error
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
 from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import FieldFitOptions, RetrieveOptions
-from lommel.estimation.star_checks import error_findings, freed, missing_findings, star_tests
+from lommel.estimation.star_checks import (
+    error_findings,
+    estimated_findings,
+    freed,
+    missing_findings,
+    star_tests,
+    unit_of,
+)
 from lommel.estimation.star_images import (
     MAX_LINEAR_ERROR,
     StarImages,
@@ -76,8 +82,6 @@ _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
 )
-_UNITS = {"f_number": "", "obscuration": "", "wavelength": "m", "defocus scale": ""}
-_UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -560,32 +564,6 @@ def _no_report(step: int, chi2: float) -> None:
     """Report no progress, for short searches."""
 
 
-def _estimated_findings(
-    model: StarImages, x: Array, errors: Array, first_model: StarImages, first_x: Array, rivals: Sequence[str]
-) -> list[Finding]:
-    """Return the finding on parameters (1, p) that the images favoured, unlike the model and parameters at first.
-
-    `rivals` are effects that explain the images as well.
-    """
-    words, numbers, k = [], {}, len(first_model.unknowns.terms)
-    for name, value, error in zip(model.names, x[0], errors, strict=False):
-        if name not in first_model.names:
-            stated = f"stated {model.stated[name]:.6g}" + ", with this pixel and wavelength" * (name == "f_number")
-            words.append(
-                f"{label(name)} {' +- '.join(with_error(value, error))} {_unit(name)}".rstrip() + f" ({stated})"
-            )
-            numbers[label(name)] = {"value": value, "error": error, "stated": model.stated[name]}
-    moves = (np.abs(x[0, :k] - first_x[0, :k]) / errors[:k]).max(initial=0.0) if words else 0.0
-    words += [f"or as well {' or '.join(rivals[:_MAX_RIVALS])}"] if rivals else []
-    text = f"estimated besides: {', '.join(words)}: terms allow for it (it moves them by {moves:.2g} standard errors)"
-    return [Finding("estimated", "note", text, numbers | {"move": moves})] if words else []
-
-
-def _unit(name: Name) -> str:
-    """Return the unit of a coefficient or of a parameter of single images."""
-    return (_UNITS | _UNITS_PER_IMAGE).get(str(name), "rad")
-
-
 def _is_term(name: Name) -> bool:
     """Return whether a coefficient is one of the wavefront."""
     return name in POWERS or term_of(name) is not None
@@ -663,7 +641,14 @@ def _build_retrieval(
     image_errors |= {name: noise.excess * image_errors[name] for name in ("flux", "background")}
     wavefront = model.wavefront(corrected_x[0])
     common_errors = np.sqrt(np.diag(marginal.covariance))
-    effect_findings += _estimated_findings(model, corrected_x, common_errors, first_model, first_x, rivals)
+    estimates = {
+        label(name): (value, error, model.stated[name])
+        for name, value, error in zip(names, corrected_x[0].tolist(), common_errors.tolist(), strict=False)
+        if name not in first_model.names
+    }
+    waves = first_model.wave_columns
+    moves = np.abs(corrected_x[0, waves] - first_x[0, waves]) / common_errors[waves]
+    effect_findings += estimated_findings(estimates, float(moves.max(initial=0.0)), rivals)
     if checks:
         findings += goodness_of_fit.stripe_findings(difference.reshape(shape), variance.reshape(shape), noise.excess)
     findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
@@ -688,7 +673,7 @@ def _build_retrieval(
         coefficients=dict(zip(names, corrected_x[0, :common_count].tolist(), strict=True)),
         errors=dict(zip(names, common_errors.tolist(), strict=True)) | image_errors,
         covariance=marginal.covariance,
-        units={name: _unit(name) for name in (*names, *image_errors)},
+        units={name: unit_of(name) for name in (*names, *image_errors)},
         chi2=chi2,
         findings=Findings(findings),
         summary=summary,
@@ -731,7 +716,7 @@ def _build_blurred_retrieval(
         coefficients=dict(zip(field_fit.names, field_fit.coefficients[:, 0].tolist(), strict=True)),
         errors=dict(zip(field_fit.names, errors.tolist(), strict=True)) | image_errors,
         covariance=field_fit.covariance,
-        units={name: _unit(name) for name in (*field_fit.names, *image_errors)},
+        units={name: unit_of(name) for name in (*field_fit.names, *image_errors)},
         chi2=field_fit.chi2,
         findings=field_fit.findings,
         summary=f"chi2 {field_fit.chi2:.3g} per degree of freedom",

@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import scipy
@@ -52,7 +52,7 @@ _TERM = 0.1  # Zernike term, radians rms
 _WIDTH, _WING_LIGHT = 0.1, 0.3  # variance of an additional blur, pixels^2; fraction of light in a wider blur
 _WIDTH_CHANGE = 0.3  # change of the blur variance from the middle to the edge of the field, pixels^2
 _SLOPE, _NONLINEAR = 1.0, 0.05  # background gradient, electrons per pixel; fraction of electrons lost at 10^4
-_DEFOCI = "defocus scale"
+_DEFOCI, _ONE_DEFOCUS = "defocus scale", "defocus of image "
 _CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, _DEFOCI: 0.05}  # relative; that of the obscuration is absolute
 # Relative amplitude at the pupil edge (SLANT, FOLDS), pupil radii (SHIFT), relative lengths (OVAL, ASPECT).
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
@@ -64,6 +64,10 @@ _DEFOCUS = 0.1  # defocus of one image, radians at the pupil edge
 _CONSTANT_FACTOR, _TRAIL_FACTOR, _RIPPLE_FACTOR = 0.5, 0.25, 0.2
 _TRAIL_DECAY, _TRAIL_LENGTH = 2.0, 8  # trail of deferred charge: decay to 1/e and length, pixels
 _STATED_ERROR = 0.01  # relative error of a stated number for which the bias of the estimates is reported
+_UNITS = {
+    "f_number": "", OBSCURATION: "", "wavelength": "m", _DEFOCI: "", "apodization": "",
+    "row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel",
+}  # fmt: skip
 _DRIFTS = " that changes over the images"
 _MAX_FOCI = 9  # largest number of images whose defoci are tested one by one
 # Standard error of the phase, radians rms, above which the likelihood often has other maxima that are equally high.
@@ -150,9 +154,10 @@ def missing_terms(
             continue
         defoci = np.tile(known_defoci, len(derivative) // len(known_defoci))[:, None, None]
         yield MissingEffect(_DEFOCI, _CONSTANTS[_DEFOCI], (derivative * defoci,))
-        if 2 < len(known_defoci) <= _MAX_FOCI:  # with two images, a single defocus is equivalent to the scale
+        # Of two images, the scale and single defoci differ only in the common defocus.
+        if len(known_defoci) <= _MAX_FOCI:
             for k, image in enumerate(_of_each_exposure(len(known_defoci), derivative)):
-                yield MissingEffect(f"defocus of image {k + 1}", _DEFOCUS, (image,))
+                yield MissingEffect(f"{_ONE_DEFOCUS}{k + 1}", _DEFOCUS, (image,))
 
 
 def missing_ripples(terms: Sequence[Term], derivatives: Sequence[Array]) -> Iterator[MissingEffect]:
@@ -266,8 +271,60 @@ def freed(model: StarImages, name: str) -> Unknowns | None:
     if (2, 0) in drifts:
         phases[_DEFOCI] = Phase((2, 0), defoci, 1.0)
         for k, row in enumerate(np.eye(model.count)):
-            phases[f"defocus of image {k + 1}"] = Phase((2, 0), row, defoci[k])
+            phases[f"{_ONE_DEFOCUS}{k + 1}"] = Phase((2, 0), row, defoci[k])
     return None if name not in phases or model.one_focus else unknowns.freeing(name, phases[name])
+
+
+def changed(model: StarImages, name: str, size: float) -> tuple[Unknowns, Pupil, Array] | None:
+    """Return unknowns, pupil and known defoci in which the constant `name` is larger by `size`, or the term is free.
+
+    None if `name` is another effect.
+    """
+    unknowns, pupil, defoci = model.unknowns, model.pupil, model.known_defoci
+    terms = {label(term): term for term in next_terms(unknowns.stated, unknowns.edge)}
+    if name in terms:
+        return unknowns.freeing(terms[name]), pupil, defoci
+    if name == _DEFOCI:
+        return unknowns, pupil, defoci * (1.0 + size)
+    if name.startswith(_ONE_DEFOCUS):
+        return unknowns, pupil, defoci + size * (np.arange(model.count) == _image_of(name))
+    if name in (*OF_PUPIL, "apodization"):
+        value: Any = getattr(pupil, name) + size
+        return unknowns, replace(pupil, **{name: value}), defoci
+    return None
+
+
+def stated_value(model: StarImages, name: str) -> float:
+    """Return the stated value of a constant that `changed` supports."""
+    if name.startswith(_ONE_DEFOCUS):
+        return float(model.known_defoci[_image_of(name)])
+    return 1.0 if name == _DEFOCI else float(getattr(model.pupil, name))
+
+
+def _image_of(name: str) -> int:
+    return int(name.removeprefix(_ONE_DEFOCUS)) - 1
+
+
+def unit_of(name: Name) -> str:
+    """Return the unit of an estimate."""
+    return _UNITS.get(str(name), "rad")
+
+
+def estimated_findings(
+    estimates: Mapping[str, tuple[float, float, float]], move: float, rivals: Sequence[str] = ()
+) -> list[Finding]:
+    """Return the finding on estimates that the images favour: value, standard error and stated value of each.
+
+    `move` is the largest change of another estimate, in standard errors; `rivals` explain the images as well.
+    """
+    words, keys = [], ("value", "error", "stated")
+    for name, (value, error, stated) in estimates.items():
+        note = f" (stated {stated:.6g}{', with this pixel and wavelength' * (name == 'f_number')})"
+        words.append(f"{name} {' +- '.join(with_error(value, error))} {unit_of(name)}".rstrip() + note)
+    words += [f"or as well {' or '.join(rivals[:3])}"] if rivals else []
+    numbers: dict[str, Any] = {name: dict(zip(keys, values, strict=True)) for name, values in estimates.items()}
+    text = f"estimated besides: {', '.join(words)}: terms allow for it (it moves them by {move:.2g} standard errors)"
+    return [Finding("estimated", "note", text, numbers | {"move": move})] if estimates else []
 
 
 def candidates_of(effects: Sequence[MissingEffect], first_column: int) -> list[Candidate]:
@@ -407,9 +464,7 @@ def star_tests(
     matrix = products[0]
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
-    # A rival that is left out of the tests is the same effect under another name.
-    kept = {*rivals} & {test.name for test in tests}
-    grade = graded(*scores, to_marginalize(candidates, tests, [*kept]), model.common_count, tests, quality)
+    grade = graded(*scores, to_marginalize(candidates, tests, rivals), model.common_count, tests, quality)
     fit = matrix[:-1, :-1], range(model.size)
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
     is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)

@@ -234,7 +234,7 @@ def graded(
     parts = [answer.covariance + np.outer(d, d) for answer, d in zip(answers, differences, strict=True)]
     mixture = np.tensordot(weights / weights.sum(), parts, 1)
     is_open = np.flatnonzero(rest > _CLOSED)
-    mixture[is_open, is_open] += (0.5 * rest * errors)[is_open] ** 2
+    mixture[is_open, is_open] += (0.5 * rest[is_open] * errors[is_open]) ** 2
     worst = int((rest if (rest > _CLOSED).any() else move).argmax()) if count else 0
     left = chi2 - every.gain * spread**2  # noise has 2 / spread^2 degrees of freedom
     limits = float(smallest_plausible_chi2(spread)), float(largest_plausible_chi2(spread))

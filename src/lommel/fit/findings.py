@@ -18,7 +18,6 @@ CODES: Mapping[str, str] = {
     "blur_shape": "the most likely shape of the blur",
     "contradiction": "values that were stated contradict each other",
     "crowded": "many images contain other molecules in addition to the fitted molecule",
-    "estimated": "a stated value, or an effect that the model lacked, is estimated: the images favour it",
     "errors_change": "a standard error changes within one standard deviation of the estimate",
     "estimated": "a stated value, or an effect that the model lacked, is estimated: the images favour it",
     "estimated_noise": "the noise is estimated from the images, which therefore cannot test it",

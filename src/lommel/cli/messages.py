@@ -173,7 +173,8 @@ def finding_lines(facts: Facts) -> list[Wrapped]:
     # Not again the cause that the first line has.
     others = [f for f in facts["findings"] if f["text"] != head]
     others.sort(key=lambda f: place_of(f["code"], f["severity"], reliable))
-    texts = [(f["code"], f"{f['code'].replace('_', ' ')}: {with_options(f['text'])}") for f in others]
+    names = {f["code"]: f"{f['code'].replace('_', ' ')}: " for f in others} | {"untested": ""}
+    texts = [(f["code"], names[f["code"]] + with_options(f["text"])) for f in others]
     return [Wrapped(line) for line in (*shortened(texts), *facts["notes"])]
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from os import PathLike
@@ -147,7 +146,7 @@ def psf(
     hashable = center is None or (type(center) is tuple and all(type(part) in _NUMBERS for part in center))
     if no_blur and hashable and type(shape) is int:
         with suppress(TypeError):  # for an unhashable or invalid option, the call below raises the proper error
-            prepared = _cached_plan(shape, pixel, center=center, **options)
+            prepared = cached_plan(shape, pixel, center=center, **options)
     if prepared is None:
         prepared = Plan(shape, pixel, center=center, fill=fill, blur=blur, **options)
     return prepared(pupil, derivatives=derivatives)
@@ -320,12 +319,6 @@ class Plan:
             scale=np.reshape([float(psf.scale) for psf in psfs], pupil.shape),
         )
 
-    def with_tol(self, tol: float) -> Plan:
-        """Return the plan with another tolerance."""
-        plan = copy(self)
-        plan.tol, plan.dtype, plan._prepared = tol, question.output_type(None, tol), None
-        return plan
-
     def __getstate__(self) -> dict[str, object]:
         # `_prepared` holds objects of the compiled core, which cannot be pickled.
         return vars(self) | {"_prepared": None}
@@ -400,8 +393,8 @@ class Plan:
         return traced_psf.traced(pupil, grid, self.method, values, (xp, device, precision))
 
 
-# Plans of recent calls of `psf`. `typed` distinguishes equal options of different types, such as 1 and True.
-_cached_plan = lru_cache(maxsize=64, typed=True)(Plan)
+# Plans of recent calls and fits. `typed` distinguishes equal options of different types, such as 1 and True.
+cached_plan = lru_cache(maxsize=64, typed=True)(Plan)
 _NUMBERS = (float, int)
 
 

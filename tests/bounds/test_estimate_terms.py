@@ -380,7 +380,7 @@ def test_images_of_a_search_have_the_tolerance_of_a_search_and_others_their_own(
             lambda fast=fast: field_stars.FieldStars._block(
                 stars, None, np.zeros((1, 1, 1)), None, None, fast, "none"
             ),
-            lambda fast=fast: star_images.StarImages.images(image, None, fast=fast),
+            lambda fast=fast: star_images.StarImages.images(image, np.zeros((1, 1)), fast=fast),
         ):
             with pytest.raises(_AskedError) as found:
                 asked()

@@ -143,7 +143,7 @@ def test_blur_that_cannot_be_tested_is_said(monkeypatch):
     def declined(*_, **__):
         raise Declined("too fine")
 
-    monkeypatch.setattr(star_checks, "Plan", lambda *_, **__: declined)
+    monkeypatch.setattr(star_checks, "cached_plan", lambda *_, **__: declined)
     fit = found(recorded(sigma=0.3))
     assert fit.findings.get("untested").text == "blur was not tested: too fine"
     assert fit.findings.get("untested").severity == "note"

@@ -58,7 +58,7 @@ from lommel.io import zernike_tables
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, term_of
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
-from lommel.psf import PSF, Plan
+from lommel.psf import PSF, Plan, cached_plan
 from lommel.recorded.counts import Counts, counts_of, recording_findings
 from lommel.recorded.headers import tell_sizes
 from lommel.recorded.noise import Noise, random_numbers
@@ -383,7 +383,7 @@ def fit_stars(
     pixel = in_unit("pixel", pixel, pupil.unit)
     if pupil.wavelength is not None:
         tell_sizes(counts.metadata, pixel)
-    plan = Plan(values.shape[1:], pixel, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
+    plan = cached_plan(values.shape[1:], pixel, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
     if options.blur is not False:
         if {*unknowns.places} != {*SHIFTS} or unknowns.pupil:
             raise ValueError(

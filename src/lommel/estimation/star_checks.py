@@ -44,7 +44,7 @@ from lommel.fit.score_tests import (
 )
 from lommel.methods.derivative_names import Name, Term
 from lommel.optics.pupil import Pupil
-from lommel.psf import Plan
+from lommel.psf import cached_plan
 from lommel.special import zernike
 
 # Prior standard deviations of the coefficients of effects that the model lacks.
@@ -445,7 +445,7 @@ def star_tests(
     grid, scale = plan.grid(pupil), float(pupil.scale)
     reader = _sharp_reader(grid.shape, model.pixel / scale, grid.integrate)
     pitch, threads = reader.step * scale, plan.threads or None
-    fine_plan = Plan(reader.shape, pitch, tol=model.search_tol, integrate=False, threads=threads)
+    fine_plan = cached_plan(reader.shape, pitch, tol=model.search_tol, integrate=False, threads=threads)
     notes = []
     try:
         samples = np.asarray(fine_plan(pupil).values, np.float32)

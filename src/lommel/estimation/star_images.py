@@ -31,7 +31,7 @@ from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.derivatives import Slope, translated
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
-from lommel.psf import Plan
+from lommel.psf import Plan, cached_plan
 from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
@@ -94,7 +94,7 @@ class Unknowns:
         self.directions = directions.reshape(len(shares), len(self.edge))
         self.phases: dict[str, Phase] = {}
         self.stated = self.edge
-        if shares and np.linalg.matrix_rank(self.directions) < len(shares):
+        if sum(map(len, shares)) > len(self.edge) and np.linalg.matrix_rank(self.directions) < len(shares):
             raise ValueError(
                 f"terms must be linearly independent, got {validation.shown(terms)}: remove repeated terms"
             )
@@ -272,7 +272,8 @@ class StarImages(RowModel):
         #: Parameters common to all images.
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil, *unknowns.phases)
         self.search_tol = loosest_tolerance(self.pixel_data, plan.tol)
-        self._search_plan = plan.with_tol(self.search_tol)
+        options: dict[str, Any] = {"integrate": plan.integrate, "threads": plan.threads or None}
+        self._search_plan = cached_plan(self.shape, pixel, tol=self.search_tol, **options)
         self.tilt_of_pixel = math.pi * pixel / pupil.scale  # radians at the edge, for a shift of one pixel
         start = pupil.wavefront.edge_terms()
         all_terms = {*start, *unknowns.edge, *SHIFTS.values()}
@@ -437,7 +438,7 @@ class StarImages(RowModel):
         By default, derivatives are by all parameters except flux and background. If `fast`, the tolerance is
         `search_tol`.
         """
-        pupil, plan = self.pupils(x), self._search_plan if fast else self.plan
+        pupil, plan = self.pupils(x[0] if len(x) == 1 else x), self._search_plan if fast else self.plan
         _, pixels, derivatives = plan.prepared(pupil).images(pupil, self.derivatives if names is None else names)
         return pixels.values, derivatives
 

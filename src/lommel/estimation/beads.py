@@ -668,10 +668,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             planes = sum(len(s.z) for s in model.stacks)
             findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)
     if has_light and not fit.settled:
-        text = (
-            f"the steps have not settled within {search.max_steps}: constants that are estimated may stand for one "
-            "that is held (cover glass, step of z); estimate fewer (`priors`), or state them as measured"
-        )
+        text = "the steps have not settled: state measured constants, or estimate fewer of them (`priors`)"
         findings.append(Finding("not_settled", "error", text))
     findings += held_out_findings
     findings += _error_findings(covariance[: len(state.waves), : len(state.waves)], image_error)

@@ -82,7 +82,8 @@ class StarReadout:
         taper = 0.5 * scipy.special.erfc(_ERF_ARGUMENT * (self._f - middle) / (cutoff - middle))
         area = np.sinc(pixel * self._f) if integrate else 1.0
         self._f_weights = 2.0 * pixel * cutoff * weights * taper * area
-        self._window, self._kernels = window, dict[bytes, list[list[Array]]]()
+        self._window = window
+        self._kernels: tuple[bytes, list[list[Array]]] = b"", []
         #: For rows, then columns: pairs (pixels, samples) of cosines and of sines, shape (positions, frequencies).
         self._axis_waves = [
             list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
@@ -179,11 +180,11 @@ class StarReadout:
         exposures = len(squared_widths)
         derivatives = {name: np.empty((len(samples), *self._window), np.float32) for name in OTHER_BLURS}
         for k, variances in enumerate(self.blur.variances(squared_widths)):
-            kernels = self._kernels.get(key := variances.tobytes())
-            if kernels is None:  # those of the last blur are kept: a model without blur has the same for all images
-                self._kernels.clear()
-                kernels = self._kernels[key] = self._other_kernels(variances)
-            image, along, across, oblique, *wider = (self._mixture_images(samples[k::exposures], *p) for p in kernels)
+            # Kernels of the last blur are kept: without blur, those of all images are the same.
+            if self._kernels[0] != (key := variances.tobytes()):
+                self._kernels = key, self._other_kernels(variances)
+            pairs = (self._mixture_images(samples[k::exposures], *pair) for pair in self._kernels[1])
+            image, along, across, oblique, *wider = pairs
             blur_derivatives = [along + across, along - across, oblique, *(wide - image for wide in wider)]
             for images, values in zip(derivatives.values(), blur_derivatives, strict=True):
                 images[k::exposures] = values

@@ -125,7 +125,7 @@ def _tested_together(
     """Return the tests of candidates of q coefficients each, given S (q, q) and V (q,) of each."""
     diagonal = np.maximum(np.diag(information)[[list(candidate.columns) for candidate in candidates]], 1e-300)
     square, gradient, eye = np.stack(squares), np.stack(gradients), np.eye(diagonal.shape[1])
-    known, scale = np.array([(candidate.known, candidate.scale) for candidate in candidates]).T
+    known, scale = np.array([(candidate.known, candidate.scale) for candidate in candidates], dtype=np.float64).T
     offset = np.array([np.zeros(len(eye)) + candidate.offset for candidate in candidates])
     # Subtract the prior of an estimated parameter: the test is of the data alone.
     prior = np.where(known > 0.0, 1.0 / np.square(np.where(known > 0.0, known, 1.0)), 0.0)[:, None]
@@ -133,7 +133,7 @@ def _tested_together(
     # S is rounding error if the data do not determine c, such as blur that varies over the field, for one star.
     least = np.linalg.eigvalsh(square / np.sqrt(diagonal[:, :, None] * diagonal[:, None]))[:, 0]
     chosen = np.flatnonzero(least > _MIN_INFORMATION)
-    known, scale, variance = known[chosen], scale[chosen], np.linalg.inv(square[chosen])
+    known, scale, variance = known[chosen], scale[chosen], np.asarray(np.linalg.inv(square[chosen]), np.float64)
     size = (variance @ gradient[chosen, :, None])[..., 0] + offset[chosen]
     errors = np.sqrt(variance.diagonal(axis1=1, axis2=2))
     # Prior and data are independent: their variances add.
@@ -143,7 +143,7 @@ def _tested_together(
         sigmas = np.copysign(np.sqrt(distances), size[:, 0])
     else:
         sigmas = np.array([sigmas_of(distance, size.shape[1]) for distance in distances])
-    names = [candidates[k].name for k in chosen]
+    names = [candidates[k].name for k in chosen.tolist()]
     log_bayes = log_bayes_factor(size, variance, known, scale)
     return list(map(ScoreTest, names, size, errors, sigmas.tolist(), log_bayes.tolist()))
 

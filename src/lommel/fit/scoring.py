@@ -168,10 +168,10 @@ def fisher_scoring(
         converged = (predicted < settled_gain) & (damping[rows] <= 1.0)
         settled[rows] = converged
         moving[rows] = ~converged & (damping[rows] <= max_damping) & (slow_steps[rows] < _PATIENCE)
-        fits = converged & (
-            scores.chi2[rows] < goodness_of_fit.largest_plausible_chi2(scores.spread[rows], goodness_of_fit.SURE)
-        )
-        if step_number == max_steps or not moving.any() or (problem.alternatives and fits.any()):
+        ended = rows[converged]  # of which one that fits ends the search for alternatives
+        limits = goodness_of_fit.largest_plausible_chi2(scores.spread[ended], goodness_of_fit.SURE)
+        fits = problem.alternatives and bool((scores.chi2[ended] < limits).any())
+        if step_number == max_steps or not moving.any() or fits:
             if last is not None and converged.any():
                 last(x, step, rows, converged)
             break

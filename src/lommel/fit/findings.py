@@ -167,6 +167,11 @@ class Findings(tuple[Finding, ...]):
             Findings, sorted(self, key=lambda finding: place_of(finding.code, finding.severity, self.reliable))
         )
 
+    @property
+    def text(self) -> str:
+        """The texts of the findings in the order of `printed`, separated by semicolons; at most ten lines."""
+        return "; ".join(shortened([(finding.code, finding.text) for finding in self.printed]))
+
     def get(self, code: str) -> Finding | None:
         """Return the first finding with a code.
 

@@ -49,6 +49,7 @@ from lommel.fit.model_error import (
     ModelError,
     is_correlated,
     larger,
+    missed_light,
     model_error,
     with_errors_of_model,
 )
@@ -542,18 +543,22 @@ def _with_causes_freed(
     return model, x, scores, settled, checked, rivals
 
 
-def _model_error(model: StarImages, x: Array, mean: Array, findings: Findings) -> ModelError | None:
-    """Return the model error, if nothing in `findings` explains it and standard errors can include it."""
-    is_misfit, shape = "misfit" in findings.codes, (model.count, *model.shape)
-    background, codes = model.per_image(x)[0, -1], {*findings.codes}
+def _model_error(
+    model: StarImages, x: Array, mean: Array, codes: tuple[str, ...], tests: Sequence[ScoreTest]
+) -> ModelError | None:
+    """Return the model error, if no finding in `codes` explains it and standard errors can include it."""
+    is_misfit, shape = "misfit" in codes, (model.count, *model.shape)
     residual = np.where(model.valid > 0.0, model.counted - mean, np.nan).reshape(shape)
-    variance, light = model.variance(mean).reshape(shape), (mean - background[:, None]).reshape(shape)
-    if {"excess_noise", "hot_pixels", "too_quiet"} & codes:
+    variance = model.variance(mean).reshape(shape)
+    light = (mean - model.per_image(x)[0, -1, :, None]).reshape(shape)
+    if {"excess_noise", "hot_pixels", "too_quiet"} & {*codes}:
         return None
-    if not is_misfit and ("other_explanation" in codes or not is_correlated(residual, variance, light)):
+    if not is_misfit and not is_correlated(residual, variance, light):
         return None
     error = model_error(residual, model.columns(x), variance, light)
-    if error is None or (error.gain < MIN_GAIN and not is_misfit) or error.missed > MAX_MISSED:
+    # An effect of known shape explains the images better than a model error, unless it is another one.
+    least = 0.0 if is_misfit else max([MIN_GAIN, *(test.log_bayes for test in seen(tests))])
+    if error is None or error.gain < least or error.missed > MAX_MISSED:
         return None
     # Neither the step nor the errors mean anything where images are not linear in the parameters.
     sizes = np.stack([error.shift, np.sqrt(np.diag(error.covariance))])
@@ -615,14 +620,14 @@ def _build_retrieval(
     if "misfit" in Findings(findings).codes and not effect_findings:
         read = model.read.reshape(residual.shape)
         findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
-    found = Findings([*findings, *effect_findings])
-    error = _model_error(model, x, mean, found) if checks and settled else None
+    error = _model_error(model, x, mean, Findings(findings).codes, tests) if checks and settled else None
     if error is not None:
-        findings = with_errors_of_model(found, error.finding())
-        effect_findings, inverse = [], larger(error.covariance, inverse)
+        numbers = {"kappa": error.kappa, "length": error.length, "log_likelihood": error.gain}
+        findings = with_errors_of_model(findings, missed_light(error.missed, **numbers))
+        effect_findings, inverse = missing_findings(tests, None, ()), larger(error.covariance, inverse)
         errors = np.sqrt(np.diag(inverse))
-        part = error.covariance[:common_count, :common_count]
-        marginal = Marginal(error.shift[:common_count], larger(part, marginal.covariance))
+        common_covariance = larger(error.covariance[:common_count, :common_count], marginal.covariance)
+        marginal = Marginal(error.shift[:common_count], common_covariance)
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)

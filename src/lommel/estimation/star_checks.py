@@ -37,6 +37,7 @@ from lommel.fit.score_tests import (
     favoured,
     graded,
     graded_explanation,
+    other_explanation,
     score_tests,
     seen,
     untested,
@@ -394,11 +395,16 @@ def untestable(model: StarImages) -> tuple[str, ...]:
     return (_FOCI,) if model.foci_exchangeable else ()
 
 
-def missing_findings(tests: Sequence[ScoreTest], grade: Grade, names: Sequence[str]) -> list[Finding]:
-    """Return the finding on missing effects that the images significantly favour; `names` are those of estimates."""
+def missing_findings(tests: Sequence[ScoreTest], grade: Grade | None, names: Sequence[str]) -> list[Finding]:
+    """Return the finding on missing effects that the images significantly favour; `names` are those of estimates.
+
+    Without a `grade`, estimates do not allow for the effects, and the finding is a doubt.
+    """
     significant = seen(tests)
     words = [_in_words(test) for test in significant]
-    return [graded_explanation(significant, words, grade, names)] if significant else []
+    if significant and grade is None:
+        return [other_explanation(significant, words)]
+    return [graded_explanation(significant, words, grade, names)] if significant and grade else []
 
 
 def _in_words(test: ScoreTest) -> str:

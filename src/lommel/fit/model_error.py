@@ -66,11 +66,6 @@ class ModelError(NamedTuple):
     gain: float
     bins: int
 
-    def finding(self) -> Finding:
-        """Return the finding on the light that the model misses."""
-        numbers = {"kappa": self.kappa, "length": self.length, "log_likelihood": self.gain, "bins": self.bins}
-        return missed_light(self.missed, **numbers)
-
 
 def missed_light(missed: float, **numbers: float) -> Finding:
     """Return the finding on a part `missed` of the light."""
@@ -89,9 +84,6 @@ def with_errors_of_model(findings: Sequence[Finding], missed: Finding) -> list[F
     """Return findings in which a misfit is the doubt `missed`, with its causes, because errors include it."""
     causes = [finding.text for finding in findings if finding.code == "misfit"]
     others = [finding for finding in findings if finding.code not in ("misfit", "rare_chi2")]
-    for k, finding in enumerate(others):
-        if finding.code == "other_explanation" and finding.severity == "error":
-            others[k] = replace(finding, severity="doubt")
     return [replace(missed, text="; ".join((missed.text, *causes))), *others]
 
 

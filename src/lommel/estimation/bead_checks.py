@@ -42,6 +42,7 @@ from lommel.estimation.bead_search import (
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
+from lommel.fit.model_error import jackknife
 from lommel.fit.score_tests import (
     RIVAL,
     Candidate,
@@ -486,6 +487,17 @@ def held_out(model: BeadModel, fit: Evaluation, report: Report) -> tuple[float, 
     chi2, limit = held_out_fit.quality[0], float(goodness_of_fit.largest_plausible_chi2(held_out_fit.quality[1]))
     text = f"chi2 of the held-out bead is above {limit:.4g}, the limit for noise alone: beads differ in size or depth"
     return chi2, [Finding("held_out", "doubt", text, {"chi2": chi2, "limit": limit})] if chi2 >= limit else []
+
+
+def plane_jackknife(model: BeadModel, fit: Evaluation) -> Array:
+    """Return the covariance (p, p) of all parameters by the jackknife over planes, each left out of all stacks."""
+    k, planes = len(model.names), len(model.stacks[0].z)
+    information, slope = np.zeros((planes, model.size, model.size)), np.zeros((planes, model.size))
+    for j, part in enumerate(fit.parts):
+        columns = [*range(k), *model.columns(j, k)]
+        information[np.ix_(range(planes), columns, columns)] += part.information
+        slope[:, columns] += part.gradient
+    return jackknife(information, slope, (fit.scores.information[0], fit.scores.slope[0]))
 
 
 def moved_planes(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:

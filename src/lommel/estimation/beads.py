@@ -42,6 +42,7 @@ from lommel.estimation.options import BeadOptions
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, checked_terms, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.model_error import MAX_MISSED, larger, part_missed, with_errors_of_model
 from lommel.fit.score_tests import ScoreTest, causes_of_misfit
 from lommel.fit.scoring import Progress
 from lommel.measures.spot import profile_width
@@ -664,6 +665,14 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             # The shift is linear in the parameters: where it is large, it means nothing.
             if np.linalg.norm(marginal.shift[: len(state.waves)]) <= MAX_LINEAR_ERROR:
                 state = _add_shift(state, model, marginal.shift)
+        background = np.stack([light[1] for light in state.light])[..., None, None]
+        missed = part_missed(residual, expected_images + read, expected_images - background)
+        is_error = {finding.code for finding in findings if finding.severity == "error"}
+        # A misfit that no effect explains: errors are the scatter of fits without one plane.
+        if is_error == {"misfit"} and causes and fit.settled and missed < MAX_MISSED:
+            findings = with_errors_of_model(findings, missed)
+            scatter = bead_checks.plane_jackknife(model, fit)[:common_count, :common_count]
+            covariance = larger(covariance, scatter)
         if "reversed_z" not in Findings(findings).codes:
             planes = sum(len(s.z) for s in model.stacks)
             findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)

@@ -621,6 +621,8 @@ def _build_field_fit(
     fit_covariance = fit.model.covariance(fit.scores)
     errors = np.sqrt(np.diag(fit_covariance))[k * m :]
     marginal = outcome.grade.marginal
+    if outcome.model_error is not None:
+        marginal = outcome.model_error.marginal(marginal)
     shift, covariance = marginal.shift.reshape(k, m), marginal.covariance
     shifted_waves = fit.model.basis @ shift.T
     mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()
@@ -640,7 +642,11 @@ def _build_field_fit(
         twin = field_of(twin_coefficients)
         findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
     labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
-    findings = [*outcome.findings, *missing_findings(tests, outcome.grade, labels), *findings]
+    findings = [
+        *outcome.findings,
+        *missing_findings(tests, None if outcome.model_error else outcome.grade, labels),
+        *findings,
+    ]
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)
     blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, width_errors, outer_errors)

@@ -22,13 +22,14 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.blur.mixtures import OUTER, BlurProfile
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.field_checks import missing_tests, slope_findings
+from lommel.estimation.field_checks import missing_tests, slope_findings, star_model_error
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
 from lommel.estimation.star_checks import changed, estimated_findings, stated_value
 from lommel.estimation.star_images import label
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
+from lommel.fit.model_error import ModelError, with_errors_of_model
 from lommel.fit.score_tests import Grade, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Report, Scores, search_rows
 from lommel.methods.derivative_names import term_of
@@ -114,6 +115,7 @@ class Outcome:
     tests: tuple[ScoreTest, ...]  # score tests of terms that the model lacks
     grade: Grade  # of significant effects; shift and covariance of the coefficients, marginalized over effects
     rival: Rival | None = None
+    model_error: ModelError | None = None  # of a single star
 
     @property
     def findings(self) -> Findings:
@@ -132,6 +134,8 @@ class Outcome:
             pixels = "of the pixels in which stars exceed the noise"
             text = f"chi2 {bright_chi2:.4g} {pixels}, above {limit:.4g}, the limit for noise alone{causes}"
             findings = [Finding("misfit", "error", text, {"bright_chi2": bright_chi2, "limit": limit})]
+        if self.model_error is not None:
+            findings = with_errors_of_model(findings, self.model_error)
         held_out, held_out_deviation = self.held_out
         if held_out - 1.0 > (limit := _HELD_OUT + 4.0 * held_out_deviation):
             text = f"held-out stars do not follow the map that was fitted to the other stars{causes}"
@@ -646,7 +650,10 @@ class Search:
         held_out = self.held_out(fit)
         estimated = _estimated_findings(first_fit, fit, tests, grade, freed, rivals)
         results = self.blur_costs, [*slope_notes, *estimated, *untested], tests, grade, self.rival
-        return Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
+        outcome = Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
+        if len(chosen) == 1 and fit.settled and "misfit" in outcome.findings.codes:
+            outcome.model_error = star_model_error(fit.model, fit.x)
+        return outcome
 
     def _tested(
         self, fit: Solution, freed: Collection[str], rivals: Sequence[str]

@@ -257,13 +257,32 @@ class FieldStars:
         common to all exposures, and `nuisance`. The q arrays `extra` (r * e, height, width) are derivatives of
         electrons by the further parameters.
         """
-        r, e, k, b, q = len(stars), self.exposures, len(self.first_star.directions), self.width_count, len(extra)
+        r, e, q = len(stars), self.exposures, len(extra)
         slope_derivatives = pixel_coordinates(r * e, self.shape) if self.has_slopes else ()
         sums, products = self._products(stars, [*images, *slope_derivatives, *extra], nuisance)
-        d = products.shape[-1]
+        chain = self._chain(nuisance, q, products.shape[-1])
+        matrices = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
+        return sums, matrices[:, :-1], matrices[:, -1, -1]
+
+    def columns(self, images: Sequence[Array], nuisance: Array) -> Array:
+        """Return the derivatives of the electrons of one star by its p parameters, (p, e, height, width).
+
+        Arguments and the order of the parameters are those of :meth:`likelihood`.
+        """
+        psf, *derivatives = images
+        slope_derivatives = pixel_coordinates(self.exposures, self.shape) if self.has_slopes else ()
+        stack = np.stack([*derivatives, *slope_derivatives, psf, np.ones_like(psf)]).astype(np.float64)
+        chain = self._chain(nuisance, 0, len(stack) + 1)[0, :, :-1, :-1]
+        return np.asarray(np.einsum("epd,deyx->peyx", chain, stack))
+
+    def _chain(self, nuisance: Array, q: int, d: int) -> Array:
+        """Return the chain rule (r, e, p + 1, d) from `d` images to p parameters, of which q are further ones.
+
+        The last axis is: derivatives of PSFs by Zernike terms, tilts, blur and angles; derivatives of electrons by
+        slopes of the background, and by further parameters; the PSF, 1 (for the background) and the residual.
+        """
+        (r, _, e), k, b = nuisance.shape, len(self.first_star.directions), self.width_count
         term_count = len(self.first_star.unknowns.edge)
-        # Chain rule. The last axis is: derivatives of PSFs by Zernike terms, tilts, blur and angles; derivatives of
-        # electrons by slopes of the background, and `extra`; the PSF, 1 (for the background) and the residual.
         chain = np.zeros((r, e, self.size + q + 1, d))
         flux = nuisance[:, 2]
         chain[:, :, :k, :term_count] = self.first_star.unknowns.directions * flux[:, :, None, None]
@@ -278,8 +297,7 @@ class FieldStars:
                 factor = flux[:, i] if j < _FIRST_ANGLE + self.angle_count else 1.0
                 chain[:, i, rows[j], term_count + 2 + b + j - _FIRST_ANGLE] = factor
         chain[:, :, -1, -1] = 1.0
-        matrices = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
-        return sums, matrices[:, :-1], matrices[:, -1, -1]
+        return chain
 
     def _products(self, stars: NDArray[np.intp], images: Sequence[Array], nuisance: Array) -> tuple[Array, Array]:
         """Return deviance, and expectation and variance of Pearson's sum (3, r), and inner products (r, e, d, d).

@@ -49,7 +49,6 @@ from lommel.fit.model_error import (
     ModelError,
     is_correlated,
     larger,
-    missed_light,
     model_error,
     with_errors_of_model,
 )
@@ -622,12 +621,9 @@ def _build_retrieval(
         findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
     error = _model_error(model, x, mean, Findings(findings).codes, tests) if checks and settled else None
     if error is not None:
-        numbers = {"kappa": error.kappa, "length": error.length, "log_likelihood": error.gain}
-        findings = with_errors_of_model(findings, missed_light(error.missed, **numbers))
+        findings = with_errors_of_model(findings, error)
         effect_findings, inverse = missing_findings(tests, None, ()), larger(error.covariance, inverse)
-        errors = np.sqrt(np.diag(inverse))
-        common_covariance = larger(error.covariance[:common_count, :common_count], marginal.covariance)
-        marginal = Marginal(error.shift[:common_count], common_covariance)
+        errors, marginal = np.sqrt(np.diag(inverse)), error.marginal(marginal)
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)

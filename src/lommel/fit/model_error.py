@@ -22,7 +22,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -30,6 +29,7 @@ import scipy
 
 from lommel.base.arrays import Array
 from lommel.fit.findings import Finding
+from lommel.fit.score_tests import Marginal
 
 MIN_GAIN = 10.0
 """Increase of the restricted ln(likelihood) above which a model error is significant although chi2 is plausible."""
@@ -66,11 +66,10 @@ class ModelError(NamedTuple):
     gain: float
     bins: int
 
-
-def missed_light(missed: float, **numbers: float) -> Finding:
-    """Return the finding on a part `missed` of the light."""
-    text = f"the model misses {100.0 * missed:.2g} % of the light; errors hold between exposures of this set-up"
-    return Finding("missed_light", "doubt", text, {"missed": missed, **numbers})
+    def marginal(self, other: Marginal) -> Marginal:
+        """Return shift and covariance of the parameters of `other`, with at least the variances of it."""
+        count = len(other.shift)
+        return Marginal(self.shift[:count], larger(self.covariance[:count, :count], other.covariance))
 
 
 def part_missed(residual: Array, variance: Array, light: Array) -> float:
@@ -80,11 +79,19 @@ def part_missed(residual: Array, variance: Array, light: Array) -> float:
     return math.sqrt(max(excess, 0.0) / max(float((light[valid] ** 2).sum()), 1e-300))
 
 
-def with_errors_of_model(findings: Sequence[Finding], missed: Finding) -> list[Finding]:
-    """Return findings in which a misfit is the doubt `missed`, with its causes, because errors include it."""
-    causes = [finding.text for finding in findings if finding.code == "misfit"]
+def with_errors_of_model(findings: Sequence[Finding], error: ModelError | float) -> list[Finding]:
+    """Return findings in which a misfit is a doubt, with its causes: errors include the model error.
+
+    `error` is the model error, or the part of the light that is missed.
+    """
+    numbers = {}
+    if isinstance(error, ModelError):
+        numbers = {"kappa": error.kappa, "length": error.length, "log_likelihood": error.gain}
+        error = error.missed
+    text = f"the model misses {100.0 * error:.2g} % of the light; errors hold between exposures of this set-up"
+    text = "; ".join((text, *(finding.text for finding in findings if finding.code == "misfit")))
     others = [finding for finding in findings if finding.code not in ("misfit", "rare_chi2")]
-    return [replace(missed, text="; ".join((missed.text, *causes))), *others]
+    return [Finding("missed_light", "doubt", text, {"missed": error, **numbers}), *others]
 
 
 def is_correlated(residual: Array, variance: Array, light: Array) -> bool:

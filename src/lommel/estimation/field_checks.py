@@ -13,10 +13,10 @@ from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
 from lommel.estimation.sampled_pupil import FOLDS, SHIFT, SLANT, changes_of
 from lommel.estimation.star_checks import BLURS, MissingEffect
-from lommel.estimation.star_images import MAX_LINEAR_ERROR, Unknowns, label, next_terms, ripple_terms
+from lommel.estimation.star_images import Unknowns, label, next_terms, ripple_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
-from lommel.fit.model_error import MAX_MISSED, ModelError, model_error
+from lommel.fit.model_error import MAX_MISSED, MAX_PHASE_ERROR, ModelError, model_error
 from lommel.fit.score_tests import Candidate, Grade, ScoreTest, graded, score_tests, sigmas_of
 
 _EXPECTED_SIZE = 0.05  # radians rms: expected size of a polynomial of higher degree, or of a deviation in a part
@@ -112,7 +112,7 @@ def star_model_error(model: WholeField, x: Array) -> ModelError | None:
     if error is None or error.missed > MAX_MISSED:
         return None
     steps = error.shift, np.sqrt(np.diag(error.covariance))
-    return error if all(float(model.rms(step[None])[0]) <= MAX_LINEAR_ERROR for step in steps) else None
+    return error if all(float(model.rms(step[None])[0]) <= MAX_PHASE_ERROR for step in steps) else None
 
 
 def _tested_degrees(degree: int) -> range:

@@ -622,7 +622,7 @@ def _build_field_fit(
     errors = np.sqrt(np.diag(fit_covariance))[k * m :]
     marginal = outcome.grade.marginal
     if outcome.model_error is not None:
-        marginal = outcome.model_error.marginal(marginal)
+        marginal = outcome.model_error.marginal(fit_covariance[: k * m, : k * m])
     shift, covariance = marginal.shift.reshape(k, m), marginal.covariance
     shifted_waves = fit.model.basis @ shift.T
     mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()

@@ -45,6 +45,7 @@ from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
 from lommel.fit.model_error import (
     MAX_MISSED,
+    MAX_PHASE_ERROR,
     MIN_GAIN,
     ModelError,
     is_correlated,
@@ -559,9 +560,8 @@ def _model_error(
     least = 0.0 if is_misfit else max([MIN_GAIN, *(test.log_bayes for test in seen(tests))])
     if error is None or error.gain < least or error.missed > MAX_MISSED:
         return None
-    # Neither the step nor the errors mean anything where images are not linear in the parameters.
     sizes = np.stack([error.shift, np.sqrt(np.diag(error.covariance))])
-    return error if bool((model.rms(sizes) <= MAX_LINEAR_ERROR).all()) else None
+    return error if bool((model.rms(sizes) <= MAX_PHASE_ERROR).all()) else None
 
 
 def _no_report(step: int, chi2: float) -> None:
@@ -623,7 +623,7 @@ def _build_retrieval(
     if error is not None:
         findings = with_errors_of_model(findings, error)
         effect_findings, inverse = missing_findings(tests, None, ()), larger(error.covariance, inverse)
-        errors, marginal = np.sqrt(np.diag(inverse)), error.marginal(marginal)
+        errors, marginal = np.sqrt(np.diag(inverse)), error.marginal(inverse[:common_count, :common_count])
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)

@@ -35,6 +35,8 @@ MIN_GAIN = 10.0
 """Increase of the restricted ln(likelihood) above which a model error is significant although chi2 is plausible."""
 MAX_MISSED = 0.3
 """Part of the light above which a model that misses it does not describe the images at all."""
+MAX_PHASE_ERROR = 0.5
+"""Step or standard error of a wavefront, radians rms, above which generalized least squares mean nothing."""
 _MIN_PIXELS = 10.0  # smallest number of pixels for each parameter
 _MAX_SIDE = 18  # largest side of a binned image: V of an image has at most this number to the fourth elements
 _LENGTHS = 0.0, 0.7, 1.4  # correlation lengths l, bins
@@ -66,10 +68,10 @@ class ModelError(NamedTuple):
     gain: float
     bins: int
 
-    def marginal(self, other: Marginal) -> Marginal:
-        """Return shift and covariance of the parameters of `other`, with at least the variances of it."""
-        count = len(other.shift)
-        return Marginal(self.shift[:count], larger(self.covariance[:count, :count], other.covariance))
+    def marginal(self, noise: Array) -> Marginal:
+        """Return shift and covariance of the first parameters, with at least the variances in `noise` (k, k)."""
+        count = len(noise)
+        return Marginal(self.shift[:count], larger(self.covariance[:count, :count], noise))
 
 
 def part_missed(residual: Array, variance: Array, light: Array) -> float:

@@ -605,6 +605,7 @@ def _build_retrieval(
     residual = np.where(valid, (model.counted - mean) / np.sqrt(model.variance(mean)), np.nan)
     unknowns, common_count, image_parameters = model.unknowns, model.common_count, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
+    light_findings = _light_findings(image_parameters[-2], errors[-2 * model.count : -model.count])
     chi2, deviation = float(scores.chi2[0]), float(scores.spread[0])
     summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     effect_findings = missing_findings(tests, grade, [label(name) for name in names]) if checks else []
@@ -638,7 +639,6 @@ def _build_retrieval(
     for j, place in enumerate(unknowns.places):
         center[:, j] += image_parameters[j] / per_pixel
         image_errors[place] = image_errors[place] / per_pixel
-    light_findings = _light_findings(image_parameters[-2], image_errors["flux"])
     image_errors |= {name: noise.excess * image_errors[name] for name in ("flux", "background")}
     wavefront = model.wavefront(corrected_x[0])
     common_errors = np.sqrt(np.diag(marginal.covariance))

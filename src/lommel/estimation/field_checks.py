@@ -16,7 +16,7 @@ from lommel.estimation.star_checks import BLURS, MissingEffect
 from lommel.estimation.star_images import Unknowns, label, next_terms, ripple_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
-from lommel.fit.model_error import MAX_MISSED, MAX_PHASE_ERROR, ModelError, model_error
+from lommel.fit.model_error import ModelError, model_error
 from lommel.fit.score_tests import Candidate, Grade, ScoreTest, graded, score_tests, sigmas_of
 
 _EXPECTED_SIZE = 0.05  # radians rms: expected size of a polynomial of higher degree, or of a deviation in a part
@@ -102,17 +102,14 @@ def missing_tests(
     return tests, grade, untested
 
 
-def star_model_error(model: WholeField, x: Array) -> ModelError | None:
-    """Return the model error of a single star, if it describes the images and standard errors can include it."""
+def star_model_error(model: WholeField, x: Array, step: Array) -> ModelError | None:
+    """Return the model error of a single star, if standard errors can include it; `step` (p,) is a further step."""
     nuisance, (values, derivatives) = model.parts(x)[2], model.images(x)
     counted, _, read, valid = model.stars.pixel_data[:, model.chosen].reshape(4, *values.shape)
     mean, light = model.stars.expected(values, nuisance).reshape(values.shape), nuisance[0, 2, :, None, None] * values
     residual, variance = np.where(valid > 0.0, counted - mean, np.nan), np.maximum(mean + read, 0.25 * read)
     error = model_error(residual, model.stars.columns([values, *derivatives], nuisance), variance, light)
-    if error is None or error.missed > MAX_MISSED:
-        return None
-    steps = error.shift, np.sqrt(np.diag(error.covariance))
-    return error if all(float(model.rms(step[None])[0]) <= MAX_PHASE_ERROR for step in steps) else None
+    return error if error is not None and error.holds(model.rms, step) else None
 
 
 def _tested_degrees(degree: int) -> range:

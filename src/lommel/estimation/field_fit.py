@@ -627,7 +627,7 @@ def _build_field_fit(
     shifted_waves = fit.model.basis @ shift.T
     mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()
     # The shift is linear in the parameters: where it is large, it means nothing.
-    is_linear = mean_square <= MAX_LINEAR_ERROR**2
+    is_linear = outcome.model_error is not None or mean_square <= MAX_LINEAR_ERROR**2
     coefficients, twin = polynomials + shift if is_linear else polynomials.copy(), None
     findings = list[Finding]()
     if first_star.sign_ambiguous:
@@ -662,7 +662,7 @@ def _build_field_fit(
     if distortion is not None:
         summary += f"; {distortion.summary}"
         findings += distortion.findings
-    if not fit.settled and Findings(findings).converged:
+    if not fit.settled and outcome.model_error is None and Findings(findings).converged:
         findings.append(Finding("not_settled", "error", "the steps have not settled"))
     if Findings(findings).converged:
         findings += _too_dim_findings(search, fit, fit_covariance[: k * m, : k * m])

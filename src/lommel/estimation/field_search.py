@@ -651,8 +651,9 @@ class Search:
         estimated = _estimated_findings(first_fit, fit, tests, grade, freed, rivals)
         results = self.blur_costs, [*slope_notes, *estimated, *untested], tests, grade, self.rival
         outcome = Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
-        if len(chosen) == 1 and fit.settled and "misfit" in outcome.findings.codes:
-            outcome.model_error = star_model_error(fit.model, fit.x)
+        if len(chosen) == 1 and "misfit" in outcome.findings.codes:
+            step, _ = fit.model.steps(fit.scores, np.zeros(1))
+            outcome.model_error = star_model_error(fit.model, fit.x, step[0])
         return outcome
 
     def _tested(

@@ -44,8 +44,6 @@ from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
 from lommel.fit.model_error import (
-    MAX_MISSED,
-    MAX_PHASE_ERROR,
     MIN_GAIN,
     ModelError,
     is_correlated,
@@ -544,9 +542,12 @@ def _with_causes_freed(
 
 
 def _model_error(
-    model: StarImages, x: Array, mean: Array, codes: tuple[str, ...], tests: Sequence[ScoreTest]
+    model: StarImages, x: Array, mean: Array, step: Array, codes: tuple[str, ...], tests: Sequence[ScoreTest]
 ) -> ModelError | None:
-    """Return the model error, if no finding in `codes` explains it and standard errors can include it."""
+    """Return the model error, if no finding in `codes` explains it and standard errors can include it.
+
+    `step` (p,) is a further step of the fit.
+    """
     is_misfit, shape = "misfit" in codes, (model.count, *model.shape)
     residual = np.where(model.valid > 0.0, model.counted - mean, np.nan).reshape(shape)
     variance = model.variance(mean).reshape(shape)
@@ -558,10 +559,7 @@ def _model_error(
     error = model_error(residual, model.columns(x), variance, light)
     # An effect of known shape explains the images better than a model error, unless it is another one.
     least = 0.0 if is_misfit else max([MIN_GAIN, *(test.log_bayes for test in seen(tests))])
-    if error is None or error.gain < least or error.missed > MAX_MISSED:
-        return None
-    sizes = np.stack([error.shift, np.sqrt(np.diag(error.covariance))])
-    return error if bool((model.rms(sizes) <= MAX_PHASE_ERROR).all()) else None
+    return error if error is not None and error.gain >= least and error.holds(model.rms, step) else None
 
 
 def _no_report(step: int, chi2: float) -> None:
@@ -620,14 +618,15 @@ def _build_retrieval(
     if "misfit" in Findings(findings).codes and not effect_findings:
         read = model.read.reshape(residual.shape)
         findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
-    error = _model_error(model, x, mean, Findings(findings).codes, tests) if checks and settled else None
+    step = inverse @ scores.slope[0]
+    error = _model_error(model, x, mean, step, Findings(findings).codes, tests) if checks else None
     if error is not None:
         findings = with_errors_of_model(findings, error)
         effect_findings, inverse = missing_findings(tests, None, ()), larger(error.covariance, inverse)
         errors, marginal = np.sqrt(np.diag(inverse)), error.marginal(inverse[:common_count, :common_count])
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
-    is_linear = bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
+    is_linear = error is not None or bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
     corrected_x = model.within(x + shift, x) if is_linear else x
     pupil_parameters: dict[str, Any] = model.pupil_parameters(corrected_x)
     per_pixel = model.tilt_of_pixel
@@ -653,7 +652,7 @@ def _build_retrieval(
     if checks:
         findings += goodness_of_fit.stripe_findings(difference.reshape(shape), variance.reshape(shape), noise.excess)
     findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
-    if not settled:
+    if not settled and error is None:
         text = f"the steps have not settled after {steps}: estimate fewer terms, or start nearer to the wavefront"
         findings.append(Finding("not_settled", "error", text))
     sums = counts.filled().sum(axis=(1, 2))

@@ -21,7 +21,7 @@ differences between exposures of the same instrument.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -35,8 +35,7 @@ MIN_GAIN = 10.0
 """Increase of the restricted ln(likelihood) above which a model error is significant although chi2 is plausible."""
 MAX_MISSED = 0.3
 """Part of the light above which a model that misses it does not describe the images at all."""
-MAX_PHASE_ERROR = 0.5
-"""Step or standard error of a wavefront, radians rms, above which generalized least squares mean nothing."""
+_MAX_PHASE_ERROR = 0.5  # largest step and standard error of a wavefront, radians rms
 _MIN_PIXELS = 10.0  # smallest number of pixels for each parameter
 _MAX_SIDE = 18  # largest side of a binned image: V of an image has at most this number to the fourth elements
 _LENGTHS = 0.0, 0.7, 1.4  # correlation lengths l, bins
@@ -67,6 +66,16 @@ class ModelError(NamedTuple):
     length: float
     gain: float
     bins: int
+
+    def holds(self, rms: Callable[[Array], Array], step: Array) -> bool:
+        """Return whether the errors describe the fit; `rms` returns the rms phase of steps (1, p), radians.
+
+        The further `step` (p,) of the fit must be within the errors: a misfit gains likelihood until the last digit.
+        """
+        errors = np.sqrt(np.diag(self.covariance))
+        sizes = [float(rms(row[None])[0]) for row in (self.shift, errors)]
+        is_settled = bool((np.abs(step) <= errors).all())
+        return is_settled and self.missed <= MAX_MISSED and max(sizes) <= _MAX_PHASE_ERROR
 
     def marginal(self, noise: Array) -> Marginal:
         """Return shift and covariance of the first parameters, with at least the variances in `noise` (k, k)."""

@@ -56,7 +56,9 @@ def test_standard_errors_of_beads_are_those_of_all_unknowns_together():
     both = replace(used, stacks=used.stacks * 2, depths=used.depths * 2)
     recorded = [counts_of("stack", data, noise, sides=(3,), shape="")] * 2
     inverse = beads._inverse(fit.scores.information[0])
-    found, other = beads._beads(both, fit, inverse, [True, False], recorded, noise)
+    slope = beads._height_jacobian(used, fit.state)
+    variances = np.array([(slope @ inverse @ slope.T)[0, 0], np.nan])
+    found, other = beads._beads(both, fit, inverse, variances, [True, False], recorded, noise)
     x[7:] = fit.state.light[0].ravel()
     steps = np.array([0.02, 0.02, 0.02, 4e-9, 4e-9, *[1.0] * 12])
     changes = [(electrons(x + h) - electrons(x - h)) / (2.0 * h.max()) for h in np.diag(steps)]
@@ -67,8 +69,13 @@ def test_standard_errors_of_beads_are_those_of_all_unknowns_together():
     information[4, 4] += 1.0 / (20e-9 * scale[4]) ** 2
     covariance = np.linalg.inv(information) / np.outer(scale, scale)
     errors = np.sqrt(np.diag(covariance))
+    # z is the focus of the objective at the depth of the bead, less that of the fit.
+    near, far = (OIL.pupil(depth=depth, wavelength=WAVE).focus for depth in (79e-9, 81e-9))
+    z_slope = np.zeros(len(x))
+    z_slope[3:5] = -1.0 / 1.25, (far - near) / 2e-9 / 1.25
+    z_error = math.sqrt(z_slope @ covariance @ z_slope)
     means = [math.sqrt(covariance[a : a + 5, a : a + 5].mean()) * excess for a in (7, 12)]
-    expected = [errors[1], errors[2], errors[3] / 1.25, errors[4], *(excess * errors[5:7]), *means]
+    expected = [errors[1], errors[2], z_error, errors[4], *(excess * errors[5:7]), *means]
     names = ["row", "column", "z", "depth", "gradient_row", "gradient_column", "flux", "background"]
     assert [found.errors[name] for name in names] == pytest.approx(expected, rel=2e-3)
     assert found.flux_errors == pytest.approx(excess * errors[7:12], rel=2e-3)
@@ -83,7 +90,7 @@ def test_standard_errors_of_beads_are_those_of_all_unknowns_together():
 @pytest.mark.parametrize(("excess", "steps", "wave", "told"), [(1.0, 20, 0.0, []), (2.0, 20, 0.0, ["excess_noise",
     "misfit"]), (1.0, 1, 0.6, ["not_settled"])])  # fmt: skip
 def test_a_fit_of_beads_is_judged_by_its_noise_and_its_steps(excess, steps, wave, told, monkeypatch):
-    nothing = {"missing_tests": ((), None, []), "missing_findings": ([], None, []), "reversed_findings": []}
+    nothing = {"missing_tests": ((), None, []), "missing_findings": ([], 0.0, []), "reversed_findings": []}
     for name, found in (nothing | {"model_error": 0.0}).items():
         monkeypatch.setattr(bead_checks, name, lambda *_, found=found: found)
     place = OIL.pupil(depth=80e-9, wavelength=WAVE).focus

@@ -17,18 +17,8 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
-from lommel.estimation.bead_images import (
-    AMPLITUDES,
-    CONSTANTS,
-    DYE,
-    GRADIENT,
-    NONLINEAR,
-    UNITS,
-    Part,
-    Setup,
-    Stack,
-    expected,
-)
+from lommel.estimation import bead_images
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, DYE, GRADIENT, UNITS, Setup, Stack, expected
 from lommel.estimation.bead_search import (
     DRIFT,
     GROSS_CHI2,
@@ -74,11 +64,9 @@ _MAX_REFITS = 4  # maximum number of candidates that are estimated in a new fit
 ROUNDS = 2
 """Maximum number of times that favoured candidates are estimated besides."""
 _MAX_SIZES = 6.0  # largest plausible error of a stated constant, in expected sizes (`Constant.size`)
-_MIN_DEPTH = 0.25  # smallest plausible depth of a bead, in diameters: half of that of a bead on the glass
 _RIVAL_SIZES = 3.0  # standard error of the priors of constants that the data do not tell apart, in expected sizes
 _ISOTROPIC = emitter_of("isotropic")
 _POLARIZED = "a dye that keeps polarization"
-_JUMP_SIZE = CONSTANTS["jump"].size
 _BEAD_EFFECTS = {"depth": ("depth",), "drift": DRIFT, _GRADIENT: GRADIENT}  # effects that are parameters of each bead
 _DISPLACED = "displaced along z"
 _MAX_ESTIMATES = 3  # largest number of estimates of an effect in a message
@@ -95,8 +83,7 @@ _NEVER_TESTED = ("wavelength",)  # equivalent to other constants
 def available_constants(setup: Setup) -> list[str]:
     """Return the names of the constants that may be estimated for this microscope; an index of 1 (air) is exact."""
     objective = setup.objective
-    absent = {"coverslip": objective.coverslip is None, "diameter": setup.diameter == 0.0}
-    absent["jump"] = True  # of planes that are not known before a fit
+    absent = {"coverslip": objective.coverslip is None, "diameter": setup.diameter == 0.0, "jump": True}
     absent["sample"] = objective.sample == 1.0
     absent["immersion"] = objective.working_distance is None or objective.immersion == 1.0
     return [name for name in CONSTANTS if not absent.get(name, False)]
@@ -104,8 +91,10 @@ def available_constants(setup: Setup) -> list[str]:
 
 def is_possible(setup: Setup, name: str, value: float) -> bool:
     """Return whether a microscope with this value of a constant exists."""
-    if name in ("depth", "diameter", "blur", "coverslip"):
-        return value >= 0.0
+    # The centre of a bead on the glass has a depth of half a diameter: errors of both allow for half of that.
+    smallest = {"depth": 0.25 * setup.diameter, "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
+    if name in smallest:
+        return value >= smallest[name]
     if name in ("pixel", "step"):
         return value > 0.0
     with suppress(ValueError):
@@ -118,20 +107,18 @@ def _is_plausible(model: BeadModel, stated: Setup, name: str, value: float) -> b
     """Return whether a constant may have this value although another one is stated."""
     reference = model.depths[0].value if name == "depth" else stated.value(name)
     largest = _MAX_SIZES * CONSTANTS[name].size * (1.0 if name == "depth" else stated.scale(name))
-    sunk = name == "depth" and value < _MIN_DEPTH * stated.diameter
-    return is_possible(stated, name, value) and abs(value - reference) <= largest and not sunk
+    return is_possible(stated, name, value) and abs(value - reference) <= largest
 
 
 def _displacements(planes: int) -> dict[str, Array]:
     """Return which planes (planes,) are displaced by a jump of the stage: a single plane, or all before the jump."""
     index = np.arange(planes)
-    masks = {f"plane {k} {_DISPLACED}": index == k for k in range(planes)}
-    masks |= {f"planes 0 to {k} {_DISPLACED}": index <= k for k in range(1, planes - 2)}
-    return {name: mask.astype(np.float64) for name, mask in masks.items()}
+    single = {f"plane {k} {_DISPLACED}": 1.0 * (index == k) for k in range(planes)}
+    return single | {f"planes 0 to {k} {_DISPLACED}": 1.0 * (index <= k) for k in range(1, planes - 2)}
 
 
 def _displacement_tests(
-    model: BeadModel, parts: Sequence[Part], information: Array, gradient: Array, unknowns: Sequence[int]
+    model: BeadModel, parts: Sequence[bead_images.Part], information: Array, gradient: Array, unknowns: Sequence[int]
 ) -> list[ScoreTest]:
     """Return the test of the most likely displacement of planes along z, common to all beads."""
     masks, p = _displacements(len(model.stacks[0].z)), len(gradient)
@@ -144,7 +131,7 @@ def _displacement_tests(
         mixed[[*range(common_count), *model.columns(j, common_count)]] += (planes @ part.information[:, focus]).T
         diagonal, slope = diagonal + part.information[:, focus, focus], slope + part.gradient[:, focus]
     square = np.block([[information, mixed], [mixed.T, planes * diagonal @ planes.T]])
-    candidates = [Candidate(name, (p + k,), _JUMP_SIZE) for k, name in enumerate(masks)]
+    candidates = [Candidate(name, (p + k,), CONSTANTS["jump"].size) for k, name in enumerate(masks)]
     tests = score_tests(square, np.concatenate([gradient, planes @ slope]), unknowns, candidates)
     # The penalty is for the search over planes.
     return [replace(test, log_bayes=test.log_bayes - math.log(len(masks))) for test in tests[:1]]
@@ -194,7 +181,7 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     constants = _fixed_constants(model, setup)
     drift = () if model.drifts else DRIFT
     dye = tuple(DYE) if setup.emitter == _ISOTROPIC else ()
-    added_names = [*constants, *drift, *dye, NONLINEAR]  # columns after the common parameters
+    added_names = [*constants, *drift, *dye, bead_images.NONLINEAR]  # columns after the common parameters
     parts, information, gradient = wider_model.normal_equations(
         replace(fit.state, waves=waves), fit.values, added_names
     )
@@ -207,7 +194,7 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     candidates += constant_candidates
     # Expected sizes: drift, pixels over half the stack; gradient, electrons over the window; fraction lost at 10^4.
     groups = {"drift": (tuple(map(names.index, drift)), 0.3), _GRADIENT: (gradients, 5.0)}
-    groups["non-linear gain"] = (names.index(NONLINEAR),), 0.05
+    groups["non-linear gain"] = (names.index(bead_images.NONLINEAR),), 0.05
     groups[_POLARIZED] = tuple(map(names.index, dye)), 0.3  # fractions that prefer an axis
     candidates += [Candidate(name, columns, size) for name, (columns, size) in groups.items() if columns]
     tests = (*score_tests(information, gradient, unknowns, candidates), *_neighbor_tests(model, fit))
@@ -225,15 +212,10 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     effects = untested(information, unknowns, columns_of_terms, constant_candidates, tests)
     errors = {test.name: float(test.errors.max()) for test in tests}
     priors = [c.name for c in candidates if 0.0 < c.known < errors.get(c.name, math.inf)]
-    sizes = {candidate.name: f"{_size(candidate.name, candidate.scale)} of it" for candidate in constant_candidates}
+    units = [(c.name, c.scale, *_unit(c.name)) for c in constant_candidates]
+    sizes = {name: f"{factor * scale:.3g}{unit} of it" for name, scale, factor, unit in units}
     notes = untested_findings(effects, sizes, priors, _NEVER_TESTED)
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
-
-
-def _size(name: str, value: float) -> str:
-    """Return the difference `value` of a constant with its unit, such as "0.05 um"."""
-    factor, unit = UNITS[CONSTANTS[name].unit]
-    return f"{factor * value:.3g}{unit}"
 
 
 def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
@@ -275,12 +257,11 @@ def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
 
 def missing_findings(
     model: BeadModel, fit: Evaluation, tests: Sequence[ScoreTest], stated: Setup, report: Report
-) -> tuple[list[Finding], float | None, list[str]]:
-    """Return the finding on significant effects, and the log-posterior of a fit that estimates the best effect.
+) -> tuple[list[Finding], float, list[str]]:
+    """Return the finding on significant effects, and the gain of log-posterior of a fit that estimates the best one.
 
     Score tests are linear approximations: each of the most likely effects is estimated by a new fit, which ranks it.
-    The log-posterior is None if there is no such fit, or if it is of fewer beads. The third result are the names of
-    the effects that explain the data equally well.
+    The third result are the names of the effects that explain the data equally well.
     """
     likely_tests = seen(tests)
     if not likely_tests:
@@ -288,7 +269,7 @@ def missing_findings(
         contradictions = [test for test in tests if test.name in model.priors and abs(test.sigmas) > _CONTRADICTED]
         descriptions = [f"{_in_words(test, model, stated, None)}, against its prior" for test in contradictions]
         names = [test.name for test in contradictions]
-        return [other_explanation(contradictions, descriptions)] if contradictions else [], None, names
+        return [other_explanation(contradictions, descriptions)] if contradictions else [], 0.0, names
     limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely_tests[-1].log_bayes)
     likely_tests = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
     is_misfit = not fit.fits(goodness_of_fit.BY_CHANCE)
@@ -301,10 +282,8 @@ def missing_findings(
     ]
     order = [k for k in np.argsort(-np.array(gains), kind="stable") if gains[k] >= max(gains) - RIVAL]
     descriptions = [_in_words(likely_tests[k], model, stated, fits[k]) for k in order]
-    best_fit = fits[order[0]]
     finding = other_explanation([likely_tests[k] for k in order], descriptions)
-    best_posterior = None if best_fit is None or few_fit is not fit else best_fit.log_posterior
-    return [finding], best_posterior, [likely_tests[k].name for k in order]
+    return [finding], max(gains), [likely_tests[k].name for k in order]
 
 
 def brightest_beads(model: BeadModel, fit: Evaluation) -> tuple[BeadModel, Evaluation]:
@@ -353,15 +332,13 @@ def _unit(name: str) -> tuple[float, str]:
 
 
 def _estimate(name: str, values: Array, errors: Array, model: BeadModel, stated: Setup) -> str:
-    """Return estimates of an effect and their standard errors as text; the largest alone if there are many."""
+    """Return estimates of an effect and their standard errors as text; only the first if there are many."""
     (factor, unit), suffix = _unit(name), ""
     if name in CONSTANTS:
         suffix = f", stated {factor * (model.depths[0].value if name == 'depth' else stated.value(name)):.6g}"
-    if values.size > _MAX_ESTIMATES:
-        largest = [int(np.abs(values).argmax())]
-        values, errors, unit = values[largest], errors[largest], f"{unit} at most"
-    texts = (" +- ".join(with_error(factor * v, factor * e)) for v, e in zip(values, errors, strict=True))
-    return f"{name} = {', '.join(texts)}{unit}{suffix}"
+    texts = [" +- ".join(with_error(factor * v, factor * e)) for v, e in zip(values, errors, strict=True)]
+    more = ", ..." if len(texts) > _MAX_ESTIMATES else ""
+    return f"{name} = {', '.join(texts[:_MAX_ESTIMATES])}{more}{unit}{suffix}"
 
 
 def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Setup) -> tuple[BeadModel, State] | None:
@@ -394,12 +371,12 @@ def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Set
 
 
 def _refit_with_free(
-    model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report
+    model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report, steps: int = _STEPS
 ) -> tuple[BeadModel, Evaluation] | None:
     """Return model and fit with the effects `names` estimated without narrow priors; None if not possible."""
     freed = _with_free(model, fit.state, names, stated) if fit.quality[0] < GROSS_CHI2 else None
     with suppress(Declined, ValueError):
-        return None if freed is None else (freed[0], climb(*freed, _STEPS, report))
+        return None if freed is None else (freed[0], climb(*freed, steps, report))
     return None
 
 
@@ -407,7 +384,7 @@ def estimated_besides(
     model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report
 ) -> tuple[BeadModel, Evaluation] | None:
     """Return model and fit with the effects `names` estimated; None if not possible, or implausible."""
-    refit = _refit_with_free(model, fit, names, stated, report) if names else None
+    refit = _refit_with_free(model, fit, names, stated, report, 3 * _STEPS) if names else None
     if refit is None or not refit[1].settled:
         return None
     state = refit[1].state
@@ -525,18 +502,16 @@ def model_error(model: BeadModel, state: State) -> float:
 
     Both are images of a point. The result is inf if the aberrations are too strong for :func:`lommel.psf`.
     """
-    setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
+    setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0, jump=0.0), state.places[0], model.stacks[0]
     wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
     # Compare the middle plane, and the first and the last, in which defocus is largest.
     plane_indices = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
-    displaced = (stack.z * 0.0 + stack.displaced)[plane_indices]
-    positions = place.focus + setup.step * stack.z[plane_indices] + setup.jump * displaced
-    pupil = setup.pupil(wave, place.depth, positions, "coverslip")
+    pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[plane_indices], "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
     try:
         proven = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
     except ValueError:  # the aberrations are too strong
         return math.inf
-    planes = Stack(stack.pixel_data[:, plane_indices], stack.shape, stack.z[plane_indices], displaced)
+    planes = Stack(stack.pixel_data[:, plane_indices], stack.shape, stack.z[plane_indices])
     search_images = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), planes)
     return float(np.abs(search_images - proven.values).max() / proven.values.max())

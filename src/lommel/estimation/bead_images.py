@@ -313,9 +313,9 @@ class BeadImages:
         u, fractions = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
         # No disc may lie inside the cover glass: a bead nearer than its radius is flattened, and images are smooth.
         depths = place.depth + min(0.5 * setup.diameter, place.depth) * u
-        focus, amplitudes = place.focus + setup.step * stack.z + setup.jump * stack.displaced, by or ()
-        tilted_edge = np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge
-        planes = Planes(np.repeat(depths, count), np.tile(focus, len(u)), tilted_edge)
+        focus = np.tile(place.focus + setup.step * stack.z + setup.jump * stack.displaced, len(u))
+        amplitudes = by or ()
+        planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
         light_of = partial(light_by_rule.light, layers, setup.emitter, planes, samples, rule, self.terms)
         if by is None:
             sampled = light_of(threads=self.threads)

@@ -155,6 +155,10 @@ class BeadFit(FitReport):
     covariance : ndarray, shape (k, k)
         Covariance of `coefficients`, in the same order.
     beads : tuple of FittedBead
+    z_covariance : ndarray, shape (beads, beads)
+        Covariance C of the positions z of beads, metres squared; NaN for beads that were not used. The standard error
+        of a difference in height of two beads is ``sqrt(C[i, i] + C[j, j] - 2 C[i, j])``: errors of the constants and
+        of the wavefront, which are common to all beads, cancel.
     tests : tuple of lommel.fit.ScoreTest
         Score tests of effects that the model may lack, the most likely first: Zernike terms of the next two radial
         orders, all constants, drift, gradients of the background, a nonlinear gain, a second bead.
@@ -189,6 +193,7 @@ class BeadFit(FitReport):
     errors: dict[Any, float]
     covariance: Array
     beads: tuple[FittedBead, ...]
+    z_covariance: Array
     tests: tuple[ScoreTest, ...]
     chi2: float
     held_out: float
@@ -605,21 +610,10 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     fit, is_used = search.fit_all()
     has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
     model = search.model.with_beads(np.flatnonzero(is_used).tolist())
-    if has_light:
-        stages = [_checked(model, fit, search)]
-        while len(stages) <= bead_checks.ROUNDS:
-            model, fit, *_, names = stages[-1]
-            refit = bead_checks.estimated_besides(model, fit, names, search.setup, search.report)
-            if refit is None:
-                break
-            stages.append(_checked(*refit, search))
-        # Effects that do not explain a misfit are named only.
-        stages = stages if stages[-1][1].fits(goodness_of_fit.BY_CHANCE) else stages[:1]
-    else:
-        stages = [(model, fit, (), None, [], [], None, [])]
-    model, fit, tests, marginal, untested, missing_findings, refit_posterior, _ = stages[-1]
-    if estimated_names := [name for *_, names in stages[:-1] for name in names]:
-        first_fit = stages[0][1]
+    first_fit, nothing = fit, (model, fit, (), None, [], [], 0.0, [])
+    checked = _checked(model, fit, search, bead_checks.ROUNDS) if has_light else nothing
+    model, fit, tests, marginal, untested, missing_findings, gain, estimated_names = checked
+    if estimated_names:
         notes = [bead_checks.estimated_finding(estimated_names, model, fit, first_fit, search.setup), *notes]
     state = fit.state
     full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
@@ -631,7 +625,10 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         stacks=tuple(replace(stack, displaced=model.stacks[0].displaced) for stack in search.model.stacks),
         depths=tuple(Prior(prior.value, model.depths[0].error) for prior in search.model.depths),
     )
-    beads = _beads(all_beads, fit, full_covariance, is_used, recorded, noise)
+    jacobian = _height_jacobian(model, state)
+    z_covariance, used = np.full((len(is_used),) * 2, math.nan), np.flatnonzero(is_used)
+    z_covariance[np.ix_(used, used)] = jacobian @ full_covariance @ jacobian.T
+    beads = _beads(all_beads, fit, full_covariance, np.diag(z_covariance), is_used, recorded, noise)
     image_error = bead_checks.model_error(model, state)
     if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
@@ -653,11 +650,8 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             few_model, few_fit = bead_checks.brightest_beads(model, fit)
             added_waves = np.zeros(len(state.waves) - len(search.waves))
             start = State(search.setup, np.append(search.waves, added_waves), few_fit.state.places)
-            best_posterior = few_fit.log_posterior
-            if few_fit is fit and refit_posterior is not None:
-                best_posterior = max(refit_posterior, best_posterior)
             reversed_findings = bead_checks.reversed_findings(
-                few_model, start, best_posterior, few_fit.quality[0], search.report
+                few_model, start, few_fit.log_posterior + gain, few_fit.quality[0], search.report
             )
         findings += [*(reversed_findings or missing_findings), *untested]
         if marginal is not None and not missing_findings:  # effects that are favoured but not significant
@@ -699,6 +693,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         errors=dict(zip(model.names, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
         covariance=covariance,
         beads=beads,
+        z_covariance=z_covariance,
         tests=tests,
         chi2=chi2,
         held_out=held_out,
@@ -709,10 +704,41 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     )
 
 
-def _checked(model: BeadModel, fit: Evaluation, search: Search) -> tuple[Any, ...]:
-    """Return a model, its fit, and the results of the checks for effects that the model lacks."""
-    checks = bead_checks.missing_tests(model, fit)
-    return model, fit, *checks, *bead_checks.missing_findings(model, fit, checks[0], search.setup, search.report)
+def _checked(model: BeadModel, fit: Evaluation, search: Search, rounds: int) -> tuple[Any, ...]:
+    """Return a model, its fit, the results of the checks for effects that it lacks, and the names of added effects.
+
+    At most `rounds` times, effects that the data favour are added to the model, if they explain a misfit.
+    """
+    checks, stated = bead_checks.missing_tests(model, fit), search.setup
+    findings, gain, names = bead_checks.missing_findings(model, fit, checks[0], stated, search.report)
+    refit = bead_checks.estimated_besides(model, fit, names, stated, search.report) if rounds else None
+    if refit is not None:
+        *results, later_names = _checked(*refit, search, rounds - 1)
+        if results[1].fits(goodness_of_fit.BY_CHANCE):
+            return (*results, [*names, *later_names])
+    return model, fit, *checks, findings, gain, []
+
+
+def _height_jacobian(model: BeadModel, state: State) -> Array:
+    """Return derivatives of z of all beads by all parameters, shape (beads, parameters)."""
+    jacobian, setup, names = np.zeros((len(state.places), model.size)), state.setup, model.names
+    for j, place in enumerate(state.places):
+        for name in model.priors:
+            pair = setup.adjacent_values(name)
+            z = [_height(setup.with_constant(name, value), place) for value in pair]
+            jacobian[j, names.index(name)] = (z[1] - z[0]) / (pair[1] - pair[0])
+        columns = dict(zip(model.bead_parameters, model.columns(j, len(names)), strict=True))
+        jacobian[j, columns["focus"]] = -1.0 / setup.step
+        if "depth" in columns:
+            h = CONSTANTS["depth"].step
+            lower = place._replace(depth=place.depth + h)
+            jacobian[j, columns["depth"]] = (_height(setup, lower) - _height(setup, place)) / h
+    return jacobian
+
+
+def _height(setup: Setup, place: Place) -> float:
+    """Return the stage position (metres) at which a bead would be in the brightest focus without aberrations."""
+    return (brightest(setup, place.depth) - place.focus) / setup.step
 
 
 def _add_shift(state: State, model: BeadModel, shift: Array) -> State:
@@ -751,8 +777,9 @@ def _inverse(information: Array) -> Array:
 
 
 def _beads(
-    model: BeadModel, fit: Evaluation, covariance: Array, is_used: list[bool], recorded: list[Counts], noise: Noise
-) -> tuple[FittedBead, ...]:
+    model: BeadModel, fit: Evaluation, covariance: Array, z_variances: Array, is_used: list[bool],
+    recorded: list[Counts], noise: Noise,
+) -> tuple[FittedBead, ...]:  # fmt: skip
     """Return the estimates of all beads; beads left out of the joint fit are fitted with fixed common parameters."""
     beads, k, setup = [], len(model.names), fit.state.setup
     names = ["z" if name == "focus" else name for name in model.bead_parameters]
@@ -769,8 +796,7 @@ def _beads(
             columns = [*range(k), *model.columns(index, k)]
             bead_covariance, coupling = covariance[np.ix_(columns, columns)], part.light_coupling
             errors = dict(zip(names, np.sqrt(np.diag(bead_covariance)[k:]).tolist(), strict=True))
-            # Convert to metres of the stage: the focus moves by `step` metres per metre of the stage.
-            errors["z"] /= setup.step
+            errors["z"] = math.sqrt(z_variances[j])
             # Covariance of flux and background: due to noise, and due to errors of the parameters.
             parameter_part = coupling.swapaxes(1, 2) @ bead_covariance @ coupling
             light_variances = np.diagonal(part.light_covariance + parameter_part, axis1=1, axis2=2)
@@ -787,7 +813,7 @@ def _beads(
             FittedBead(
                 row=stack.shape[0] // 2 + place.row,
                 column=stack.shape[1] // 2 + place.column,
-                z=(brightest(setup, place.depth) - place.focus) / setup.step,
+                z=_height(setup, place),
                 depth=place.depth,
                 errors=errors,
                 drift=place.drift,

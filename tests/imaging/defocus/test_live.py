@@ -112,6 +112,27 @@ def test_beside_an_edge_of_depth_errors_are_as_told_or_it_is_not_known(mild):
     assert 1.4826 * np.median(np.abs(z)) < 1.5
 
 
+def test_a_flat_strip_does_not_take_the_depth_of_an_object_beside_it(mild):
+    points, side = SIDE * 8, np.arange(SIDE * 8) // 8 - SIDE // 2
+    mask = np.broadcast_to(side >= 0, (points, points)).astype(float)
+    front, back = texture("pink", SIDE, seed=11), texture("pink", SIDE, seed=12)
+
+    def wrong(strip: int, columns: slice) -> float:
+        """Fraction of blocks of a strip of the wall, left of an object at 1.4 m, with a wrong depth."""
+        wall = np.where(side < -strip, back, 1.0)
+        found = mild(*record(before(front, mask, 1.4, wall, 1.75, MILD, LIGHT), seed=4))
+        assert np.isfinite(found.errors[4:-4, 16:-4]).mean() > 0.95
+        depth, error = found.depth[4:-4, columns], found.errors[4:-4, columns]
+        return float(np.mean(np.abs(depth - 1.75) > 3.0 * error))
+
+    assert wrong(24, slice(12, 16)) < 0.05
+    assert wrong(64, slice(12, 15)) < 0.15
+    # Where both are at one distance, the depth of the strip is known.
+    wall = np.where(side < -24, back, 1.0)
+    found = mild(*record(plane(np.where(mask > 0.0, front, wall), MILD, 1.4, LIGHT), seed=4))
+    assert np.mean(found.errors[4:-4, 14:16] < 0.05) > 0.9
+
+
 @pytest.mark.parametrize("lens", ["mild", "fast"])
 def test_the_sharp_image_is_as_good_as_a_filter_that_knows_the_scene(request, lens):
     live, lenses = request.getfixturevalue(lens), MILD if lens == "mild" else FAST

@@ -30,9 +30,10 @@ struct FocalCandidates {
 };
 
 // Depth estimate of one block. position: index of the candidate, fractional, NaN if unknown; error: standard error of position,
-// infinite if unknown; misfit: 1 on average if the frames fit a single depth.
+// infinite if unknown; misfit: 1 on average if the frames fit a single depth; texture: mean energy of the candidates. Both are NaN
+// where few pixels of the window are trusted.
 struct FocalPlace {
-    float position, error, misfit;
+    float position, error, misfit, texture;
 };
 
 // Depth search for blocks: energies at every fourth candidate, then the exact minimum around the lowest of them.
@@ -118,7 +119,7 @@ class FocalSearch {
             };
             const auto rough = [&](std::size_t c) { return energies[c * lanes + l] - noise_[rough_step * c]; };
             out[l] = trust[l] >= least_trust ? place(energy, rough, given_.pixels * trust[l], scratch.concentration[l])
-                                             : FocalPlace{unknown, infinite, unknown};
+                                             : FocalPlace{unknown, infinite, unknown, unknown};
         }
     }
 
@@ -183,7 +184,8 @@ class FocalSearch {
         const float noise = noise_[at];
         // The negative log-likelihood is pixels * energy / 2. Its minimum is below its value at the true depth by half a
         // chi-squared variable of one degree of freedom, on average by 1/2, which is 1 / pixels in energy.
-        FocalPlace found{unknown, infinite, 1.0f + (around[at - start] + 1.0f / pixels) / noise};
+        const float mean = sum / static_cast<float>(count);
+        FocalPlace found{unknown, infinite, 1.0f + (around[at - start] + 1.0f / pixels) / noise, mean};
         if (at == 0 || at == last || at == start || at == end) {
             return found;
         }
@@ -216,7 +218,7 @@ class FocalSearch {
         }
         const float worse = std::max(1.0f, found.misfit), likelihood = 0.5f * pixels / worse, here = g[2];
         // Accept the minimum only if its energy is well below the mean over all candidates, and below that of any other valley.
-        const float valley = sum / static_cast<float>(count) - here, better = likelihood * valley;
+        const float valley = mean - here, better = likelihood * valley;
         if (!(better >= drop && better >= sure * std::sqrt(0.5f * noise * pixels))) {
             return found;
         }

@@ -99,7 +99,7 @@ class FocalProducts {
 
     // Write the sums of products to count() rows of `out`, `pitch` values apart, and the sums of the mean and of trust.
     template <class I>
-    LOMMEL_INLINE void sum(I isa, float* out, std::size_t pitch, float* mean, float* trust) const {
+    LOMMEL_INLINE void sum(I isa, float* out, std::size_t pitch, float* mean, float* trust) {
         side_ == 1   ? sums<1>(isa, out, pitch, mean, trust)
         : side_ == 2 ? sums<2>(isa, out, pitch, mean, trust)
                      : sums<4>(isa, out, pitch, mean, trust);
@@ -110,9 +110,6 @@ class FocalProducts {
 
     float* place(std::size_t group, std::size_t k, std::size_t lanes) {
         return grouped_.data() + (group * (images_ + 2) + k) * side_ * side_ * lanes;
-    }
-    const float* place(std::size_t group, std::size_t k, std::size_t lanes) const {
-        return const_cast<FocalProducts*>(this)->place(group, k, lanes);
     }
 
     // Regroup a row of pixels so that lane b of vector c holds pixel column c of block b; untrusted residuals become 0.
@@ -193,7 +190,7 @@ class FocalProducts {
     }
 
     template <std::size_t Side, class I>
-    LOMMEL_INLINE void sums(I, float* out, std::size_t pitch, float* mean, float* trust) const {
+    LOMMEL_INLINE void sums(I, float* out, std::size_t pitch, float* mean, float* trust) {
         using V = typename I::floats;
         constexpr std::size_t lanes = 2 * I::lanes, size = Side * Side;
         for (std::size_t g = 0; g * lanes < blocks_; ++g) {

@@ -30,6 +30,18 @@ struct FocalFrame {
                : kind == Kind::words ? static_cast<float>(static_cast<const std::uint16_t*>(data)[at])
                                      : static_cast<const float*>(data)[at];
     }
+    // Return work(values of row y), for values of their type.
+    template <class Work>
+    LOMMEL_INLINE auto row(std::size_t y, const Work& work) const {
+        switch (kind) {
+            case Kind::bytes:
+                return work(static_cast<const std::uint8_t*>(data) + y * stride);
+            case Kind::words:
+                return work(static_cast<const std::uint16_t*>(data) + y * stride);
+            default:
+                return work(static_cast<const float*>(data) + y * stride);
+        }
+    }
     bool even() const { return gain[1] == 0.0f && gain[2] == 0.0f && gain[3] == 0.0f && gain[4] == 0.0f && gain[5] == 0.0f; }
 };
 
@@ -42,27 +54,16 @@ class FocalReader {
     // Write row y of binned pixels to `out`, and set marks in `unknown`: 2 unknown, 1 not trusted. Returns whether any is set.
     template <class I>
     LOMMEL_INLINE bool operator()(I isa, const FocalFrame& frame, std::size_t y, float* out, float* unknown) const {
-        switch (frame.kind) {
-            case FocalFrame::Kind::bytes:
-                return rows(isa, frame, static_cast<const std::uint8_t*>(frame.data), y, out, unknown);
-            case FocalFrame::Kind::words:
-                return rows(isa, frame, static_cast<const std::uint16_t*>(frame.data), y, out, unknown);
-            default:
-                return rows(isa, frame, static_cast<const float*>(frame.data), y, out, unknown);
-        }
+        return frame.row(y * binning_,
+                         [&](const auto* from) LOMMEL_INLINE_LAMBDA { return rows(isa, frame, from, y, out, unknown); });
     }
 
    private:
     template <class I, class T>
-    LOMMEL_INLINE bool rows(I isa, const FocalFrame& frame, const T* data, std::size_t y, float* out, float* unknown) const {
-        const T* const first = data + y * binning_ * frame.stride;
-        if (binning_ == 1) {
-            copy<1>(first, frame.stride, out);
-        } else if (binning_ == 2) {
-            copy<2>(first, frame.stride, out);
-        } else {
-            copy<4>(first, frame.stride, out);
-        }
+    LOMMEL_INLINE bool rows(I isa, const FocalFrame& frame, const T* first, std::size_t y, float* out, float* unknown) const {
+        binning_ == 1   ? copy<1>(first, frame.stride, out)
+        : binning_ == 2 ? copy<2>(first, frame.stride, out)
+                        : copy<4>(first, frame.stride, out);
         bool any = false;
         // Quick test before the search by pixel: if raw values are not negative, the sum of a square with a saturated pixel is at
         // least frame.full. The sum of a square with a non-finite pixel is not finite.
@@ -180,28 +181,17 @@ class FocalSums {
         for (std::size_t y = 0; y < height_; ++y) {
             std::fill(good_.begin(), good_.end(), std::int32_t{1});
             for (std::size_t i = 0; i < count; ++i) {
-                row(frames[i], y, [&](const auto* from) LOMMEL_INLINE_LAMBDA { judge(from, frames[i], y); });
+                frames[i].row(y, [&](const auto* from) LOMMEL_INLINE_LAMBDA { judge(from, frames[i], y); });
             }
             double* const at = out + y * cells / height_ * cells;
             for (std::size_t i = 0; i < count; ++i) {
-                row(frames[i], y, [&](const auto* from) LOMMEL_INLINE_LAMBDA { add(from, at + i * cells * cells); });
+                frames[i].row(y, [&](const auto* from) LOMMEL_INLINE_LAMBDA { add(from, at + i * cells * cells); });
             }
             add(good_.data(), at + count * cells * cells);
         }
     }
 
    private:
-    template <class Work>
-    static LOMMEL_INLINE void row(const FocalFrame& frame, std::size_t y, const Work& work) {
-        switch (frame.kind) {
-            case FocalFrame::Kind::bytes:
-                return work(static_cast<const std::uint8_t*>(frame.data) + y * frame.stride);
-            case FocalFrame::Kind::words:
-                return work(static_cast<const std::uint16_t*>(frame.data) + y * frame.stride);
-            default:
-                return work(static_cast<const float*>(frame.data) + y * frame.stride);
-        }
-    }
     template <class T>
     LOMMEL_INLINE void judge(const T* from, const FocalFrame& frame, std::size_t y) {
         const float full = frame.full;

@@ -418,17 +418,11 @@ class FocalStream {
     void doubt() {
         const FocalCandidates& given = search_->candidates();
         const std::size_t strips = strips_.size();
-        const auto reach = static_cast<std::ptrdiff_t>(plan_.fine * (plan_.window.weights.size() - 1));
         parallel_for(strips, static_cast<int>(strips), [&](std::size_t, std::size_t s) {
-            for (std::size_t y = down() * s / strips; y < down() * (s + 1) / strips; ++y) {
-                for (std::size_t x = 0; x < across(); ++x) {
-                    const FocalPlace& here = places_[y * across() + x];
-                    float doubt = here.error;
-                    if (std::isfinite(doubt)) {
-                        doubt = std::sqrt(doubt * doubt +
-                                          rough(static_cast<std::ptrdiff_t>(y), static_cast<std::ptrdiff_t>(x), reach));
-                    }
-                    filled_[y * across() + x] = doubt;
+            for (std::size_t y = down() * s / strips, i = y * across(); y < down() * (s + 1) / strips; ++y) {
+                for (std::size_t x = 0; x < across(); ++x, ++i) {
+                    const float error = places_[i].error, more = std::isfinite(error) ? rough(y, x) : 0.0f;
+                    filled_[i] = std::sqrt(error * error + more);
                 }
             }
         });
@@ -441,43 +435,64 @@ class FocalStream {
             }
         }
     }
-    // Variance to add to that of the depth at (y, x) if depths at distances of `reach` and 2 `reach` differ by more than their
-    // errors: from the slope of the depth map and, if the frames do not fit a single depth (misfit), its deviation from a plane.
-    float rough(std::ptrdiff_t y, std::ptrdiff_t x, std::ptrdiff_t reach) const {
-        const auto rows = static_cast<std::ptrdiff_t>(down()), columns = static_cast<std::ptrdiff_t>(across());
-        const FocalPlace& here = places_[static_cast<std::size_t>(y * columns + x)];
-        const float mixed = std::min(1.0f, std::max(0.0f, (here.misfit - least_mixed) / (surely_mixed - least_mixed)));
-        constexpr std::ptrdiff_t ways[4][2] = {{0, 1}, {1, 0}, {1, 1}, {1, -1}};
+    // Variance to add to that of the depth at (y, x): from the slope of the depth map, and from its deviation from a plane if the
+    // frames do not fit a single depth (misfit) or the texture is on one side, so that the depth may be of what is there. Infinite
+    // if it is two blocks away and no depth is known on the other side.
+    float rough(std::size_t y, std::size_t x) const {
+        const auto fine = static_cast<Index>(plan_.fine), reach = fine * static_cast<Index>(plan_.window.weights.size() - 1);
+        const auto i = static_cast<Index>(y), j = static_cast<Index>(x), rows = static_cast<Index>(down()),
+                   columns = static_cast<Index>(across()), room = std::min({i, j, rows - 1 - i, columns - 1 - j});
+        const FocalPlace& here = places_[y * across() + x];
+        const auto at = [&](Index dy, Index dx) {
+            const bool inside = room >= 2 * reach || (i + dy >= 0 && j + dx >= 0 && i + dy < rows && j + dx < columns);
+            return inside ? &here + dy * columns + dx : nullptr;
+        };
+        const auto known = [](const FocalPlace* one) { return one && std::isfinite(one->error); };
+        // tanh(offset of the texture of a window from its centre / (rms width)^2), in blocks, if more than `least_aside`.
+        const auto offset = [&](Index dy, Index dx) {
+            const FocalPlace *const a = at(-dy, -dx), *const b = at(dy, dx);
+            const float before = a && b ? std::max(a->texture, 0.0f) : 0.0f, after = a && b ? std::max(b->texture, 0.0f) : 0.0f;
+            const float difference = after - before, sum = after + before;
+            return std::abs(difference) > least_aside * sum ? difference / sum : 0.0f;
+        };
+        const float lower = offset(fine, 0), right = offset(0, fine), aside = std::max(std::abs(lower), std::abs(right));
+        if (aside > far_aside) {
+            const bool vertical = aside == std::abs(lower);
+            const Index away = (vertical ? lower : right) > 0.0f ? -reach : reach, dy = vertical ? away : 0, dx = away - dy;
+            const FocalPlace *const a = at(dy, dx), *const b = at(2 * dy, 2 * dx);
+            if (a && b && !known(a) && !known(b) && !std::isnan(a->texture + b->texture)) {
+                return std::numeric_limits<float>::infinity();
+            }
+        }
+        const auto part = [](float x, float least, float most) { return std::clamp((x - least) / (most - least), 0.0f, 1.0f); };
+        const float mixed = part(here.misfit, least_mixed, surely_mixed), beside = part(aside, least_aside, surely_aside);
+        const float bend_share = std::max(mixed * mixed_share, beside * beside_share);
+        constexpr Index ways[4][2] = {{0, 1}, {1, 0}, {1, 1}, {1, -1}};
         float slope = 0.0f, bent = 0.0f;
-        for (const auto& way : ways) {
-            for (std::ptrdiff_t away = reach; away <= (mixed > 0.0f ? 2 : 1) * reach; away += reach) {
-                const std::ptrdiff_t dy = way[0] * away, dx = way[1] * away;
-                const auto known = [&](std::ptrdiff_t i, std::ptrdiff_t j) -> const FocalPlace* {
-                    const bool inside = i >= 0 && j >= 0 && i < rows && j < columns;
-                    const FocalPlace* const one = inside ? &places_[static_cast<std::size_t>(i * columns + j)] : nullptr;
-                    return one && std::isfinite(one->error) ? one : nullptr;
-                };
-                const FocalPlace *const a = known(y - dy, x - dx), *const b = known(y + dy, x + dx);
+        for (std::size_t way = 0; way < (bend_share > 0.0f ? 4 : 2); ++way) {
+            for (Index away = reach; away <= (mixed > 0.0f || beside == 1.0f ? 2 : 1) * reach; away += reach) {
+                const Index dy = ways[way][0] * away, dx = ways[way][1] * away;
+                const FocalPlace *const a = at(-dy, -dx), *const b = at(dy, dx);
                 float noise = here.error * here.error, bend = 0.0f;
-                if (a && b) {
+                if (known(a) && known(b)) {
                     const float change = 0.5f * (b->position - a->position);
                     const float theirs = a->error * a->error + b->error * b->error;
-                    if (away == reach && (dy == 0 || dx == 0)) {
-                        slope += std::max(0.0f, change * change - 0.25f * theirs);
-                    }
+                    slope += way < 2 && away == reach ? std::max(0.0f, change * change - 0.25f * theirs) : 0.0f;
                     bend = a->position + b->position - 2.0f * here.position;
                     noise = theirs + 4.0f * noise;
-                } else if (a || b) {
-                    const FocalPlace& one = a ? *a : *b;
+                } else if (known(a) || known(b)) {
+                    const FocalPlace& one = known(a) ? *a : *b;
                     bend = one.position - here.position;
                     noise += one.error * one.error;
                 }
                 bent = std::max(bent, bend * bend - 4.0f * noise);
             }
         }
-        return slope_share * slope + mixed * bend_share * bent;
+        return slope_share * slope + bend_share * bent;
     }
-    static constexpr float slope_share = 0.06f, bend_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
+    using Index = std::ptrdiff_t;
+    static constexpr float slope_share = 0.06f, mixed_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
+    static constexpr float beside_share = 0.25f, least_aside = 0.5f, surely_aside = 0.7f, far_aside = 0.95f;
 
     // Fill unknown depths with means of known depths around them, from an image pyramid, coarse to fine.
     void fill() {
@@ -511,11 +526,9 @@ class FocalStream {
         for (std::size_t l = levels_.size() - 1; l-- > 0;) {
             const Level& from = levels_[l + 1];
             Level& to = levels_[l];
-            for (std::size_t y = 0; y < to.height; ++y) {
-                for (std::size_t x = 0; x < to.width; ++x) {
-                    if (to.weights[y * to.width + x] == 0.0f) {
-                        to.values[y * to.width + x] = from.values[y / 2 * from.width + x / 2];
-                    }
+            for (std::size_t i = 0; i < to.values.size(); ++i) {
+                if (to.weights[i] == 0.0f) {
+                    to.values[i] = from.values[i / to.width / 2 * from.width + i % to.width / 2];
                 }
             }
         }

@@ -55,7 +55,6 @@ def test_nothing_is_seen_where_nothing_is_missing(seed):
 @pytest.mark.parametrize(
     ("world", "name", "size"),
     [
-        ({"sigma": 0.3}, "blur by a Gaussian besides", 0.09),
         ({"slope": 0.3}, "background gradient", None),
         ({"dimmed": 0.1}, "apodization", 0.1),
         ({"slanted": 0.06}, "light that slopes across the pupil", 0.06),
@@ -96,6 +95,15 @@ def test_what_is_missing_is_estimated_where_the_model_can(world, name, stated, t
     assert fit.coefficients[name] == pytest.approx(true, abs=4 * fit.errors[name])
     assert np.abs(pulls_of(fit)).max() < 4.0
     assert f"(stated {stated:g}" in fit.message
+
+
+def test_blur_that_is_missing_is_estimated_of_each_image():
+    fit = found(recorded(sigma=0.3))
+    widths = [blur[0].sigma / 2.4e-6 for blur in fit.blurs]
+    assert fit.reliable
+    np.testing.assert_allclose(widths, 0.3, atol=0.05)
+    assert [*fit.findings.get("estimated").numbers] == ["blur of image 1", "blur of image 2", "move"]
+    assert np.abs(pulls_of(fit)).max() < 4.0
 
 
 def test_what_is_estimated_besides_is_in_the_pupil_and_the_wavefront():

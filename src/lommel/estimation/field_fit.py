@@ -483,7 +483,7 @@ def fit_targets(
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
     degree, draw = highest_degree(options.degree, count), draw or np.random.default_rng(0)
     search = Search(stars, np.stack([u, v], axis=1), pixel_size, degree, draw, Progress(options.progress))
-    outcome = _search_repeatedly(search, start is not None)
+    outcome = _search_repeatedly(search, start is not None, min(_MAX_SEARCHES, effort.starts))
     distortion_settings = ideal, _DISTORTION if options.distortion is None else options.distortion
     known_blurs = blur_model if isinstance(blur_model, tuple) else ()
     camera = noise, illumination
@@ -515,10 +515,10 @@ def _blur_model(
     return known_blurs
 
 
-def _search_repeatedly(search: Search, has_start: bool) -> Outcome:
-    """Repeat a search until it converges, at most `_MAX_SEARCHES` times; return the best outcome."""
+def _search_repeatedly(search: Search, has_start: bool, attempts: int) -> Outcome:
+    """Repeat a search until it converges, at most `attempts` times; return the best outcome."""
     places, best_outcome = search.places, None
-    for attempt in range(_MAX_SEARCHES):
+    for attempt in range(attempts):
         search.places, search.stars = places, search.initial_stars
         # The known defocus alone is a good start, because it is usually larger than the unknown aberrations.
         first_fit = search.fit_from_start() if attempt == 0 and (has_start or search.stars.has_defocus) else None

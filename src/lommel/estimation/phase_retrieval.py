@@ -17,13 +17,14 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.options import listed
 from lommel.base.quantities import in_unit
-from lommel.blur.blurs import Blur
+from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.core.answers import Declined, ToleranceError
 from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
 from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import FieldFitOptions, RetrieveOptions
 from lommel.estimation.star_checks import (
+    OF_FIELDS,
     error_findings,
     estimated_findings,
     freed,
@@ -388,20 +389,36 @@ def fit_stars(
             raise ValueError(
                 f"blur must be False with also={validation.shown(options.also)}: it is fitted with center alone"
             )
-        height, width = values.shape[1:]
-        given = {name: getattr(options, name) for name in ("terms", "defocus", "blur", "progress")}
-        window = np.where(valid, values, np.nan)[None]
-        star = Targets(windows=window, places=[[height // 2, width // 2]], shape=(height, width), noise=noise)
-        field_options = FieldFitOptions(degree=0, **given)
-        field_fit = fit_targets(star, start, pixel=pixel, options=field_options, effort=effort, draw=draw)
-        return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, start, defoci)
+        return _fit_blurred(start, options, counts, noise, plan, pixel, effort, draw, options.blur)
     model = StarImages(electrons, read, valid, start, defoci, unknowns, plan, pixel)
     if model.degrees_of_freedom < 1:
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
     best_x, scores, settled, extent = _search(model, draw, Progress(options.progress), effort)
-    return _build_retrieval(model, best_x, scores, settled, counts, noise, extent, checks=options.checks)
+    # Effects that only field fits estimate: from the answer, without restarts.
+    blurred = None
+    if {*unknowns.places} == {*SHIFTS} and not unknowns.pupil:
+        fixed = {"counts": counts, "noise": noise, "plan": plan, "pixel": pixel, "draw": draw}
+        of_field = replace(options, progress=None)
+        blurred = partial(_fit_blurred, options=of_field, effort=effort._replace(starts=1), **fixed)
+    return _build_retrieval(
+        model, best_x, scores, settled, counts, noise, extent, checks=options.checks, blurred=blurred
+    )
+
+
+def _fit_blurred(
+    pupil: Pupil, options: RetrieveOptions, counts: Counts, noise: Noise, plan: Plan, pixel: float, effort: Effort,
+    draw: np.random.Generator, blur: Any,
+) -> Retrieval:  # fmt: skip
+    """Return the fit to images with the option `blur`: the field fit to a single star."""
+    height, width = counts.values.shape[1:]
+    given = {name: getattr(options, name) for name in ("terms", "defocus", "progress")}
+    window = np.where(counts.known, counts.filled(), np.nan)[None]
+    star = Targets(windows=window, places=[[height // 2, width // 2]], shape=(height, width), noise=noise)
+    field_options = FieldFitOptions(degree=0, blur=blur, **given)
+    field_fit = fit_targets(star, pupil, pixel=pixel, options=field_options, effort=effort, draw=draw)
+    return _build_blurred_retrieval(field_fit, counts, noise, plan, pixel, pupil)
 
 
 def _search(
@@ -581,8 +598,11 @@ def _build_retrieval(
     effort: tuple[int, int],
     *,
     checks: bool,
+    blurred: Callable[..., Retrieval] | None,
 ) -> Retrieval:
     """Return the Retrieval for parameters `x`, (1, p); `effort` are the numbers of steps and starts.
+
+    `blurred` is the fit from a pupil by a model of fields, if the tests find what only that model estimates.
 
     Without `checks`, parameters are those of maximum likelihood, and errors the Cramer-Rao bound.
     """
@@ -666,7 +686,7 @@ def _build_retrieval(
         text = f"the images do not determine {undetermined or 'all of their places, fluxes and backgrounds'}"
         findings.append(Finding("undetermined", "note", text))
     findings += recording_findings([counts[k] for k in range(model.count)], noise, "image")
-    return Retrieval(
+    result = Retrieval(
         wavefront=wavefront,
         twin=model.wavefront(model.even_part_negated(corrected_x)[0]) if model.sign_ambiguous else None,
         pupil=replace(model.pupil.carrying(wavefront, None), **pupil_parameters),
@@ -690,12 +710,33 @@ def _build_retrieval(
         starts=starts,
         _checked=None
         if checks
-        else partial(_build_retrieval, model, x, scores, settled, counts, noise, effort, checks=True),
+        else partial(
+            _build_retrieval, model, x, scores, settled, counts, noise, effort, checks=True, blurred=blurred
+        ),
     )
+    named = next((test.name for test in seen(tests)), "")
+    is_freed = model is not first_model or "no_light" in result.findings.codes
+    if blurred is None or result.reliable or is_freed or named not in OF_FIELDS:
+        return result
+    refit = result
+    with suppress(Declined, ToleranceError, ValueError):  # windows that are too small for the model of fields
+        refit = blurred(result.pupil, blur=OF_FIELDS[named])
+    if not refit.converged or refit.chi2 >= chi2:
+        return result
+    pairs = [(k, *pair) for k, image in enumerate(map(zip, refit.blurs, refit.blur_errors), 1) for pair in image]
+    pixel, widths = model.pixel, dict[str, tuple[float, float, float]]()
+    for k, blur, error in pairs:
+        if isinstance(blur, Jitter):
+            widths[f"blur of image {k}"] = blur.sigma / pixel, error / pixel, 0.0
+        elif isinstance(blur, Seeing):
+            widths[f"r0 of seeing of image {k}"] = blur.r0, error, np.inf
+    waves = first_model.unknowns.terms
+    moves = [abs(refit.coefficients[n] - x) / refit.errors[n] for n, x in zip(waves, first_x[0], strict=False)]
+    return replace(refit, findings=Findings([*refit.findings, *estimated_findings(widths, max(moves))]))
 
 
 def _build_blurred_retrieval(
-    field_fit: FieldFit, counts: Counts, noise: Noise, plan: Plan, pixel: float, pupil: Pupil, defocus: Array
+    field_fit: FieldFit, counts: Counts, noise: Noise, plan: Plan, pixel: float, pupil: Pupil
 ) -> Retrieval:
     """Return the Retrieval for `field_fit`, a field fit to a single star with blurred images."""
     errors = np.sqrt(np.diag(field_fit.covariance))
@@ -704,7 +745,8 @@ def _build_blurred_retrieval(
     center, (row_errors, column_errors) = star.centers[0], star.center_errors[0].T
     image_errors: dict[Name, Any] = {"row": row_errors, "column": column_errors}
     image_errors |= {"flux": star.flux_errors[0], "background": star.background_errors[0]}
-    fitted_pupil = pupil.carrying(wavefront, None)
+    pupil = field_fit.field.pupil(0.0, 0.0).carrying(pupil.wavefront, None)  # with what the images favoured
+    fitted_pupil, defocus = pupil.carrying(wavefront, None), np.array(field_fit._defocus)
     # Tilts shift the PSFs to the positions of the star.
     tilts = np.pi * pixel / pupil.scale * (center - np.array(counts.values.shape[1:]) // 2).T
     edge_tilts = dict(zip(SHIFTS.values(), tilts, strict=True))
@@ -728,7 +770,7 @@ def _build_blurred_retrieval(
         blur_errors=field_fit.blur_errors,
         images=np.where(counts.known, counts.values, np.nan),
         model=noise.image(mean),
-        residual=(field_fit.images[0] - mean) / np.sqrt(noise.variance(np.maximum(mean, 0.0))),
+        residual=(field_fit.images[0] - mean) / np.sqrt(np.maximum(noise.variance(np.maximum(mean, 0.0)), 1e-9)),
     )
 
 

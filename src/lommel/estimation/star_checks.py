@@ -67,6 +67,7 @@ _TRAIL_DECAY, _TRAIL_LENGTH = 2.0, 8  # trail of deferred charge: decay to 1/e a
 _STATED_ERROR = 0.01  # relative error of a stated number for which the bias of the estimates is reported
 _UNITS = {
     "f_number": "", OBSCURATION: "", "wavelength": "m", _DEFOCI: "", "apodization": "",
+    "blur": "pixels", "r0 of seeing": "m",
     "row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel",
 }  # fmt: skip
 _DRIFTS = " that changes over the images"
@@ -81,6 +82,8 @@ _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one 
 _UNEVEN = "blur that varies over the field"
 BLURS = (_GAUSSIAN, _ELLIPSE, _WINGS, _HALO)
 GRADIENT = "background gradient"
+#: Effects of a single star that only the model of fields estimates, and whether this requires blur.
+OF_FIELDS = {**dict.fromkeys(BLURS, True), "apodization": False, GRADIENT: False}
 _TRAILS = {
     name: f"charge that arrives late in {name}"
     for name in ("higher rows", "lower rows", "higher columns", "lower columns")
@@ -308,7 +311,7 @@ def _image_of(name: str) -> int:
 
 def unit_of(name: Name) -> str:
     """Return the unit of an estimate."""
-    return _UNITS.get(str(name), "rad")
+    return _UNITS.get(str(name).split(" of image")[0], "rad")
 
 
 def estimated_findings(

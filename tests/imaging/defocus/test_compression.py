@@ -31,5 +31,5 @@ def test_a_verdict_by_which_nothing_is_tested_is_not_reliable():
     verdict = DefocusVerdict.of(1.0, noise=noise, compressed=True)
     assert not verdict.reliable
     assert verdict.findings.get("undetermined").severity == "doubt"
-    assert "use raw images or PNG" in verdict.findings.get("untested").text
+    assert "use raw images or PNG" in verdict.findings.get("untested").numbers["what"][0]
     assert "undetermined" not in DefocusVerdict.of(1.0, 1.0, 0.03, noise=noise).findings.codes

@@ -18,6 +18,7 @@ from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.model_error import ModelError, model_error
 from lommel.fit.score_tests import Candidate, Grade, ScoreTest, graded, score_tests, sigmas_of
+from lommel.fit.scoring import Scores
 
 _EXPECTED_SIZE = 0.05  # radians rms: expected size of a polynomial of higher degree, or of a deviation in a part
 _DEGREES = 2  # number of tested degrees above the degree of the fit
@@ -32,20 +33,15 @@ _SURE = 5.0  # smallest significance of slopes (standard deviations) at which th
 
 
 def missing_tests(
-    model: WholeField,
-    x: Array,
-    quality: tuple[float, float],
-    places: Array,
-    degree: int,
-    freed: Collection[str] = (),
+    model: WholeField, x: Array, scores: Scores, places: Array, degree: int, freed: Collection[str] = (),
     rivals: Sequence[str] = (),
-) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
+) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:  # fmt: skip
     """Return tests of effects that a fit lacks, a marginalized correction, and findings on untested constants.
 
     1. Score tests at the parameters `x`, the most likely effect first. 2. Shift and covariance of the coefficients,
     marginalized over effects, with the grade of significant effects. 3. Findings on input constants (f-number,
-    obscuration, defocus) that the stars do not test. `quality` is chi2 and its standard deviation; `freed` constants
-    are estimated, and effects named `rivals` are marginalized in full.
+    obscuration, defocus) that the stars do not test. `freed` constants are estimated, and effects
+    named `rivals` are marginalized in full.
 
     Effects are further terms, polynomials of higher degrees in `places` (n, 2), deviations in parts of the field,
     uneven pupil illumination, charge transfer, other blurs, slopes of the background, and a nonlinear gain. Effects
@@ -89,6 +85,7 @@ def missing_tests(
     # A known blur is assumed to be exact: other blurs are marginalized only if the blur is estimated.
     kept_names = (*freed, *rivals, *(BLURS if stars.width_count else ()))
     to_marginalize = star_checks.to_marginalize([*candidates, *effect_candidates], tests, kept_names)
+    quality = float(scores.chi2[0]), float(scores.spread[0])
     grade = graded(matrix, gradient, estimated, to_marginalize, k * m, tests, quality)
     unknowns, fit = stars.first_star.unknowns, (matrix, estimated)
     constant_columns = [j * m for j in range(k)]

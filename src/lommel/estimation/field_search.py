@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -25,7 +25,7 @@ from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_checks import missing_tests, slope_findings, star_model_error
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
-from lommel.estimation.star_checks import changed, estimated_findings, stated_value
+from lommel.estimation.star_checks import DRIFTS, changed, estimated_findings, stated_value
 from lommel.estimation.star_images import label
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
@@ -636,13 +636,14 @@ class Search:
             self.places = places
             fit, rejected = self.fit_all_stars(self._with_background_slopes(fit))
         first_fit, freed, rivals = fit, dict[str, float](), list[str]()
-        tests, grade, untested = self._tested(fit, freed, rivals)
+        arguments = self.places, self.degree, freed
+        tests, grade, untested = missing_tests(fit.model, fit.x, fit.scores, *arguments)
         for _ in range(_MAX_REFITS):
             refit = self._freeing(fit, tests, freed)
             if refit is None:
                 break
-            fit, rivals = refit, [*rivals, *(test.name for test in seen(tests)[1:])]
-            tests, grade, untested = self._tested(fit, freed, rivals)
+            fit, rivals = refit, [*rivals, *(test.name for test in seen(tests) if test.name not in freed)]
+            tests, grade, untested = missing_tests(fit.model, fit.x, fit.scores, *arguments, rivals)
         chosen, nuisance = fit.model.chosen, fit.nuisance()
         psf = self.stars.images(chosen, *fit.model.parts(fit.x), fast=False, derivatives="none")[0]
         parameters = fit.model.common_count + len(chosen) * self.stars.parameters_per_image * self.stars.exposures
@@ -656,18 +657,14 @@ class Search:
             outcome.model_error = star_model_error(fit.model, fit.x, step[0])
         return outcome
 
-    def _tested(
-        self, fit: Solution, freed: Collection[str], rivals: Sequence[str]
-    ) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
-        quality = float(fit.scores.chi2[0]), float(fit.scores.spread[0])
-        return missing_tests(fit.model, fit.x, quality, self.places, self.degree, freed, rivals)
-
     def _freeing(self, fit: Solution, tests: Sequence[ScoreTest], freed: dict[str, float]) -> Solution | None:
         """Return a fit that estimates the effect that the stars favour most; None if the model cannot estimate it.
 
         Constants change by the estimate of their score test. Their names are added to `freed`, with this estimate.
         """
-        stars, significant = fit.model.stars, seen(tests)
+        stars = fit.model.stars
+        # The model has no changes from image to image; with two images, they are changes of the foci as well.
+        significant = [test for test in seen(tests) if not test.name.endswith(DRIFTS)]
         moved = [test for test in tests if test.name in freed and abs(test.sigmas) > _SETTLED]
         test = next(iter((*moved, *significant)), None)
         optics = test and changed(stars.first_star, test.name, float(test.size[0]))
@@ -714,29 +711,21 @@ class Search:
 
 
 def _estimated_findings(
-    first_fit: Solution,
-    fit: Solution,
-    tests: Sequence[ScoreTest],
-    grade: Grade,
-    freed: Mapping[str, float],
+    first_fit: Solution, fit: Solution, tests: Sequence[ScoreTest], grade: Grade, freed: Mapping[str, float],
     rivals: Sequence[str],
-) -> list[Finding]:
+) -> list[Finding]:  # fmt: skip
     """Return the finding on terms and constants that `fit` estimates and `first_fit` does not."""
     star, first_star = fit.model.stars.first_star, first_fit.model.stars.first_star
     errors, before = np.sqrt(np.diag(grade.marginal.covariance)), first_fit.polynomials()
-    estimates = {}
-    for j, name in enumerate(star.unknowns.terms[len(before) :], len(before)):
-        m = before.shape[1]
-        estimates[label(name)] = (
-            float(fit.polynomials()[j, 0] + grade.marginal.shift[j * m]),
-            float(errors[j * m]),
-            0.0,
-        )
+    estimates, (k, m) = {}, before.shape
+    values = fit.polynomials()[:, 0] + grade.marginal.shift[::m]
+    for name, value, error in [*zip(star.unknowns.terms, values.tolist(), errors[::m].tolist(), strict=True)][k:]:
+        estimates[label(name)] = value, error, 0.0
     for test in tests:
         if test.name in freed:
             stated = stated_value(first_star, test.name)
             estimates[test.name] = (stated + freed[test.name] + float(test.size[0]), float(test.errors[0]), stated)
-    moves = np.abs(fit.polynomials()[: len(before)] - before).ravel() / errors[: before.size]
+    moves = np.abs(fit.polynomials()[:k] - before).ravel() / errors[: before.size]
     return estimated_findings(estimates, float(moves.max()), rivals)
 
 

@@ -77,6 +77,7 @@ _MIN_DISTANCE_RATIO = 2.0  # smallest ratio of the twins' distances from the ini
 _MAX_SUM_ERROR = 0.05  # images whose sums differ from 1 by less count as normalized
 # Effects that are estimated because the images favour them: number of refits in turn, and of rivals in each.
 _MAX_REFITS, _MAX_RIVALS, _REFIT_STEPS = 2, 3, 30
+_GROSS_CHI2 = 100.0  # chi2 from which no effect is small
 _SAME_COST = 0.5  # difference of lnL up to which the first of two rivals is preferred
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
@@ -589,17 +590,9 @@ def _is_term(name: Name) -> bool:
 
 
 def _build_retrieval(
-    model: StarImages,
-    x: Array,
-    scores: Scores,
-    settled: bool,
-    counts: Counts,
-    noise: Noise,
-    effort: tuple[int, int],
-    *,
-    checks: bool,
-    blurred: Callable[..., Retrieval] | None,
-) -> Retrieval:
+    model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, effort: tuple[int, int],
+    *, checks: bool, blurred: Callable[..., Retrieval] | None,
+) -> Retrieval:  # fmt: skip
     """Return the Retrieval for parameters `x`, (1, p); `effort` are the numbers of steps and starts.
 
     `blurred` is the fit from a pupil by a model of fields, if the tests find what only that model estimates.
@@ -715,8 +708,8 @@ def _build_retrieval(
         ),
     )
     named = next((test.name for test in seen(tests)), "")
-    is_freed = model is not first_model or "no_light" in result.findings.codes
-    if blurred is None or result.reliable or is_freed or named not in OF_FIELDS:
+    is_near = model is first_model and chi2 < _GROSS_CHI2
+    if blurred is None or result.reliable or not is_near or named not in OF_FIELDS:
         return result
     refit = result
     with suppress(Declined, ToleranceError, ValueError):  # windows that are too small for the model of fields
@@ -725,7 +718,7 @@ def _build_retrieval(
         return result
     pairs = [(k, *pair) for k, image in enumerate(map(zip, refit.blurs, refit.blur_errors), 1) for pair in image]
     pixel, widths = model.pixel, dict[str, tuple[float, float, float]]()
-    for k, blur, error in pairs:
+    for k, blur, error in (pair for pair in pairs if pair[2] > 0.0):  # not NaN
         if isinstance(blur, Jitter):
             widths[f"blur of image {k}"] = blur.sigma / pixel, error / pixel, 0.0
         elif isinstance(blur, Seeing):

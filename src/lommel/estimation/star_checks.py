@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 import scipy
@@ -70,7 +71,7 @@ _UNITS = {
     "blur": "pixels", "r0 of seeing": "m",
     "row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel",
 }  # fmt: skip
-_DRIFTS = " that changes over the images"
+DRIFTS = " that changes over the images"
 _MAX_FOCI = 9  # largest number of images whose defoci are tested one by one
 # Standard error of the phase, radians rms, above which the likelihood often has other maxima that are equally high.
 _MAX_PHASE_ERROR = 0.25
@@ -181,7 +182,7 @@ def missing_drifts(terms: Sequence[Term], derivatives: Iterable[Array], exposure
     if exposures > 1:
         for term, derivative in zip(terms, derivatives, strict=False):
             time = np.tile(_time(exposures), len(derivative) // exposures)[:, None, None]
-            yield MissingEffect(label(term) + _DRIFTS, _DRIFT, (derivative * time * zernike.rms_factor(*term),))
+            yield MissingEffect(label(term) + DRIFTS, _DRIFT, (derivative * time * zernike.rms_factor(*term),))
 
 
 def _time(exposures: int) -> Array:
@@ -271,7 +272,7 @@ def freed(model: StarImages, name: str) -> Unknowns | None:
     if name in terms or name in OF_PUPIL:
         return unknowns.freeing(terms.get(name, name))
     drifts = {term: _time(model.count) * zernike.rms_factor(*term) for term in unknowns.stated}
-    phases = {label(term) + _DRIFTS: Phase(term, weights, 0.0) for term, weights in drifts.items()}
+    phases = {label(term) + DRIFTS: Phase(term, weights, 0.0) for term, weights in drifts.items()}
     if (2, 0) in drifts:
         phases[_DEFOCI] = Phase((2, 0), defoci, 1.0)
         for k, row in enumerate(np.eye(model.count)):
@@ -292,9 +293,9 @@ def changed(model: StarImages, name: str, size: float) -> tuple[Unknowns, Pupil,
         return unknowns, pupil, defoci * (1.0 + size)
     if name.startswith(_ONE_DEFOCUS):
         return unknowns, pupil, defoci + size * (np.arange(model.count) == _image_of(name))
-    if name in (*OF_PUPIL, "apodization"):
-        value: Any = getattr(pupil, name) + size
-        return unknowns, replace(pupil, **{name: value}), defoci
+    with suppress(ValueError):  # a value that no pupil has
+        if name in (*OF_PUPIL, "apodization"):
+            return unknowns, replace(pupil, **cast("Any", {name: getattr(pupil, name) + size})), defoci
     return None
 
 

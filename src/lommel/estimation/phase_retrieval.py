@@ -672,7 +672,9 @@ def _build_retrieval(
     if not Findings(findings).converged and np.all(np.abs(sums - 1.0) < _MAX_SUM_ERROR):
         text = "the images sum to 1, as PSFs do and electrons do not: multiply them by the electrons, or pass white"
         findings.append(Finding("unit_sum", "note", text))
-    findings += error_findings(model, x, inverse) if checks and Findings(findings).converged else []
+    # Errors that a model error determines do not follow from the information of photons.
+    is_tested = checks and error is None and Findings(findings).converged
+    findings += error_findings(model, x, inverse) if is_tested else []
     if not np.isfinite(errors).all():
         pairs = zip(names, errors, strict=False)
         undetermined = ", ".join(label(name) for name, error in pairs if not np.isfinite(error))

@@ -136,15 +136,12 @@ def _tested_together(
     known, scale, variance = known[chosen], scale[chosen], np.asarray(np.linalg.inv(square[chosen]), np.float64)
     size = (variance @ gradient[chosen, :, None])[..., 0] + offset[chosen]
     errors = np.sqrt(variance.diagonal(axis1=1, axis2=2))
-    # Prior and data are independent: their variances add.
-    total_variance = variance + eye * np.square(known)[:, None, None]
-    distances = (size * np.linalg.solve(total_variance, size[..., None])[..., 0]).sum(axis=1)
+    distances, log_bayes = _distances_and_factors(size, variance, known, scale)
     if size.shape[1] == 1:
         sigmas = np.copysign(np.sqrt(distances), size[:, 0])
     else:
         sigmas = np.array([sigmas_of(distance, size.shape[1]) for distance in distances])
     names = [candidates[k].name for k in chosen.tolist()]
-    log_bayes = log_bayes_factor(size, variance, known, scale)
     return list(map(ScoreTest, names, size, errors, sigmas.tolist(), log_bayes.tolist()))
 
 
@@ -223,7 +220,8 @@ def graded(
         chosen = [effect for name, effect in wide.items() if name in names or name not in sizes]
         return marginalized(information, slope, unknowns, chosen, count)
 
-    none, every = allowing(()), allowing(sizes)
+    none = allowing(())
+    every = allowing(sizes) if sizes else none
     answers = [every, *(allowing((test.name,)) for test in rivals)]
     shifts = np.array([answer.shift for answer in answers])
     errors, differences = np.sqrt(np.diag(every.covariance)), shifts - every.shift
@@ -301,13 +299,18 @@ def log_bayes_factor(size: Array, covariance: Array, known: float | Array, scale
 
     `covariance` has the shape (..., q, q); `known` and `scale` are numbers, or one for each estimate (...,).
     """
-    log_bayes: Any = 0.0
+    return _distances_and_factors(size, covariance, known, scale)[1]
+
+
+def _distances_and_factors(size: Array, covariance: Array, known: Any, scale: Any) -> tuple[Any, Any]:
+    """Return squared distances from N(0, known^2), and the log Bayes factors of :func:`log_bayes_factor`."""
+    # Prior and data are independent: their variances add.
+    widths = np.square([known, np.maximum(scale, known)])[..., None, None]
+    totals = covariance + np.eye(size.shape[-1]) * widths
+    distances = (size * np.linalg.solve(totals, np.broadcast_to(size, totals.shape[:-1])[..., None])[..., 0]).sum(-1)
     # Without its constant, a normal log density is -(squared distance + log determinant) / 2.
-    for width, sign in ((known, 0.5), (np.maximum(scale, known), -0.5)):
-        total = covariance + np.eye(size.shape[-1]) * np.square(width)[..., None, None]
-        distance = (size * np.linalg.solve(total, size[..., None])[..., 0]).sum(axis=-1)
-        log_bayes = log_bayes + sign * (distance + np.linalg.slogdet(total)[1])
-    return log_bayes
+    costs = 0.5 * (distances + np.linalg.slogdet(totals)[1])
+    return distances[0], costs[0] - costs[1]
 
 
 def favoured(tests: Sequence[ScoreTest]) -> set[str]:

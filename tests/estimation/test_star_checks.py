@@ -193,3 +193,13 @@ def test_errors_hold_where_something_small_is_missing(late):
             pulls += [(fit.coefficients[name] - true[name]) / fit.errors[name] for name in TERMS]
     assert np.sqrt(np.mean(np.square([*pulls, 0.0]))) < 1.5
     assert max(map(abs, [*pulls, 0.0])) < 4.0
+
+
+def test_a_fraction_of_light_above_one_is_told_as_a_wider_blur():
+    def said(size):
+        test = ScoreTest("wings", np.array([size]), np.array([0.01]), 99.0, 5e3)
+        return star_checks.missing_findings([test], None, ())[0].text
+
+    assert "fraction of light in a blur of twice the width = 0.100 +- 0.010" in said(0.1)
+    assert "a blur that is wider than that of the model" in said(1.7)
+    assert "fraction" not in said(1.7)

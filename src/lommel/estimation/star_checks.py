@@ -415,6 +415,8 @@ def _in_words(test: ScoreTest) -> str:
     """Return the result of a test in words: "noll 22 secondary spherical = 0.100 +- 0.006 rad (17 sigma)"."""
     name, unit = _DESCRIPTIONS.get(test.name, (test.name, " rad"))
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
+    if test.name in (_WINGS, _HALO) and test.size[0] > 1.0:  # more than all light: no fraction
+        return f"a blur that is wider than that of the model, as of resampled pixels {sigmas}"
     if len(test.size) > (2 if test.name in _DESCRIPTIONS else 1):
         return f"{name} {sigmas}"
     pairs = zip(test.size, test.errors, strict=True)

@@ -218,8 +218,8 @@ class DefocusVerdict(FitReport):
         disagrees = any(finding.severity != "note" for finding in findings)
         if not agreements and not disagrees:
             text = (
-                "nothing could be tested: neither noise nor lens is confirmed; state the noise, or photograph a plane "
-                "with texture at a known distance"
+                "nothing could be tested: neither noise nor lens is confirmed; state the noise, or photograph a "
+                "plane with texture at a known distance"
             )
             add("undetermined", "doubt", text)
         details, parts = dict[str, float](), list[str]()

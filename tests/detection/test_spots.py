@@ -173,3 +173,18 @@ def test_crossings_of_little_contrast_beside_that_of_the_third_quarter_are_none(
     contrasts = np.array([[1000.0, 1000.0], [600.0, share * 250.0]])
     image = 600.0 + np.kron(contrasts, np.pad(SQUARES - 1.0, 15)) / 2.0
     assert len(find_crossings(image, window=21, noise=lm.Noise(read=2.0))) == count
+
+
+def test_strips_of_an_image_find_what_the_whole_image_does(monkeypatch):
+    sky, y = np.full((2, 230, 40), 30.0), np.arange(230)[:, None]
+    for row in (30, 63, 96, 131, 200):  # at the borders of strips of 32 rows, and between them
+        sky += 900.0 * np.exp(-((y - row) ** 2 + (np.arange(40) - 20) ** 2) / 6.0)
+    maps = lm.Noise(read=np.linspace(2.0, 4.0, 230 * 40).reshape(230, 40), offset=100.0)
+    images = np.ma.masked_array(maps.record(sky, seed=1), False)
+    images[0, 150:190] = np.ma.masked  # wider than the Gaussian that fills it
+    whole = find_spots(images, noise=maps, window=11)
+    monkeypatch.setattr("lommel.detection.targets._STRIP", 32)
+    strips = find_spots(images, noise=maps, window=11)
+    assert len(whole) == 5
+    for name in ("centers", "score", "flux"):
+        assert np.array_equal(getattr(whole, name), getattr(strips, name))

@@ -23,7 +23,7 @@ class _Cancelled(BaseException):
     """Exception that is raised in all other threads after an error in one thread."""
 
 
-_SINGLE_THREAD_PRODUCTS = 1 << 18  # number of multiplications up to which OpenBLAS uses one thread
+_SINGLE_THREAD_PRODUCTS = 1 << 18  # multiplications of real numbers up to which OpenBLAS uses one thread
 
 
 def side_by_side(task: Callable[[Item], Result], items: Sequence[Item], threads: int = 0) -> list[Result]:
@@ -75,10 +75,11 @@ def product(a: Values, b: Values) -> Values:
     """
     stacked = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
     result = np.empty((*stacked, a.shape[-2], b.shape[-1]), np.result_type(a, b))
-    columns = max(1, math.isqrt(_SINGLE_THREAD_PRODUCTS // a.shape[-1]))
+    limit = _SINGLE_THREAD_PRODUCTS // (4 if np.iscomplexobj(result) else 1)
+    columns = max(1, math.isqrt(limit // a.shape[-1]))
     for first in range(0, b.shape[-1], columns):
         part = b[..., first : first + columns]
-        rows = max(1, _SINGLE_THREAD_PRODUCTS // (part.shape[-2] * part.shape[-1]))
+        rows = max(1, limit // (part.shape[-2] * part.shape[-1]))
         for top in range(0, a.shape[-2], rows):
             block = np.s_[..., top : top + rows, first : first + columns]
             np.matmul(a[..., top : top + rows, :], part, out=result[block])

@@ -22,6 +22,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -221,21 +222,28 @@ def image_counts(
     return (counts[None] if single else counts), single
 
 
-def filled(planes: Values, left_out: NDArray[np.bool_], width: float, known_fraction: Array | None = None) -> Values:
+def filled(
+    planes: Values, left_out: NDArray[np.bool_], width: float, known_fraction: Array | None = None,
+    level: Callable[[int], float] | None = None,
+) -> Values:  # fmt: skip
     """Return images in which pixels that are left out have the weighted mean of the others, by a Gaussian of `width`.
 
     `known_fraction` is the smoothed fraction of pixels that are not left out, if it is the same for all images.
+    `level` returns the median of an image, by its number, if `planes` are parts of images.
     """
     if not left_out.any():
         return planes
     images = np.where(left_out, 0.0, planes).astype(np.float64)
-    for image, hidden in zip(images, left_out, strict=True):
+    for k, (image, hidden) in enumerate(zip(images, left_out, strict=True)):
         if hidden.any():
-            fraction = smoothed(1.0 - hidden, width) if known_fraction is None else known_fraction
+            extent = scipy.ndimage.find_objects(hidden.view(np.int8))[0]
+            near = tuple(slice(max(axis.start - reach(width), 0), axis.stop + reach(width)) for axis in extent)
+            light, dark = image[near], hidden[near]
+            fraction = smoothed(1.0 - dark, width) if known_fraction is None else known_fraction[near]
             # Left-out pixels are 0: smoothed light / smoothed fraction is the mean over the other pixels.
-            image[hidden] = (smoothed(image, width) / np.maximum(fraction, 1e-300))[hidden]
-            if (isolated := hidden & (fraction <= _MIN_KNOWN)).any():
-                image[isolated] = np.median(image[~hidden])
+            light[dark] = (smoothed(light, width) / np.maximum(fraction, 1e-300))[dark]
+            if (isolated := dark & (fraction <= _MIN_KNOWN)).any():
+                light[isolated] = np.median(image[~hidden]) if level is None else level(k)
     return images
 
 
@@ -286,12 +294,17 @@ def _heights(excess: Array, mean: Array, squares: Array, cubes: Array) -> Array:
     return np.asarray(np.sqrt(2.0 * np.maximum(ratio, 0.0)))
 
 
+def reach(sigma: float) -> int:
+    """Return the number of pixels on each side over which a Gaussian smooths."""
+    return int(_TRUNCATION * sigma + 0.5)
+
+
 def smoothed(light: Array, sigma: float) -> Array:
     """Return an image convolved with a Gaussian of this standard deviation, with reflection at the edges."""
     return np.asarray(scipy.ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_TRUNCATION))
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=2)
 def _moments(rows: int, columns: int, narrow: float, wide: float, weight: float = 0.0) -> tuple[Array, Array]:
     """Return the sums of squares and of cubes of the kernel at each pixel, with reflection at the edges."""
     of_rows, of_columns = (_sums(side, narrow, wide) for side in (rows, columns))

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import math
 from collections import Counter, deque
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import cache
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
@@ -19,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values
-from lommel.detection.molecules import APART, Kernel, box_pixels, brightest, filled, image_counts, smoothed
+from lommel.detection.molecules import APART, Kernel, box_pixels, brightest, filled, image_counts, reach, smoothed
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 
@@ -36,6 +38,7 @@ _FAINTEST = 0.02  # spots dimmer than this fraction of another spot do not count
 _INSIDE = 0.55  # windows: a target farther than this from the middle of a window is outside it
 _ONE_PIXEL = 0.8  # fraction of a spot's light in one pixel above which it is a defect; the sharpest images have less
 _MAX_MASKED = 0.25  # largest fraction of masked pixels of a usable window, and of its middle half
+_STRIP = 256  # number of rows of an image that are smoothed together
 _CANDIDATE = 1.0  # height, standard deviations, from which the highest maximum is reported if there is no spot
 # For crossings:
 _MIN_WINDOW, _MAX_WINDOW = 9, 21  # smallest and largest side of an automatic window, pixels
@@ -93,7 +96,7 @@ class _Found(Targets):
     centers: Array
     refused: tuple[Refused, ...]
     left_out: int
-    _image: Array = field(repr=False)
+    _counts: Counts = field(repr=False)
 
     @property
     def message(self) -> str:
@@ -127,7 +130,10 @@ class _Found(Targets):
         """
         rows, columns = self.windows.shape[-2:]
         refused = [(target.row, target.column, target.reason) for target in self.refused]
-        return show.estimates.spots(self._image, self.places, (rows, columns), refused, self.message, ax)
+        counts = self._counts
+        electrons = counts.known_noise().electrons(np.where(counts.hidden, 0, counts.values)).sum(axis=0)
+        image = np.where(counts.hidden.any(axis=0), np.nan, electrons)
+        return show.estimates.spots(image, self.places, (rows, columns), refused, self.message, ax)
 
     def __len__(self) -> int:
         return len(self.places)
@@ -248,25 +254,23 @@ def find_spots(
     shape = f"(height, width) or (planes, height, width), at least the window of {rows} x {columns}"
     counts, single = image_counts("images", images, shape, box, noise)
     noise = counts.known_noise()
-    camera = noise.poisson
-    electrons = camera.electrons(filled(counts.values, counts.hidden, sigma))
-    variance = camera.variance(np.zeros_like(electrons)).sum(axis=0)
-    signal = electrons.sum(axis=0)
-    kernel = Kernel(signal.shape, sigma, min(rows, columns) / 3.0)
-    kernel_variance = kernel.squared(variance)
-    row, column, score = kernel.maxima(signal, kernel_variance, level)
+    signal, wide = _Signal(counts, noise.poisson, sigma), min(rows, columns) / 3.0
+    row, column, score = _maxima(signal, wide, level)
     candidate = None
     if not row.size:
-        maxima = zip(*(column.tolist() for column in kernel.maxima(signal, kernel_variance, _CANDIDATE)), strict=True)
+        maxima = zip(*(part.tolist() for part in _maxima(signal, wide, _CANDIDATE)), strict=True)
         below_threshold = [Refused(row, column, height, "below the threshold") for row, column, height in maxima]
         candidate = max(below_threshold, key=lambda maximum: maximum.score, default=None)
     separate = brightest(np.column_stack([row, column]), score, _STRUCTURE * min(box))
     row, column, score = row[separate], column[separate], score[separate]
     background = _background(signal, box)
-    brightness = (smoothed(signal, sigma) - background)[row, column]
+    brightness, margin = -background(np.stack([row, column])), reach(sigma)
     center, flux, peak = np.zeros((row.size, 2)), np.zeros(row.size), np.zeros(row.size)
     for k, pixel in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
-        center[k], flux[k], peak[k] = _centroid(signal, background, variance, pixel, box)
+        first = [max(place - margin, 0) for place in pixel]
+        near = signal[first[0] : pixel[0] + margin + 1, first[1] : pixel[1] + margin + 1]
+        brightness[k] += smoothed(near, sigma)[pixel[0] - first[0], pixel[1] - first[1]]
+        center[k], flux[k], peak[k] = _centroid(signal, background, pixel, box)
     middle = np.rint(center).astype(np.int64)
     neighbor = _neighbors(middle / box, brightness, peak > _ONE_PIXEL)
     reasons = unusable(middle, counts, box)
@@ -277,7 +281,7 @@ def find_spots(
         score=score[order],
         flux=noise.excess * flux[order],
         candidate=candidate,
-        _image=np.where(counts.hidden.any(axis=0), np.nan, noise.excess * signal),
+        _counts=counts,
         **target_windows(counts, single, center, order, box, score, reasons),
     )
 
@@ -331,24 +335,65 @@ def unusable(middle: NDArray[np.int64], counts: Counts, box: tuple[int, int]) ->
     return reasons
 
 
-def _background(signal: Array, box: tuple[int, int]) -> Array:
-    """Return the background: medians over cells of about the size of a window, interpolated linearly."""
+class _Signal:
+    """Sum of the electrons of all images, with hidden pixels filled: parts of it are computed when they are needed.
+
+    `width` is that of the Gaussian by which pixels are filled.
+    """
+
+    def __init__(self, counts: Counts, camera: Noise, width: float) -> None:
+        self.counts, self.camera, self.width, self.shape = counts, camera, width, counts.shape[1:]
+        self.read: Array = np.broadcast_to(len(counts) * np.square(camera.read), self.shape)  # variance
+        self._level = cache(lambda k: float(np.median(counts.values[k][~counts.hidden[k]])))
+
+    def __getitem__(self, part: tuple[slice, slice]) -> Array:
+        margin = reach(self.width)
+        wider = tuple(slice(max(axis.start - margin, 0), axis.stop + margin) for axis in part)
+        inner = tuple(slice(a.start - b.start, a.stop - b.start) for a, b in zip(part, wider, strict=True))
+        values, hidden = (array[:, *wider] for array in (self.counts.values, self.counts.hidden))
+        image = filled(values, hidden, self.width, level=self._level)[:, *inner]
+        return np.asarray(self.camera.part(*part).electrons(image).sum(axis=0))
+
+
+def _maxima(signal: _Signal, wide: float, level: float) -> tuple[Values, Values, Array]:
+    """Return rows, columns and scores of the maxima of an image whose score is at least `level`."""
+    (rows, columns), parts, margin = signal.shape, [], reach(wide) + math.ceil(signal.width)
+    height = min(_STRIP + 2 * margin, rows)
+    for first in range(0, rows, _STRIP):
+        start = min(max(first - margin, 0), rows - height)  # all strips have the same height
+        light, variance = signal[start : start + height, 0:columns], signal.read[start : start + height]
+        kernel = Kernel(light.shape, signal.width, wide)
+        if signal.read.strides[0]:
+            variance = kernel.squared(variance)
+        row, column, score = kernel.maxima(light, variance, level)
+        kept = (row >= first - start) & (row < first - start + _STRIP)
+        parts.append((row[kept] + start, column[kept], score[kept]))
+    row, column, score = (np.concatenate(part) for part in zip(*parts, strict=True))
+    return row, column, score
+
+
+def _background(signal: _Signal, box: tuple[int, int]) -> Callable[[Array], Array]:
+    """Return the background at places: medians over cells of about a window's size, interpolated linearly."""
     cells = tuple(max(1, round(side / size)) for side, size in zip(signal.shape, box, strict=True))
     edges = [np.linspace(0, side, n + 1).astype(int) for side, n in zip(signal.shape, cells, strict=True)]
-    medians = np.array(
-        [[np.median(signal[a:b, c:d]) for c, d in zip(edges[1], edges[1][1:], strict=False)]
-         for a, b in zip(edges[0], edges[0][1:], strict=False)]
-    )  # fmt: skip
+    medians, sizes = np.empty(cells), np.diff(edges[1])
+    for band, top, bottom in zip(medians, edges[0], edges[0][1:], strict=False):
+        light = signal[top:bottom, 0 : signal.shape[1]]
+        for size in np.unique(sizes):  # cells of one size together
+            columns = edges[1][:-1][sizes == size, None] + np.arange(size)
+            band[sizes == size] = np.median(light[:, columns], axis=(0, 2))
     # A cell that a spot fills has the background of its neighbours.
     smooth = scipy.ndimage.median_filter(medians, size=3, mode="nearest")
-    cells_at = [(np.arange(side) + 0.5) * n / side - 0.5 for side, n in zip(signal.shape, cells, strict=True)]
-    return np.asarray(
-        scipy.ndimage.map_coordinates(smooth, np.meshgrid(*cells_at, indexing="ij"), order=1, mode="nearest")
-    )
+
+    def at(places: Array) -> Array:
+        cells_at = [(part + 0.5) * n / side - 0.5 for part, side, n in zip(places, signal.shape, cells, strict=True)]
+        return np.asarray(scipy.ndimage.map_coordinates(smooth, cells_at, order=1, mode="nearest"))
+
+    return at
 
 
 def _centroid(
-    signal: Array, background: Array, variance: Array, pixel: tuple[int, int], box: tuple[int, int]
+    signal: _Signal, background: Callable[[Array], Array], pixel: tuple[int, int], box: tuple[int, int]
 ) -> tuple[Array, float, float]:
     """Return the centroid of a spot, its electrons in a window, and the fraction of its light in one pixel."""
     middle = np.array(pixel, dtype=np.float64)
@@ -358,14 +403,14 @@ def _centroid(
         low = np.clip(np.rint(middle).astype(int) - radius, 0, np.array(signal.shape) - 1)
         high = np.minimum(np.rint(middle).astype(int) + radius + 1, signal.shape)
         part = np.s_[low[0] : high[0], low[1] : high[1]]
-        excess = signal[part] - background[part]
-        noise = np.sqrt(np.maximum(background[part], 0.0) + variance[part] + 1e-12)
+        places = np.mgrid[part]
+        sky = background(places)
+        excess, noise = signal[part] - sky, np.sqrt(np.maximum(sky, 0.0) + signal.read[part] + 1e-12)
         # Only pixels above the noise: pixels of the background would move the centroid to the middle of the window.
         significant = np.where(excess > 3.0 * noise, excess, 0.0)
         total = float(significant.sum())
         if step < 2 and total > 0.0:
-            rows, columns = np.mgrid[low[0] : high[0], low[1] : high[1]]
-            middle = np.array([(significant * rows).sum() / total, (significant * columns).sum() / total])
+            middle = np.array([(significant * place).sum() / total for place in places])
     return middle, float(excess.sum()), float(significant.max()) / total if total > 0.0 else 0.0
 
 
@@ -517,7 +562,7 @@ def find_crossings(
         indices=indices[order],
         contrast=contrast[order],
         square=square,
-        _image=np.where(counts.hidden.any(axis=0), np.nan, signal),
+        _counts=counts,
         **target_windows(counts, single, center, order, box, score, reasons),
     )
 

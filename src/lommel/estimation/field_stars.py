@@ -156,7 +156,8 @@ class FieldStars:
         widths.
         """
         reader = self._readout(squared_widths, always=derivatives == "others")
-        samples = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(self._terms) + 2)
+        names = self.extra_terms if derivatives == "others" else self._terms
+        samples = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(names) + 2)
         block = max(1, int(_BLOCK_VALUES / samples))
         edge = self.fixed_of_images[stars] + (waves @ self.first_star.directions)[:, None]
         for j, column in enumerate(self.first_star.tilts):

@@ -22,10 +22,10 @@ PLACES = [(60 + 110 * (k // 4), 60 + 110 * (k % 4)) for k in range(12)]
 WAVES = ((4, 0.4), (8, 0.5))
 
 
-def images(waves=WAVES, blur=(("gaussian", 0.6),), flux=5e4, slope=0.0, dimmed=0.0):
+def images(waves=WAVES, blur=(("gaussian", 0.6),), flux=5e4, slope=0.0, dimmed=0.0, blocked=0.3, squeezed=1.0):
     """Return mean electrons of 12 stars; the slope of their sky differs from star to star."""
     transfer, draw = (
-        through(Telescope(600e-9, 8.0, 0.3, dimmed=dimmed).transfer(waves), blur),
+        through(Telescope(600e-9, 8.0 * squeezed, blocked, dimmed=dimmed).transfer(waves), blur),
         np.random.default_rng(8),
     )
     rows = np.arange(21)[:, None] - 10.0
@@ -55,6 +55,27 @@ def test_nothing_is_seen_where_nothing_is_missing():
     assert fit.converged
     assert not seen(fit)
     assert fit.findings.get("tilted_background") is None
+
+
+@pytest.mark.parametrize(
+    ("world", "name", "stated", "true"),
+    [
+        ({"waves": (*WAVES, (11, 0.15))}, "noll 11 spherical", 0.0, 0.15),
+        ({"blocked": 0.35}, "obscuration", 0.3, 0.35),
+        ({"squeezed": 1.06}, "f_number", 8.0, 8.48),
+        ({"dimmed": 0.3}, "apodization", 0.0, 0.3),
+    ],
+)
+def test_what_the_stars_favour_is_estimated(world, name, stated, true):
+    fit = fitted(images(blur=(("gaussian", 0.3),), flux=2e5, **world), blur=True)
+    told = fit.findings.get("estimated").numbers[name]
+    assert told["stated"] == stated
+    assert told["value"] == pytest.approx(true, abs=4 * told["error"])
+    assert [f.code for f in fit.findings if f.severity != "note"] == ["sign_open"]
+    values, errors = fit.at(0.0, 0.0)
+    assert np.abs((values[:2] - [0.4, 0.5]) / errors[:2]).max() < 4.0
+    if name != "noll 11 spherical":
+        assert getattr(fit.field.pupil(0.0, 0.0), name) == pytest.approx(told["value"], abs=told["error"])
 
 
 @pytest.mark.parametrize(

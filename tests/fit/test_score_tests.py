@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from lommel.fit.score_tests import Candidate, log_bayes_factor, other_explanation, score_tests, seen, untested
+from lommel.fit.score_tests import (
+    Candidate,
+    graded,
+    log_bayes_factor,
+    other_explanation,
+    score_tests,
+    seen,
+    untested,
+)
 
 DRAW = np.random.default_rng(4)
 COLUMNS = DRAW.normal(size=(400, 9))
@@ -107,3 +115,50 @@ def test_what_is_stated_and_not_tested_is_named_with_what_it_changes_most():
     assert change == pytest.approx((best[1] - best[0])[1], rel=1e-6)
     # What no unknown feels changes nothing.
     assert untested(columns.T @ columns, UNKNOWNS, {"a": 0, "c": 2}, stated, tests) == {}
+
+
+def grade_of(truth, columns, *, chi2=1.0, seed=1):
+    """Return the tests, the grade, and the answers of least squares without and with each candidate."""
+    tests, data = simulated(truth, seed, columns=columns)
+    best = np.linalg.lstsq(columns[:, UNKNOWNS], data, rcond=None)[0]
+    slope = columns.T @ (data - columns[:, UNKNOWNS] @ best)
+    grade = graded(columns.T @ columns, slope, UNKNOWNS, CANDIDATES, 3, tests, (chi2, (2 / len(data)) ** 0.5))
+    return tests, grade, best, data
+
+
+def test_the_grade_tells_what_an_effect_moves_and_what_remains_open():
+    columns = COLUMNS.copy()
+    columns[:, 3] += 0.8 * columns[:, 1]
+    tests, grade, best, data = grade_of(np.array([1.0, -2.0, 0.5, 0.5, 0, 0, 0, 0, 0]), columns, chi2=1.2)
+    assert [test.name for test in seen(tests)] == ["one"]
+    with_one = np.linalg.lstsq(columns[:, [*UNKNOWNS, 3]], data, rcond=None)[0]
+    error = np.linalg.inv(columns[:, UNKNOWNS].T @ columns[:, UNKNOWNS])[1, 1] ** 0.5
+    assert grade.move == pytest.approx(abs(with_one[1] - best[1]) / error, rel=0.15)
+    assert grade.worst == 1
+    assert grade.rest < 1.0
+    np.testing.assert_allclose(best + grade.marginal.shift, with_one[:3], atol=0.03)
+    # chi2 falls by that which the effect explains.
+    residuals = [
+        data - columns[:, c] @ np.linalg.lstsq(columns[:, c], data, rcond=None)[0] for c in (UNKNOWNS, [*UNKNOWNS, 3])
+    ]
+    gain = (residuals[0] @ residuals[0] - residuals[1] @ residuals[1]) / len(data)
+    assert 1.2 - grade.left == pytest.approx(gain, rel=0.2)
+
+
+def test_rivals_that_differ_in_the_answer_are_a_doubt_with_errors_that_contain_both():
+    columns = COLUMNS.copy()
+    columns[:, 7] = columns[:, 3] - columns[:, 1] + 0.02 * columns[:, 8]
+    truth = np.array([1.0, -2.0, 0.5, 0.4, 0, 0, 0, 0, 0])
+    tests, grade, best, data = grade_of(truth, columns)
+    assert {test.name for test in seen(tests)} == {"one", "twin"}
+    answers = [np.linalg.lstsq(columns[:, [*UNKNOWNS, j]], data, rcond=None)[0][1] for j in (3, 7)]
+    error = grade.marginal.covariance[1, 1] ** 0.5
+    assert np.abs(best[1] + grade.marginal.shift[1] - answers).max() < 2.0 * error
+    assert abs(answers[1] - answers[0]) > error
+    assert grade.severity == "doubt"
+
+
+@pytest.mark.parametrize(("chi2", "severity"), [(1.0, "note"), (1.6, "error"), (0.5, "error")])
+def test_an_effect_that_leaves_or_overshoots_chi2_is_an_error(chi2, severity):
+    _, grade, _, _ = grade_of(np.array([1.0, -2.0, 0.5, 0.3, 0, 0, 0, 0, 0]), COLUMNS, chi2=chi2 + 0.09)
+    assert (grade.severity, grade.explained) == (severity, severity == "note")

@@ -34,7 +34,7 @@ from lommel.estimation.field_search import Outcome, Search, Solution
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.options import FieldFitOptions
-from lommel.estimation.star_checks import missing_findings
+from lommel.estimation.star_checks import estimated_findings, missing_findings
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap, save_table
@@ -641,12 +641,17 @@ def _build_field_fit(
             fit.x[0, : k * m] = polynomials.ravel()
         twin = field_of(twin_coefficients)
         findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
-    labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
+    labels, freed = [label(name) for name in first_star.unknowns.terms for _ in range(m)], outcome.freed
     findings = [
         *outcome.findings,
         *missing_findings(tests, None if outcome.model_error else outcome.grade, labels),
         *findings,
     ]
+    if freed is not None:
+        term_errors = np.sqrt(np.diag(covariance))[::m]
+        rows = [*zip(labels[::m], coefficients[:, 0].tolist(), term_errors.tolist(), strict=True)][freed.first_term :]
+        estimates = {name: (value, error, 0.0) for name, value, error in rows} | freed.constants
+        findings += estimated_findings(estimates, freed.move, freed.rivals)
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)
     blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, width_errors, outer_errors)

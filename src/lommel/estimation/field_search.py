@@ -25,8 +25,7 @@ from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_checks import missing_tests, slope_findings, star_model_error
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
-from lommel.estimation.star_checks import DRIFTS, changed, estimated_findings, stated_value
-from lommel.estimation.star_images import label
+from lommel.estimation.star_checks import DRIFTS, changed, stated_value
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
 from lommel.fit.model_error import ModelError, with_errors_of_model
@@ -101,6 +100,15 @@ class Rival(NamedTuple):
     sigmas: float  # largest distance between coefficients of the two minima, standard errors
 
 
+class Freed(NamedTuple):
+    """What a fit estimates because the stars favour it."""
+
+    constants: dict[str, tuple[float, float, float]]  # value, standard error, stated value
+    first_term: int  # index of the first of the terms that were added
+    move: float  # largest change of the other coefficients, standard errors
+    rivals: list[str]  # effects that explain the images as well
+
+
 @dataclass
 class Outcome:
     """A fit of all stars that were not rejected, with the results of its tests."""
@@ -116,6 +124,7 @@ class Outcome:
     grade: Grade  # of significant effects; shift and covariance of the coefficients, marginalized over effects
     rival: Rival | None = None
     model_error: ModelError | None = None  # of a single star
+    freed: Freed | None = None
 
     @property
     def findings(self) -> Findings:
@@ -649,9 +658,9 @@ class Search:
         parameters = fit.model.common_count + len(chosen) * self.stars.parameters_per_image * self.stars.exposures
         bright_chi2 = self.stars.bright_pixel_chi2(chosen, psf, nuisance, float(parameters))
         held_out = self.held_out(fit)
-        estimated = _estimated_findings(first_fit, fit, tests, grade, freed, rivals)
-        results = self.blur_costs, [*slope_notes, *estimated, *untested], tests, grade, self.rival
+        results = self.blur_costs, [*slope_notes, *untested], tests, grade, self.rival
         outcome = Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
+        outcome.freed = _freed(first_fit, fit, tests, grade, freed, rivals)
         if len(chosen) == 1 and "misfit" in outcome.findings.codes:
             step, _ = fit.model.steps(fit.scores, np.zeros(1))
             outcome.model_error = star_model_error(fit.model, fit.x, step[0])
@@ -710,23 +719,19 @@ class Search:
         return float(scores.chi2[0]), float(scores.spread[0])
 
 
-def _estimated_findings(
-    first_fit: Solution, fit: Solution, tests: Sequence[ScoreTest], grade: Grade, freed: Mapping[str, float],
-    rivals: Sequence[str],
-) -> list[Finding]:  # fmt: skip
-    """Return the finding on terms and constants that `fit` estimates and `first_fit` does not."""
-    star, first_star = fit.model.stars.first_star, first_fit.model.stars.first_star
-    errors, before = np.sqrt(np.diag(grade.marginal.covariance)), first_fit.polynomials()
-    estimates, (k, m) = {}, before.shape
-    values = fit.polynomials()[:, 0] + grade.marginal.shift[::m]
-    for name, value, error in [*zip(star.unknowns.terms, values.tolist(), errors[::m].tolist(), strict=True)][k:]:
-        estimates[label(name)] = value, error, 0.0
+def _freed(
+    first_fit: Solution, fit: Solution, tests: Sequence[ScoreTest], grade: Grade, changes: Mapping[str, float],
+    rivals: list[str],
+) -> Freed:  # fmt: skip
+    """Return what `fit` estimates and `first_fit` does not; `changes` are those of constants."""
+    constants, before = {}, first_fit.polynomials()
     for test in tests:
-        if test.name in freed:
-            stated = stated_value(first_star, test.name)
-            estimates[test.name] = (stated + freed[test.name] + float(test.size[0]), float(test.errors[0]), stated)
-    moves = np.abs(fit.polynomials()[:k] - before).ravel() / errors[: before.size]
-    return estimated_findings(estimates, float(moves.max()), rivals)
+        if test.name in changes:
+            stated = stated_value(first_fit.model.stars.first_star, test.name)
+            constants[test.name] = stated + changes[test.name] + float(test.size[0]), float(test.errors[0]), stated
+    errors = np.sqrt(np.diag(grade.marginal.covariance))[: before.size]
+    moves = np.abs(fit.polynomials()[: len(before)] - before).ravel() / errors
+    return Freed(constants, len(before), float(moves.max()), rivals)
 
 
 def _no_progress(step: int, chi2: float) -> None:

@@ -189,9 +189,9 @@ class Findings(tuple[Finding, ...]):
 def place_of(code: str, severity: str, reliable: bool) -> int:
     """Return the place of a finding among those printed, ascending: below 0 for causes; `reliable`: of the result."""
     if code in _DATA:
-        return 1 if reliable else -2
+        return 1 if reliable else -3
     is_cause = code == "estimated" or (code in _CAUSES and severity != "note")
-    return -1 if is_cause else 2 if code == "untested" else 0
+    return -2 if is_cause else {"missed_light": -1, "untested": 2}.get(code, 0)
 
 
 def shortened(findings: Sequence[tuple[str, str]]) -> list[str]:

@@ -61,12 +61,10 @@ def plane_light_findings(
     total = mean + background
     if total <= 0.0 or abs(change) < max(_FADING * mean, _FADING_OF_ALL * total, _FADING_SIGMAS * error):
         return []
-    share = float(-change if reverse else change) / total
+    share = float(-change if reverse else change) / max(mean, _FADING_OF_ALL * total)
     text = (
-        f"the light of the planes {'falls' if share < 0.0 else 'rises'} by {percent(abs(share))} from the first to "
-        "the last: light may cross the edges of the frame, or the specimen fade or the lamp change, of which the "
-        "restored light would be wrong; which of them was not tested: record the first plane again after the stack, "
-        "and compare"
+        f"the light of the planes {'falls' if share < 0.0 else 'rises'} by {percent(abs(share))} along the stack: it "
+        "may cross the edges of the frame; if the specimen fades, restored light is wrong: record the first plane again"
     )
     return [Finding("plane_light", "note", text, {"change": share, "least": _FADING})]
 

@@ -64,7 +64,7 @@ def plane_light_findings(
     share = float(-change if reverse else change) / max(mean, _FADING_OF_ALL * total)
     text = (
         f"the light of the planes {'falls' if share < 0.0 else 'rises'} by {percent(abs(share))} along the stack: it "
-        "may cross the edges of the frame; if the specimen fades, restored light is wrong: record the first plane again"
+        "may cross the edges of the frame; if the specimen fades, restored light is wrong: record plane 1 again"
     )
     return [Finding("plane_light", "note", text, {"change": share, "least": _FADING})]
 

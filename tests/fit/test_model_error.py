@@ -97,7 +97,7 @@ def test_pixels_are_summed_and_left_out_pixels_have_no_effect():
             (residual, DERIVATIVES, VARIANCE, LIGHT),
         )
     )
-    assert (found.bins, coarse.bins, found.length) == (2, 1, 2 * coarse.length)
+    assert found.length == 2 * coarse.length
     np.testing.assert_allclose(found.shift, coarse.shift, rtol=1e-6)
 
 

@@ -471,6 +471,7 @@ def _k(fwhm: float) -> Blur:
 
 GAUSS = (("gaussian", 0.4),)
 OTHER = ("other_explanation",)
+MISFIT = ("misfit", "missed_light")
 BLUR = ("blur", "blur_shape", *OTHER)
 TERM = ("missing_terms", "term", *OTHER)
 PSF = ("psf_doubtful", "misfit")
@@ -554,7 +555,7 @@ def _retrievals() -> list[Scenario]:
     told["2 % of the charge late"] = {"trail": 0.02}
     told["rings of a mirror, 0.05 rad"] = {"ringed": 0.05}
     for row, (name, more) in zip("bcdefghil", told.items(), strict=True):
-        add(f"24{row}", f"two foci, {name}", partial(star, defocus=(0.0, 3.0), **more), "RT", ("misfit", *OTHER))
+        add(f"24{row}", f"two foci, {name}", partial(star, defocus=(0.0, 3.0), **more), "RT", (*MISFIT, *OTHER))
     for row, name, more in (
         ("24j", "pick-up of 1.5 e", {"stripes": 1.5}),
         ("24k", "rows 1.5 e apart", {"rows": 1.5}),
@@ -588,7 +589,7 @@ def _beads() -> list[Scenario]:
     run = partial(bead, waves=SLIGHT, recorder=SCMOS.but(stripes=1.5))
     add("30b", "pick-up of 1.5 e", run, "RT", ("pattern", *OTHER))
     run = partial(bead, waves=SLIGHT, beside=12.0)
-    add("31", "neighbour of 30 % at 12 px", run, "T", ("neighbour", "misfit", *OTHER))
+    add("31", "neighbour of 30 % at 12 px", run, "T", ("neighbour", *MISFIT, *OTHER))
     return made
 
 

@@ -169,7 +169,8 @@ class BeadFit(FitReport):
         background are fitted. It is near 1 if the estimates hold for other beads; NaN for fewer than three beads.
     findings : lommel.fit.Findings
         Findings of the checks. Errors: "misfit", "no_light", "not_settled", "reversed_z". Doubts: "other_explanation"
-        (the data favour an effect in `tests`), "too_dim", "held_out", "moved", "model_error", "too_quiet". Notes:
+        (the data favour an effect in `tests`), "too_dim", "held_out", "moved", "model_error", "too_quiet",
+        "missed_light" (a misfit that no effect explains: errors are those of the jackknife over planes). Notes:
         "untested", "estimated" (effects that the data favour, and that are estimated besides what was asked for),
         single displaced planes, beads and pixels left out.
     summary : str
@@ -466,6 +467,11 @@ def fit_beads(
     Two other doubts are "pattern" (stripes, or offsets of rows or columns, that noise alone causes in fewer than one
     of 1000 fits) and "too_dim" (a standard error of the wavefront above 0.22 radians rms).
 
+    Bright beads show errors of any model. If no effect explains a misfit of a fit that misses less than 30 % of the
+    light, `errors` are increased to those of the delete-one jackknife over planes: the scatter of fits without one
+    plane of each stack, in one step of Fisher scoring each. The misfit is then the doubt "missed_light". Errors that
+    are the same in all planes are not included.
+
     Examples
     --------
     >>> import lommel as lm
@@ -664,9 +670,8 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         is_error = {finding.code for finding in findings if finding.severity == "error"}
         # A misfit that no effect explains: errors are the scatter of fits without one plane.
         if is_error == {"misfit"} and causes and fit.settled and missed < MAX_MISSED:
-            findings = with_errors_of_model(findings, missed)
-            scatter = bead_checks.plane_jackknife(model, fit)[:common_count, :common_count]
-            covariance = larger(covariance, scatter)
+            findings = with_errors_of_model(findings, missed, causes)
+            covariance = larger(covariance, bead_checks.plane_jackknife(model, fit)[:common_count, :common_count])
         if "reversed_z" not in Findings(findings).codes:
             planes = sum(len(s.z) for s in model.stacks)
             findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)

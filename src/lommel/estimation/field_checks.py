@@ -99,14 +99,14 @@ def missing_tests(
     return tests, grade, untested
 
 
-def star_model_error(model: WholeField, x: Array, step: Array) -> ModelError | None:
-    """Return the model error of a single star, if standard errors can include it; `step` (p,) is a further step."""
+def star_model_error(model: WholeField, x: Array, scores: Scores) -> ModelError | None:
+    """Return the model error of a single star, if standard errors can include it."""
     nuisance, (values, derivatives) = model.parts(x)[2], model.images(x)
     counted, _, read, valid = model.stars.pixel_data[:, model.chosen].reshape(4, *values.shape)
     mean, light = model.stars.expected(values, nuisance).reshape(values.shape), nuisance[0, 2, :, None, None] * values
     residual, variance = np.where(valid > 0.0, counted - mean, np.nan), np.maximum(mean + read, 0.25 * read)
     error = model_error(residual, model.stars.columns([values, *derivatives], nuisance), variance, light)
-    return error if error is not None and error.holds(model.rms, step) else None
+    return error if error is not None and error.holds(model.rms, *model.steps(scores, np.zeros(1))[0]) else None
 
 
 def _tested_degrees(degree: int) -> range:

@@ -620,10 +620,8 @@ def _build_field_fit(
     k, m = polynomials.shape
     fit_covariance = fit.model.covariance(fit.scores)
     errors = np.sqrt(np.diag(fit_covariance))[k * m :]
-    marginal = outcome.grade.marginal
-    if outcome.model_error is not None:
-        marginal = outcome.model_error.marginal(fit_covariance[: k * m, : k * m])
-    shift, covariance = marginal.shift.reshape(k, m), marginal.covariance
+    marginal = outcome.model_error or outcome.grade.marginal
+    shift, covariance = marginal.shift[: k * m].reshape(k, m), marginal.covariance[: k * m, : k * m]
     shifted_waves = fit.model.basis @ shift.T
     mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()
     # The shift is linear in the parameters: where it is large, it means nothing.
@@ -641,13 +639,10 @@ def _build_field_fit(
             fit.x[0, : k * m] = polynomials.ravel()
         twin = field_of(twin_coefficients)
         findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
-    labels, freed = [label(name) for name in first_star.unknowns.terms for _ in range(m)], outcome.freed
-    findings = [
-        *outcome.findings,
-        *missing_findings(tests, None if outcome.model_error else outcome.grade, labels),
-        *findings,
-    ]
-    if freed is not None:
+    labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
+    grade = None if outcome.model_error else outcome.grade
+    findings = [*outcome.findings, *missing_findings(tests, grade, labels), *findings]
+    if (freed := outcome.freed) is not None:
         term_errors = np.sqrt(np.diag(covariance))[::m]
         rows = [*zip(labels[::m], coefficients[:, 0].tolist(), term_errors.tolist(), strict=True)][freed.first_term :]
         estimates = {name: (value, error, 0.0) for name, value, error in rows} | freed.constants

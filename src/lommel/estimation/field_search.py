@@ -144,7 +144,7 @@ class Outcome:
             text = f"chi2 {bright_chi2:.4g} {pixels}, above {limit:.4g}, the limit for noise alone{causes}"
             findings = [Finding("misfit", "error", text, {"bright_chi2": bright_chi2, "limit": limit})]
         if self.model_error is not None:
-            findings = with_errors_of_model(findings, self.model_error)
+            findings = with_errors_of_model(findings, self.model_error.missed, causes.removeprefix("; "))
         held_out, held_out_deviation = self.held_out
         if held_out - 1.0 > (limit := _HELD_OUT + 4.0 * held_out_deviation):
             text = f"held-out stars do not follow the map that was fitted to the other stars{causes}"
@@ -662,8 +662,7 @@ class Search:
         outcome = Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
         outcome.freed = _freed(first_fit, fit, tests, grade, freed, rivals)
         if len(chosen) == 1 and "misfit" in outcome.findings.codes:
-            step, _ = fit.model.steps(fit.scores, np.zeros(1))
-            outcome.model_error = star_model_error(fit.model, fit.x, step[0])
+            outcome.model_error = star_model_error(fit.model, fit.x, fit.scores)
         return outcome
 
     def _freeing(self, fit: Solution, tests: Sequence[ScoreTest], freed: dict[str, float]) -> Solution | None:

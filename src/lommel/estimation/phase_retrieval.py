@@ -42,16 +42,9 @@ from lommel.estimation.star_images import (
     single,
 )
 from lommel.fit import goodness_of_fit
+from lommel.fit import model_error as model_errors
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
-from lommel.fit.model_error import (
-    MIN_GAIN,
-    ModelError,
-    is_correlated,
-    larger,
-    model_error,
-    with_errors_of_model,
-)
 from lommel.fit.score_tests import Grade, Marginal, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -115,7 +108,8 @@ class Retrieval(FitReport):
         (the standard error of an image's phase exceeds 0.25 radians rms, with `blur` 0.22: other wavefronts may fit);
         "errors_change" (a standard error changes by more than an eighth within one standard deviation);
         "other_explanation"; "pattern" (residuals have stripes, or offsets of rows or columns); "hot_pixels" (a pixel
-        explains most of a large chi2); "too_quiet" (the images are less noisy than `noise` states). Notes:
+        explains most of a large chi2); "missed_light" (the model misses a part of the light: errors hold between
+        exposures of the same instrument); "too_quiet" (the images are less noisy than `noise` states). Notes:
         "undetermined", pixels left out or perhaps saturated. "rare_chi2" is a doubt if noise alone causes so large a
         chi2 in fewer than one of 1000 fits, otherwise a note.
     summary : str
@@ -347,6 +341,15 @@ def retrieve(
     finding "untested" lists the coefficients that an error of the known defocus or f-number would change. A wrong
     sign of all known defoci negates the even terms and cannot be detected.
 
+    Bright stars show errors of any model. Where no effect above explains a misfit, the residuals are modelled as a
+    random process: in proportion to the light, smoothed by a few pixels, and correlated between adjacent pixels. Its
+    size and correlation length are determined by restricted maximum likelihood, and `coefficients` and `errors` are
+    those of generalized least squares, increased to the scatter of fits without one of eight sectors of each image
+    or, if more than 5 % of the light is missed, to errors of the fit without this step. The misfit is then the doubt
+    "missed_light". It remains an error if more than 30 % of the light is missed, if errors exceed 0.5 radians rms, or
+    below ten pixels per parameter. An error of the model that resembles a term is in no residual: the errors hold for
+    changes between exposures of one instrument.
+
     Examples
     --------
     >>> import lommel as lm
@@ -561,7 +564,7 @@ def _with_causes_freed(
 
 def _model_error(
     model: StarImages, x: Array, mean: Array, step: Array, codes: tuple[str, ...], tests: Sequence[ScoreTest]
-) -> ModelError | None:
+) -> model_errors.ModelError | None:
     """Return the model error, if no finding in `codes` explains it and standard errors can include it.
 
     `step` (p,) is a further step of the fit.
@@ -570,13 +573,12 @@ def _model_error(
     residual = np.where(model.valid > 0.0, model.counted - mean, np.nan).reshape(shape)
     variance = model.variance(mean).reshape(shape)
     light = (mean - model.per_image(x)[0, -1, :, None]).reshape(shape)
-    if {"excess_noise", "hot_pixels", "too_quiet"} & {*codes}:
+    is_clear = {"excess_noise", "hot_pixels", "too_quiet"}.isdisjoint(codes)
+    if not is_clear or not (is_misfit or model_errors.is_correlated(residual, variance, light)):
         return None
-    if not is_misfit and not is_correlated(residual, variance, light):
-        return None
-    error = model_error(residual, model.columns(x), variance, light)
+    error = model_errors.model_error(residual, model.columns(x), variance, light)
     # An effect of known shape explains the images better than a model error, unless it is another one.
-    least = 0.0 if is_misfit else max([MIN_GAIN, *(test.log_bayes for test in seen(tests))])
+    least = 0.0 if is_misfit else max([model_errors.MIN_GAIN, *(test.log_bayes for test in seen(tests))])
     return error if error is not None and error.gain >= least and error.holds(model.rms, step) else None
 
 
@@ -634,9 +636,10 @@ def _build_retrieval(
     step = inverse @ scores.slope[0]
     error = _model_error(model, x, mean, step, Findings(findings).codes, tests) if checks else None
     if error is not None:
-        findings = with_errors_of_model(findings, error)
-        effect_findings, inverse = missing_findings(tests, None, ()), larger(error.covariance, inverse)
-        errors, marginal = np.sqrt(np.diag(inverse)), error.marginal(inverse[:common_count, :common_count])
+        findings = model_errors.with_errors_of_model(findings, error.missed, causes)
+        effect_findings, inverse = missing_findings(tests, None, ()), error.covariance
+        errors = np.sqrt(np.diag(inverse))
+        marginal = Marginal(error.shift[:common_count], inverse[:common_count, :common_count])
     shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = error is not None or bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)

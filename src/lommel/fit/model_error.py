@@ -29,7 +29,6 @@ import scipy
 
 from lommel.base.arrays import Array
 from lommel.fit.findings import Finding
-from lommel.fit.score_tests import Marginal
 
 MIN_GAIN = 10.0
 """Increase of the restricted ln(likelihood) above which a model error is significant although chi2 is plausible."""
@@ -38,14 +37,15 @@ MAX_MISSED = 0.3
 _MAX_PHASE_ERROR = 0.5  # largest step and standard error of a wavefront, radians rms
 _MIN_PIXELS = 10.0  # smallest number of pixels for each parameter
 _MAX_SIDE = 18  # largest side of a binned image: V of an image has at most this number to the fourth elements
-_LENGTHS = 0.0, 0.7, 1.4  # correlation lengths l, bins
+_LENGTHS = 0.1, 0.7, 1.4  # correlation lengths l, bins
 _SMOOTHING = 1.0  # standard deviation of the Gaussian by which light is smoothed, bins
-_KAPPAS = 1e-4, 10.0  # range of kappa
+_LOG_KAPPAS = -9.0, 2.5  # range of ln(kappa)
 _SECTORS = 8  # number of parts of an image for the jackknife
 # Part of the light above which the jackknife is not used: residuals of a sector are then alike, and leaving it out
 # changes estimates by more than their errors.
 _MOST_FOR_JACKKNIFE = 0.05
-_GATE = 4.0  # significance of correlated residuals, standard deviations, above which REML is computed
+# Significance of correlated residuals, standard deviations, above which REML is computed, and their length, pixels.
+_GATE, _GATE_LENGTH = 4.0, 2.0
 _RIDGE = 1e-10  # is added to normal matrices of diagonal 1, such that undetermined parameters have no effect
 
 
@@ -55,8 +55,7 @@ class ModelError(NamedTuple):
     `shift` (p,) is the step of generalized least squares, and `covariance` (p, p) that of the parameters after this
     step, increased to the variances of the jackknife or, if much light is missed, of estimates without the step.
     `missed` is the rms residual beyond noise, relative to the rms light; `kappa` and `length` (pixels) are those of
-    V; `gain` is the increase of the restricted ln(likelihood) by kappa; `bins` is the side of the squares of pixels
-    that were summed.
+    V; `gain` is the increase of the restricted ln(likelihood) by kappa.
     """
 
     shift: Array
@@ -65,7 +64,6 @@ class ModelError(NamedTuple):
     kappa: float
     length: float
     gain: float
-    bins: int
 
     def holds(self, rms: Callable[[Array], Array], step: Array) -> bool:
         """Return whether the errors describe the fit; `rms` returns the rms phase of steps (1, p), radians.
@@ -73,57 +71,38 @@ class ModelError(NamedTuple):
         The further `step` (p,) of the fit must be within the errors: a misfit gains likelihood until the last digit.
         """
         errors = np.sqrt(np.diag(self.covariance))
-        sizes = [float(rms(row[None])[0]) for row in (self.shift, errors)]
-        is_settled = bool((np.abs(step) <= errors).all())
-        return is_settled and self.missed <= MAX_MISSED and max(sizes) <= _MAX_PHASE_ERROR
-
-    def marginal(self, noise: Array) -> Marginal:
-        """Return shift and covariance of the first parameters, with at least the variances in `noise` (k, k)."""
-        count = len(noise)
-        return Marginal(self.shift[:count], larger(self.covariance[:count, :count], noise))
+        sizes = np.concatenate([rms(row[None]) for row in (self.shift, errors)])
+        return self.missed <= MAX_MISSED and bool(sizes.max() <= _MAX_PHASE_ERROR and (np.abs(step) <= errors).all())
 
 
 def part_missed(residual: Array, variance: Array, light: Array) -> float:
     """Return the rms residual beyond noise, relative to the rms light; residuals are NaN at pixels left out."""
-    valid = np.isfinite(residual)
-    excess = float((residual[valid] ** 2 - variance[valid]).sum())
-    return math.sqrt(max(excess, 0.0) / max(float((light[valid] ** 2).sum()), 1e-300))
+    total = max(float((light[np.isfinite(residual)] ** 2).sum()), 1e-300)
+    return math.sqrt(max(float(np.nansum(residual**2 - variance)), 0.0) / total)
 
 
-def with_errors_of_model(findings: Sequence[Finding], error: ModelError | float) -> list[Finding]:
-    """Return findings in which a misfit is a doubt, with its causes: errors include the model error.
-
-    `error` is the model error, or the part of the light that is missed.
-    """
-    numbers = {}
-    if isinstance(error, ModelError):
-        numbers = {"kappa": error.kappa, "length": error.length, "log_likelihood": error.gain}
-        error = error.missed
-    text = f"the model misses {100.0 * error:.2g} % of the light; errors hold between exposures of this set-up"
-    text = "; ".join((text, *(finding.text for finding in findings if finding.code == "misfit")))
+def with_errors_of_model(findings: Sequence[Finding], missed: float, causes: str) -> list[Finding]:
+    """Return findings in which a misfit is a doubt, with its `causes`: errors include the part of light `missed`."""
+    text = f"the model misses {100.0 * missed:.2g} % of the light; errors hold between exposures of this set-up"
+    text = "; ".join(filter(None, (text, causes)))
     others = [finding for finding in findings if finding.code not in ("misfit", "rare_chi2")]
-    return [Finding("missed_light", "doubt", text, {"missed": error, **numbers}), *others]
+    return [Finding("missed_light", "doubt", text, {"missed": missed}), *others]
 
 
 def is_correlated(residual: Array, variance: Array, light: Array) -> bool:
     """Return whether products of residuals (n, height, width) of adjacent pixels show a significant model error.
 
-    This is the score test of kappa = 0 for a correlation length of a bin, without the effect of the fit. Residuals
+    This is the score test of kappa = 0 for one correlation length, without the effect of the fit. Residuals
     are NaN at pixels left out.
     """
-    valid = np.isfinite(residual)
-    length = float(_bins_of(residual.shape))
-    ratio = np.where(valid, np.maximum(light, 0.0), 0.0) / variance
-    slope = ratio * np.where(valid, residual, 0.0)
-    square = ratio * ratio * variance
-
-    def correlated(images: Array, width: float) -> float:
-        # The kernel exp(-d^2 / (2 width^2)) is a normalized Gaussian times 2 pi width^2.
-        blurred = scipy.ndimage.gaussian_filter(images, (0.0, width, width), mode="constant")
-        return float(2.0 * math.pi * width**2 * (images * blurred).sum())
-
-    excess = correlated(slope, length) - float(square.sum())
-    return excess > _GATE * math.sqrt(2.0 * correlated(square, length / math.sqrt(2.0)))
+    ratio = np.where(np.isfinite(residual), np.maximum(light, 0.0), 0.0) / np.sqrt(variance)
+    score, square = ratio * np.nan_to_num(residual) / np.sqrt(variance), ratio**2
+    # exp(-d^2 / (2 w^2)) is a normalized Gaussian times 2 pi w^2; its square is one of width w / sqrt(2).
+    sums = [
+        2.0 * math.pi * w**2 * float((part * scipy.ndimage.gaussian_filter(part, (0.0, w, w), mode="constant")).sum())
+        for part, w in ((score, _GATE_LENGTH), (square, _GATE_LENGTH / math.sqrt(2.0)))
+    ]
+    return sums[0] - float(square.sum()) > _GATE * math.sqrt(2.0 * sums[1])
 
 
 def model_error(residual: Array, derivatives: Array, variance: Array, light: Array) -> ModelError | None:
@@ -136,45 +115,37 @@ def model_error(residual: Array, derivatives: Array, variance: Array, light: Arr
     derivatives : ndarray, shape (p, n, height, width)
         Derivatives of the electrons by the p parameters.
     """
-    valid, bins, p = np.isfinite(residual), _bins_of(residual.shape), len(derivatives)
+    valid, bins, p = np.isfinite(residual), -(-max(residual.shape[1:]) // _MAX_SIDE), len(derivatives)
     if valid.sum() < _MIN_PIXELS * p:
         return None
     missed = part_missed(residual, variance, light)
-    light = np.where(valid, np.maximum(light, 0.0), 0.0)
-    y, noise, s = (_binned(np.where(valid, part, 0.0), bins) for part in (residual, variance, light))
-    columns = _binned(np.where(valid, derivatives, 0.0), bins)
-    shape = y.shape
-    deviation = np.sqrt(noise)
-    whitening = np.divide(1.0, deviation, out=np.zeros_like(deviation), where=deviation > 0.0)
-    s = scipy.ndimage.gaussian_filter(s, (0.0, _SMOOTHING, _SMOOTHING)) * whitening
-    y, columns = y * whitening, columns * whitening
+    y, noise, s = (_binned(np.where(valid, part, 0.0), bins) for part in (residual, variance, np.maximum(light, 0.0)))
+    sectors = _sectors(s)
+    deviation = np.sqrt(np.where(noise > 0.0, noise, math.inf))
+    s = scipy.ndimage.gaussian_filter(s, (0.0, _SMOOTHING, _SMOOTHING)) / deviation
+    y, columns = y / deviation, _binned(np.where(valid, derivatives, 0.0), bins) / deviation
     # Normal matrices have a diagonal of 1.
     scale = 1.0 / np.sqrt(np.maximum((columns**2).sum(axis=(1, 2, 3)), 1e-300))
     columns *= scale[:, None, None, None]
-    flat = y.reshape(len(y), -1), columns.reshape(p, len(y), -1), s.reshape(len(y), -1)
-    best: tuple[float, float, float, _Rotated] | None = None
+    fits, images = [], np.concatenate([y[None], columns])
     for length in _LENGTHS:
-        rotated = _Rotated.of(*flat, length, shape[1:])
+        rotated = _rotated(images, s, length)
         found = scipy.optimize.minimize_scalar(
-            lambda t, rotated=rotated: -rotated.likelihood(math.exp(t)),
-            bounds=tuple(map(math.log, _KAPPAS)), method="bounded", options={"xatol": 0.02},
-        )  # fmt: skip
-        if best is None or -found.fun > best[0]:
-            best = -float(found.fun), math.exp(found.x), length, rotated
-    assert best is not None
-    likelihood, kappa, length, rotated = best
-    inverse, shift = rotated.solve(kappa)
+            lambda t, rotated=rotated: -_estimate(rotated, math.exp(t))[0], bounds=_LOG_KAPPAS, method="bounded"
+        )
+        fits.append((-float(found.fun), math.exp(found.x), length, rotated))
+    likelihood, kappa, length, rotated = max(fits, key=lambda fit: fit[0])
+    _, inverse, shift = _estimate(rotated, kappa)
+    noise_likelihood, plain, _ = _estimate(rotated, 0.0)
     if missed > _MOST_FOR_JACKKNIFE:
-        plain, _ = rotated.solve(0.0)
-        other = plain @ rotated.moment(kappa) @ plain
+        flat = rotated[2:]
+        other = plain @ (flat * (1.0 + kappa**2 * rotated[0])) @ flat.T @ plain
     else:
-        sectors = _sectors(light, bins)
         parts = [np.where(sectors == k, columns, 0.0).reshape(p, -1) for k in np.unique(sectors)]
         slopes = np.array([part @ y.ravel() for part in parts])
         other = jackknife(np.array([part @ part.T for part in parts]), slopes)
     covariance = larger(inverse, other) * np.outer(scale, scale)
-    gain = likelihood - rotated.likelihood(0.0)
-    return ModelError(scale * shift, covariance, missed, kappa, length * bins, gain, bins)
+    return ModelError(scale * shift, covariance, missed, kappa, length * bins, likelihood - noise_likelihood)
 
 
 def jackknife(information: Array, slope: Array, whole: tuple[Array, Array] | None = None) -> Array:
@@ -198,68 +169,44 @@ def larger(covariance: Array, other: Array) -> Array:
     return np.asarray(covariance * np.outer(scale, scale))
 
 
-class _Rotated(NamedTuple):
-    """Residuals (n, m) and derivatives (p, n, m) in coordinates in which V is diagonal: 1 + kappa^2 `powers`."""
+def _rotated(images: Array, s: Array, length: float) -> Array:
+    """Return images (q, n, height, width) in coordinates in which V is diagonal, after its eigenvalues, (q + 1, m).
 
-    powers: Array
-    residual: Array
-    columns: Array
-
-    @classmethod
-    def of(cls, y: Array, columns: Array, s: Array, length: float, shape: tuple[int, ...]) -> _Rotated:
-        """Return whitened images in the coordinates of the eigenvectors of ``s s' o exp(-d^2 / (2 length^2))``."""
-        if length == 0.0:
-            return cls((s * s).ravel(), y.ravel(), columns.reshape(len(columns), -1))
-        rows, cols = np.divmod(np.arange(s.shape[1]), shape[1])
-        distance2 = np.subtract.outer(rows, rows) ** 2 + np.subtract.outer(cols, cols) ** 2
-        correlation = np.exp(-0.5 * distance2 / length**2)
-        powers, residual, derivatives = np.empty_like(s), np.empty_like(y), np.empty_like(columns)
-        for i, amplitude in enumerate(s):
-            values, vectors = scipy.linalg.eigh(correlation * np.outer(amplitude, amplitude), driver="evd")
-            powers[i], residual[i] = np.maximum(values, 0.0), y[i] @ vectors
-            derivatives[:, i] = columns[:, i] @ vectors
-        return cls(powers.ravel(), residual.ravel(), derivatives.reshape(len(columns), -1))
-
-    def _normal(self, kappa: float) -> tuple[Array, Array, Array]:
-        weight = 1.0 / (1.0 + kappa**2 * self.powers)
-        weighted = self.columns * weight
-        return weight, weighted @ self.columns.T + _RIDGE * np.eye(len(weighted)), weighted @ self.residual
-
-    def solve(self, kappa: float) -> tuple[Array, Array]:
-        """Return covariance and step of generalized least squares."""
-        _, matrix, slope = self._normal(kappa)
-        inverse = np.asarray(np.linalg.inv(matrix), np.float64)
-        return inverse, inverse @ slope
-
-    def moment(self, kappa: float) -> Array:
-        """Return ``A' W V W A``, the covariance of the gradient for weights that neglect the model error."""
-        return np.asarray((self.columns * (1.0 + kappa**2 * self.powers)) @ self.columns.T)
-
-    def likelihood(self, kappa: float) -> float:
-        """Return the restricted ln(likelihood), without its constant."""
-        weight, matrix, slope = self._normal(kappa)
-        square = float(self.residual**2 @ weight - slope @ np.linalg.solve(matrix, slope))
-        return 0.5 * (float(np.log(weight).sum()) - float(np.linalg.slogdet(matrix)[1]) - square)
+    Images are whitened; the coordinates are eigenvectors of ``s s' o exp(-d^2 / (2 length^2))`` for each of the n.
+    """
+    rows, columns = (grid.ravel() for grid in np.indices(s.shape[1:]))
+    distance2 = np.subtract.outer(rows, rows) ** 2 + np.subtract.outer(columns, columns) ** 2
+    correlation, parts = np.exp(-0.5 * distance2 / length**2), []
+    for k, amplitude in enumerate(s):
+        powers, vectors = scipy.linalg.eigh(correlation * np.outer(amplitude, amplitude), driver="evd")
+        parts.append(np.vstack([np.maximum(powers, 0.0), images[:, k].reshape(len(images), -1) @ vectors]))
+    return np.concatenate(parts, axis=1)
 
 
-def _bins_of(shape: tuple[int, ...]) -> int:
-    """Return the side of the squares of pixels that are summed, for images of this shape (n, height, width)."""
-    return -(-max(shape[1:]) // _MAX_SIDE)
+def _estimate(rotated: Array, kappa: float) -> tuple[float, Array, Array]:
+    """Return the restricted ln(likelihood) without its constant, and covariance and step of the parameters."""
+    powers, residual, columns = rotated[0], rotated[1], rotated[2:]
+    weight = 1.0 / (1.0 + kappa**2 * powers)
+    weighted = columns * weight
+    matrix, slope = weighted @ columns.T + _RIDGE * np.eye(len(weighted)), weighted @ residual
+    inverse = np.linalg.inv(matrix)
+    step = np.asarray(inverse @ slope)
+    square = float(residual**2 @ weight - slope @ step)
+    likelihood = 0.5 * (float(np.log(weight).sum()) - float(np.linalg.slogdet(matrix)[1]) - square)
+    return likelihood, np.asarray(inverse), step
 
 
 def _binned(images: Array, bins: int) -> Array:
-    """Return sums of images (..., height, width) over squares of pixels; images are extended by zeros."""
-    height, width = images.shape[-2:]
-    padded = np.pad(images, [(0, 0)] * (images.ndim - 2) + [(0, -height % bins), (0, -width % bins)])
-    height, width = padded.shape[-2] // bins, padded.shape[-1] // bins
-    return np.asarray(padded.reshape(*images.shape[:-2], height, bins, width, bins).sum(axis=(-3, -1)))
+    """Return sums of images (..., height, width) over squares of pixels, which are smaller at the end."""
+    for axis in (-2, -1):
+        images = np.add.reduceat(images, range(0, images.shape[axis], bins), axis=axis)
+    return images
 
 
-def _sectors(light: Array, bins: int) -> Array:
-    """Return the number of the sector of each bin (n, height, width), about the centroid of each image's light."""
-    binned = _binned(light, bins)
-    grid = np.indices(binned.shape[1:])
-    centers = np.einsum("nyx,kyx->kn", binned, grid) / np.maximum(binned.sum(axis=(1, 2)), 1e-300)
+def _sectors(light: Array) -> Array:
+    """Return the number of the sector of each pixel (n, height, width), about the centroid of each image's light."""
+    grid = np.indices(light.shape[1:])
+    centers = np.einsum("nyx,kyx->kn", light, grid) / np.maximum(light.sum(axis=(1, 2)), 1e-300)
     y, x = grid[:, None] - centers[:, :, None, None]
-    sector = np.floor(np.arctan2(y, x) / (2.0 * math.pi) % 1.0 * _SECTORS).clip(0, _SECTORS - 1).astype(int)
-    return np.asarray(sector + _SECTORS * np.arange(len(light))[:, None, None])
+    part = np.arctan2(y, x) / (2.0 * math.pi) % 1.0
+    return np.asarray(np.floor(part * _SECTORS) % _SECTORS + _SECTORS * np.arange(len(light))[:, None, None])

@@ -124,7 +124,7 @@ class FieldFit(FitReport):
         The field with the even part of all phases negated, if its images are the same (finding "sign_open");
         None if the images determine the sign.
     names : tuple
-        The k estimated terms.
+        The k estimated terms: those requested, then terms that the stars favour (finding "estimated").
     coefficients : ndarray, shape (k, m)
         Coefficients of each term (radians rms) for the m products of Legendre polynomials of the position; see
         :meth:`at`.
@@ -393,7 +393,9 @@ def fit_field(
     windows of corners are divided by the illumination, whose logarithm is a polynomial of degree 4 or less, fitted to
     the white areas of all windows.
 
-    Effects that the model lacks are tested, marginalized or reported as in :func:`lommel.retrieve`. Additional score
+    Effects that the model lacks are tested, marginalized, graded or estimated as in :func:`lommel.retrieve` (Zernike
+    terms, f-number, obscuration, apodization, known defoci). Their values are in the finding "estimated", changed
+    apertures in `field`, and terms, which follow the requested ones, in `names`. Additional score
     tests search for polynomials of the next two degrees, for a term that is larger in one of 3 x 3 parts of the
     field, and for blur that has another shape, is anisotropic, or varies over the field. Slopes of the background are
     estimated if they are significant. Three more effects are marginalized, with these prior standard deviations:

@@ -92,7 +92,9 @@ class Retrieval(FitReport):
         The pupil with the estimated wavefront, f-number, wavelength and obscuration.
     coefficients : dict of name to float
         Parameters common to all images: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
-        given wavelength), "f_number", "obscuration", "wavelength" in metres.
+        given wavelength), "f_number", "obscuration", "wavelength" in metres. Also effects that were estimated because
+        the images favour them, see the finding "estimated"; of those that only a model of fields estimates (blur,
+        apodization, slopes), `pupil`, `blurs` and the finding have the values.
     errors : dict of name to float or ndarray
         Standard errors of `coefficients`; inf if the images do not determine a parameter. Also the standard
         errors, shape (n,), of "flux", "background" and, if estimated, "row" and "column".
@@ -335,8 +337,16 @@ def retrieve(
     amplitude at the edge if linear, 1 % otherwise), decentring of the obscuration (0.01 pupil radii), ellipticity of
     the edge (0.5 %), scales (0.3 %), delayed charge (0.25 %), zones and ripples (0.02 radians rms each), f-number
     (1 %), obscuration (0.015), scale of the defoci (2.5 %). Effects that the images favour but that are not
-    significant (Bayes factors above 1) are marginalized with the uncertainty of the tests; a significant effect is a
-    doubt ("other_explanation"). Stripes, and offsets of rows or columns, that noise alone causes in fewer than one of
+    significant (Bayes factors above 1) are marginalized with the uncertainty of the tests.
+
+    A significant effect is estimated where a model can, in a second fit from the first one (at most two in turn): a
+    Zernike term, f-number, obscuration, scale of the defoci, defocus of one image, change of a term over the images,
+    blur, apodization or slopes of the background. The finding "estimated" states its value, error and the value that
+    was stated; `errors` allow for effects that explain the images as well. Other significant effects are graded
+    ("other_explanation"). Allowing for an effect changes coefficients by `move`; answers that allow for different
+    effects differ by `rest` (both in standard errors); it leaves chi2 at `left`. The finding is a note if `rest` < 1,
+    `move` < 3 and noise explains `left`. It is an error if noise does not, or `rest` > 3, otherwise a doubt; errors
+    include `rest`. Stripes, and offsets of rows or columns, that noise alone causes in fewer than one of
     1000 fits are also doubts ("pattern"). If the images have a single defocus, or blur masks the f-number, the
     finding "untested" lists the coefficients that an error of the known defocus or f-number would change. A wrong
     sign of all known defoci negates the even terms and cannot be detected.
@@ -403,7 +413,7 @@ def fit_stars(
     # Effects that only field fits estimate: from the answer, without restarts.
     blurred = None
     if {*unknowns.places} == {*SHIFTS} and not unknowns.pupil:
-        fixed = {"counts": counts, "noise": noise, "plan": plan, "pixel": pixel, "draw": draw}
+        fixed: dict[str, Any] = {"counts": counts, "noise": noise, "plan": plan, "pixel": pixel, "draw": draw}
         of_field = replace(options, progress=None)
         blurred = partial(_fit_blurred, options=of_field, effort=effort._replace(starts=1), **fixed)
     return _build_retrieval(
@@ -721,16 +731,16 @@ def _build_retrieval(
         refit = blurred(result.pupil, blur=OF_FIELDS[named])
     if not refit.converged or refit.chi2 >= chi2:
         return result
-    pairs = [(k, *pair) for k, image in enumerate(map(zip, refit.blurs, refit.blur_errors), 1) for pair in image]
-    pixel, widths = model.pixel, dict[str, tuple[float, float, float]]()
-    for k, blur, error in (pair for pair in pairs if pair[2] > 0.0):  # not NaN
-        if isinstance(blur, Jitter):
-            widths[f"blur of image {k}"] = blur.sigma / pixel, error / pixel, 0.0
-        elif isinstance(blur, Seeing):
-            widths[f"r0 of seeing of image {k}"] = blur.r0, error, np.inf
-    waves = first_model.unknowns.terms
-    moves = [abs(refit.coefficients[n] - x) / refit.errors[n] for n, x in zip(waves, first_x[0], strict=False)]
-    return replace(refit, findings=Findings([*refit.findings, *estimated_findings(widths, max(moves))]))
+    widths = dict[str, tuple[float, float, float]]()
+    for k, image in enumerate(zip(refit.blurs, refit.blur_errors, strict=True), 1):
+        for width, width_error in zip(*image, strict=True):
+            if isinstance(width, Jitter) and width_error > 0.0:  # not NaN
+                widths[f"blur of image {k}"] = width.sigma / model.pixel, width_error / model.pixel, 0.0
+            elif isinstance(width, Seeing):
+                widths[f"r0 of seeing of image {k}"] = width.r0, width_error, np.inf
+    terms = zip(first_model.unknowns.terms, first_x[0].tolist(), strict=False)
+    move = max((abs(refit.coefficients[name] - value) / refit.errors[name] for name, value in terms), default=0.0)
+    return replace(refit, findings=Findings([*refit.findings, *estimated_findings(widths, move)]))
 
 
 def _build_blurred_retrieval(

@@ -210,7 +210,7 @@ class PupilChanges:
             # ASPECT: the derivative of the field by position is i times its derivative by SLANT, a linear amplitude.
             stretched = 1j * (u * changes[1] - v[:, None] * changes[0])
             for terms, (rows, columns), movements in tables.edges:
-                edge_phase = np.exp(1j * np.tensordot(coefficients, terms, 1))
+                edge_phase = np.exp(1j * np.einsum("k,kp->p", coefficients, terms))
                 changes += [products(rows * (movement * edge_phase), columns) for movement in movements]
             # The derivative of the image abs(U)^2 is 2 Re(U* U').
             derivatives.append([2.0 * (field.conj() * change).real for change in (*changes, stretched)])
@@ -257,7 +257,7 @@ class _ChangeTables:
                     scale * radius * (angles[1] - angles[0]) * float(illumination.at(np.array(radius**2)))
                 )
                 edge_terms = _zernike_values(terms, np.full(angles.shape, radius), angles)
-                self.edges.append((edge_terms, waves, edge_amplitude * np.stack(movements)))
+                self.edges.append((edge_terms, waves, (edge_amplitude * np.stack(movements)).astype(np.float32)))
 
 
 def _zernike_values(terms: Sequence[Term], rho: Array, theta: Array) -> Values:

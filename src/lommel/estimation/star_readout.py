@@ -268,7 +268,8 @@ def products(images: Values, matrix: Array) -> Values:
     block = max(1, limit // max(transposed.shape[-2] * transposed.shape[-1], 1))
     if block >= rows:
         return np.asarray(images @ transposed)
-    return np.concatenate([images[..., k : k + block, :] @ transposed for k in range(0, rows, block)], axis=-2)
+    # Blocks are about equal: a remainder of one row would be a product with a vector, which uses all threads.
+    return np.concatenate([part @ transposed for part in np.array_split(images, -(-rows // block), axis=-2)], axis=-2)
 
 
 def column_products(images: Values, matrix: Array) -> Values:

@@ -240,6 +240,20 @@ def test_effects_are_fitted_that_are_nearly_as_likely_as_the_best(evidence, coun
     assert len(fewer) == (not fits)
 
 
+@pytest.mark.parametrize(
+    ("fits", "names"), [((0, 1), ["a"]), ((0, 0, 1, 1), ["a", "b"]), ((0, 0, 0, 1), []), ((0,), [])]
+)
+def test_effects_are_added_in_at_most_two_rounds_and_only_if_the_fit_is_then_good(fits, names, monkeypatch):
+    chain = [Made(index=k, fits=lambda _, good=good: bool(good)) for k, good in enumerate(fits)]
+    monkeypatch.setattr(bead_checks, "missing_tests", lambda _, fit: ("tests", fit.index, []))
+    monkeypatch.setattr(bead_checks, "missing_findings", lambda _, fit, *__: ([], 1.0, [chr(97 + fit.index)]))
+    more = lambda _, fit, *__: None if fit.index + 1 == len(chain) else ("model", chain[fit.index + 1])  # noqa: E731
+    monkeypatch.setattr(bead_checks, "estimated_besides", more)
+    search = Made(setup=None, report=None)
+    _, fit, _, marginal, *_, added = beads._checked("model", chain[0], search, bead_checks.ROUNDS)
+    assert (added, fit.index, marginal) == (names, len(names), len(names))
+
+
 def test_priors_are_told_that_beads_do_not_test_better(monkeypatch):
     model, told = (model_of(2, 20e-9, priors={"sample": Prior(1.33, 0.01), "pixel": Prior(PIXEL, 1e-8),
         "coverslip": Prior(1.7e-4, 5e-6)}), [])  # fmt: skip
@@ -247,7 +261,7 @@ def test_priors_are_told_that_beads_do_not_test_better(monkeypatch):
              score("depth", 0.0, (1.0, 1.0), (1e-9, 21e-9)), score("drift", 0.0, errors=(9.0,))]  # fmt: skip
     for name, made in (("score_tests", lambda *_: tests), ("_neighbor_tests", lambda *_: []), ("untested",
         lambda *_: {}), ("untested_findings", lambda effects, sizes, priors,
-        never: told.extend(priors))):  # fmt: skip
+        *_: told.extend(priors))):  # fmt: skip
         monkeypatch.setattr(bead_checks, name, made)
     fit = model.evaluate(State(SETUP, np.zeros(1), (PLACE, PLACE)))
     bead_checks.missing_tests(model, fit)

@@ -77,7 +77,6 @@ _MIN_DISTANCE = 2.0  # smallest distance of a neighbour, Rayleigh distances; a n
 _MOVED_RATIO = 4.0  # smallest significance of a displaced plane, divided by the median of all planes
 _MOVED_SIGMAS = 5.0  # smallest significance of a displaced plane, standard deviations
 _CONTRADICTED = 3.5  # smallest significance (standard deviations) at which the beads contradict a prior
-_NEVER_TESTED = ("wavelength",)  # equivalent to other constants
 
 
 def available_constants(setup: Setup) -> list[str]:
@@ -95,7 +94,7 @@ def is_possible(setup: Setup, name: str, value: float) -> bool:
     smallest = {"depth": 0.25 * setup.diameter, "diameter": 0.0, "blur": 0.0, "coverslip": 0.0}
     if name in smallest:
         return value >= smallest[name]
-    if name in ("pixel", "step"):
+    if name in ("pixel", "step", "wavelength"):
         return value > 0.0
     with suppress(ValueError):
         setup.with_constant(name, value)
@@ -124,8 +123,8 @@ def _displacement_tests(
     masks, p = _displacements(len(model.stacks[0].z)), len(gradient)
     common_count = p - len(model.bead_parameters) * len(model.stacks)
     focus = common_count + model.bead_parameters.index("focus")
-    mixed, diagonal, slope = np.zeros((p, len(masks))), 0.0, 0.0
     planes = np.array([*masks.values()])
+    mixed, diagonal, slope = np.zeros((p, len(masks))), *np.zeros((2, planes.shape[1]))
     # The focus of each plane is a parameter: its derivatives are those of the focus of the bead, plane by plane.
     for j, part in enumerate(parts):
         mixed[[*range(common_count), *model.columns(j, common_count)]] += (planes @ part.information[:, focus]).T
@@ -214,7 +213,7 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     priors = [c.name for c in candidates if 0.0 < c.known < errors.get(c.name, math.inf)]
     units = [(c.name, c.scale, *_unit(c.name)) for c in constant_candidates]
     sizes = {name: f"{factor * scale:.3g}{unit} of it" for name, scale, factor, unit in units}
-    notes = untested_findings(effects, sizes, priors, _NEVER_TESTED)
+    notes = untested_findings(effects, sizes, priors)
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
 
 
@@ -359,7 +358,8 @@ def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Set
             stacks = tuple(replace(stack, displaced=mask) for stack in model.stacks)
             model = replace(model, stacks=stacks, priors=priors | {"jump": Prior(0.0, math.inf)})
         elif name in ("drift", _GRADIENT):
-            model = replace(model, **{"drifts" if name == "drift" else "gradients": True})
+            drifts, gradients = model.drifts or name == "drift", model.gradients or name == _GRADIENT
+            model = replace(model, drifts=drifts, gradients=gradients)
         else:
             candidates = next_terms(images.estimated_terms, ((2, 0), *images.fixed_terms))
             terms = [term for term in candidates if label(term) == name]

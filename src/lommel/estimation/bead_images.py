@@ -76,6 +76,7 @@ CONSTANTS: Mapping[str, Constant] = {
     "step": Constant(1e-2, "", 0.1, 0.02),
     "depth": Constant(4e-9, "m", 3e-7, 50e-9, 20e-9),
     "jump": Constant(4e-9, "m", 3e-7, 100e-9),
+    "wavelength": Constant(2e-9, "m", 2e-8, 10e-9),
     **{f"apodization_{n}": Constant(1e-2, "", 0.3, 0.1) for n in (2, 4, 6, 8)},
 }
 UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "rad": (1.0, " rad"), "": (1.0, "")}
@@ -152,7 +153,7 @@ class Setup:
         return math.pi * self.objective.NA * self.diameter / self.wavelength
 
 
-_SETUP_CONSTANTS = ("pixel", "diameter", "blur", "step", "jump")
+_SETUP_CONSTANTS = ("pixel", "diameter", "blur", "step", "jump", "wavelength")
 
 
 def changed_objective(objective: Objective, name: str, value: float) -> Objective:

@@ -149,7 +149,8 @@ class BeadFit(FitReport):
         Wavelength, estimated pixel pitch of the camera and estimated diameter of the beads, metres.
     emitter : Dipole, Beam or Scalar
     coefficients : dict
-        Parameters common to all beads: Zernike terms (n, m) in radians rms, and constants by name.
+        Parameters common to all beads: Zernike terms (n, m) in radians rms, and constants by name; "jump" is the
+        displacement (metres) of planes that the finding "estimated" names.
     errors : dict
         Standard errors of `coefficients`, with the same keys.
     covariance : ndarray, shape (k, k)
@@ -460,10 +461,11 @@ def fit_beads(
 
     Score tests (Rao) estimate the size of each neglected effect by one step of Fisher scoring, with all estimated
     parameters eliminated; the effects are ranked by Bayes factor. If an effect is significant, a new fit estimates
-    it. Effects that are favoured but not significant (Bayes factors above 1) are marginalized: `coefficients`,
-    `errors` and `aberrations` allow for them. The finding "untested" lists fixed constants that the beads do not
-    determine, if an error of the constant would change a term by more than a standard error; constants determined
-    more by the prior than by the beads; and the wavelength, whose errors are equivalent to errors of pixel and NA.
+    it. In at most two rounds, this fit becomes the result (finding "estimated"), if it is good, and if constants are
+    plausible: within six times their expected errors. Effects that are favoured but not significant (Bayes factors
+    above 1) are marginalized: `coefficients`, `errors` and `aberrations` allow for them. The finding "untested" lists
+    fixed constants that the beads do not determine, if an error of the constant would change a term by more than a
+    standard error, and constants determined more by the prior than by the beads.
     Two other doubts are "pattern" (stripes, or offsets of rows or columns, that noise alone causes in fewer than one
     of 1000 fits) and "too_dim" (a standard error of the wavefront above 0.22 radians rms).
 
@@ -616,8 +618,10 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     fit, is_used = search.fit_all()
     has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
     model = search.model.with_beads(np.flatnonzero(is_used).tolist())
-    first_fit, nothing = fit, (model, fit, (), None, [], [], 0.0, [])
-    checked = _checked(model, fit, search, bead_checks.ROUNDS) if has_light else nothing
+    checked: tuple[Any, ...] = (model, fit, (), None, [], [], 0.0, [])
+    first_fit = fit
+    if has_light:
+        checked = _checked(model, fit, search, bead_checks.ROUNDS)
     model, fit, tests, marginal, untested, missing_findings, gain, estimated_names = checked
     if estimated_names:
         notes = [bead_checks.estimated_finding(estimated_names, model, fit, first_fit, search.setup), *notes]

@@ -83,7 +83,6 @@ def test_what_the_stars_favour_is_estimated(world, name, stated, true):
     [
         ({"waves": (*WAVES, (5, 0.1))}, "noll 5 astigmatism 45", 0.1),
         ({"waves": (*WAVES, (10, 0.06))}, "noll 10 trefoil x", 0.06),
-        ({"blur": (("gaussian", 0.6), ("tracking", 1.2, 0.0))}, "blur in one direction", None),
     ],
 )
 def test_what_is_missing_is_named_first(more, name, size):
@@ -186,6 +185,39 @@ def test_stated_blurs_are_not_marginalized():
     errors = [np.sqrt(np.diag(one.covariance)) for one in (known, free)]
     assert (errors[0] < errors[1]).all()
     assert not seen(known)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.7])
+def test_trails_are_estimated(angle):
+    fit = fitted(images(blur=(("gaussian", 0.6), ("tracking", 1.6, angle))))
+    assert fit.converged
+    assert not seen(fit)
+    trail, error = fit.blurs[0][-1], fit.blur_errors[0][-1]
+    assert isinstance(trail, lm.Motion)
+    assert abs(trail.length - 1.6 * 4.5e-6) < 3.0 * error < 0.6 * 4.5e-6
+    assert abs(np.sin(trail.angle - angle)) < 0.1
+    value = fit.findings.get("estimated").numbers["trail in exposure 1"]
+    assert abs(value["value"] - 1.6) < 3.0 * value["error"]
+
+
+def test_trailed_samples_are_means_over_the_path():
+    reader, trails = (
+        StarReadout((15, 13), 1.3, 2.0, BlurProfile.gaussian(), integrate=False),
+        [[-0.3, 0.2], [0.1, 0.0]],
+    )
+    y, x = (reader.step / 1.3 * (np.arange(side) - side // 2) for side in reader.shape)  # pixels
+
+    def spot(row, column):
+        return np.exp(-((y[:, None] - row) ** 2) / 3.0 - (x - column) ** 2 / 2.0)
+
+    found = reader.trailed([np.stack([spot(0.4, -0.7)] * 2).astype(np.float32)], np.array(trails))[0]
+    for image, (difference, covariance) in zip(found, trails, strict=True):
+        # Positions along the path have half the difference of the variances along y and x, and their covariance.
+        variance = np.hypot(difference, covariance)
+        down, across = np.sqrt(variance + difference), np.sqrt(variance - difference)
+        steps = np.sqrt(12.0) * (np.arange(200) - 99.5) / 200.0
+        moved = [spot(0.4 + s * down, -0.7 + s * across * np.sign(covariance or 1.0)) for s in steps]
+        np.testing.assert_allclose(image, np.mean(moved, axis=0), atol=1e-4)
 
 
 def test_derivatives_by_other_blurs_are_those_of_blurred_images():

@@ -16,7 +16,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import listed
-from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
+from lommel.blur.blurs import FWHM, Blur, Jitter, Motion, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, BlurProfile
 from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
@@ -30,7 +30,7 @@ from lommel.estimation.distortion import (
     places_of,
 )
 from lommel.estimation.field_checks import negated
-from lommel.estimation.field_search import Outcome, Search, Solution
+from lommel.estimation.field_search import Outcome, Search, Solution, trails_of
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.options import FieldFitOptions
@@ -132,11 +132,12 @@ class FieldFit(FitReport):
         Covariance of the flattened `coefficients`. Places, flux, background and blur are nuisance parameters.
     blurs : tuple of tuples of blurs
         Blurs of each exposure, as arguments of :func:`lommel.psf`: the known blurs, or estimates
-        (:class:`lommel.Seeing`, :class:`lommel.Jitter`, or both). Fried's parameter r0 of the seeing is for the focal
-        length of the pupil, or for 1 m if it has none.
+        (:class:`lommel.Seeing`, :class:`lommel.Jitter`, or both, and :class:`lommel.Motion` where the stars favour
+        it, finding "estimated"). Fried's parameter r0 of the seeing is for the focal length of the pupil, or for 1 m
+        if it has none.
     blur_errors : tuple of tuples of float
-        Standard error of r0 (:class:`lommel.Seeing`; the outer scale is unknown) or sigma (:class:`lommel.Jitter`);
-        0 for a known blur.
+        Standard error of r0 (:class:`lommel.Seeing`; the outer scale is unknown), of sigma (:class:`lommel.Jitter`)
+        or of the length (:class:`lommel.Motion`); 0 for a known blur.
     chi2 : float
         Pearson's chi2 per degree of freedom of all used stars, about 1 if the model is right.
     held_out : float
@@ -652,6 +653,10 @@ def _build_field_fit(
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)
     blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, width_errors, outer_errors)
+    if stars.trails.any():
+        pitch = stars.pixel * float(stars.pupil.scale)
+        for blurs_of_exposure, length, error, angle in zip(blurs_with_errors, *trails_of(fit, tests), strict=True):
+            blurs_of_exposure.append((Motion(pitch * float(length), float(angle)), pitch * float(error)))
     findings += _blur_findings(stars, outcome.blur_costs)
     table, model = _fitted_stars(search, fit, rejected, polynomials, places, noise.excess)
     findings += _stripe_findings(stars, model, table.used, noise.excess)

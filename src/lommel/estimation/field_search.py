@@ -25,7 +25,8 @@ from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_checks import missing_tests, slope_findings, star_model_error
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
-from lommel.estimation.star_checks import DRIFTS, changed, stated_value
+from lommel.estimation.star_checks import DRIFTS, ELLIPSE, TRAIL, changed, stated_value
+from lommel.estimation.star_readout import lines_of
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
 from lommel.fit.model_error import ModelError, with_errors_of_model
@@ -675,11 +676,17 @@ class Search:
         significant = [test for test in seen(tests) if not test.name.endswith(DRIFTS)]
         moved = [test for test in tests if test.name in freed and abs(test.sigmas) > _SETTLED]
         test = next(iter((*moved, *significant)), None)
-        optics = test and changed(stars.first_star, test.name, float(test.size[0]))
-        if test is None or not optics:
+        if test is None:
             return None
-        self.stars = stars.with_optics(*optics)
-        nuisance, added_count = fit.nuisance(), len(optics[0].terms) - fit.model.wave_count
+        if test.name == ELLIPSE:
+            freed_stars = stars.with_trails(stars.trails + test.size.reshape(-1, 2))
+        else:
+            optics = changed(stars.first_star, test.name, float(test.size[0]))
+            freed_stars = optics and stars.with_optics(*optics)
+        if freed_stars is None:
+            return None
+        self.stars = freed_stars
+        nuisance, added_count = fit.nuisance(), len(freed_stars.first_star.directions) - fit.model.wave_count
         nuisance[:, :2] *= self.stars.first_star.tilt_of_pixel / stars.first_star.tilt_of_pixel
         polynomials = np.pad(fit.polynomials(), ((0, added_count), (0, 0)))
         refit = self.refine(fit.model.chosen, polynomials, fit.squared_widths(), 20, nuisance, fast=False)
@@ -718,14 +725,30 @@ class Search:
         return float(scores.chi2[0]), float(scores.spread[0])
 
 
+def trails_of(fit: Solution, tests: Sequence[ScoreTest]) -> tuple[Array, Array, Array]:
+    """Return lengths of the lines that blur each exposure (pixels), their standard errors, and angles (radians)."""
+    trails = fit.model.stars.trails
+    size, errors = next(
+        ((test.size, test.errors) for test in tests if test.name == ELLIPSE), (np.zeros(trails.size),) * 2
+    )
+    trails = trails + size.reshape(trails.shape)
+    lengths, angles = lines_of(trails)
+    # The length is sqrt(24 m) for m = hypot(trails), and its derivative by m is 12 / length.
+    spread = np.hypot(*(trails * errors.reshape(trails.shape)).T) / np.maximum(np.hypot(*trails.T), 1e-12)
+    return lengths, 12.0 * spread / np.maximum(lengths, np.sqrt(12.0 * spread)), angles
+
+
 def _freed(
     first_fit: Solution, fit: Solution, tests: Sequence[ScoreTest], grade: Grade, changes: Mapping[str, float],
     rivals: list[str],
 ) -> Freed:  # fmt: skip
     """Return what `fit` estimates and `first_fit` does not; `changes` are those of constants."""
     constants, before = {}, first_fit.polynomials()
+    if ELLIPSE in changes:
+        trails = zip(*trails_of(fit, tests), strict=True)
+        constants |= {f"{TRAIL} in exposure {i}": (x, error, 0.0) for i, (x, error, _) in enumerate(trails, 1)}
     for test in tests:
-        if test.name in changes:
+        if test.name in changes and test.name != ELLIPSE:
             stated = stated_value(first_fit.model.stars.first_star, test.name)
             constants[test.name] = stated + changes[test.name] + float(test.size[0]), float(test.errors[0]), stated
     errors = np.sqrt(np.diag(grade.marginal.covariance))[: before.size]

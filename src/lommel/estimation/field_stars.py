@@ -25,7 +25,7 @@ from lommel.estimation.star_images import (
     pixel_coordinates,
     pixel_data,
 )
-from lommel.estimation.star_readout import ROOM, StarReadout
+from lommel.estimation.star_readout import ROOM, StarReadout, lines_of
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
@@ -84,6 +84,8 @@ class FieldStars:
         self.parameters_per_image = _FIRST_ANGLE + self.angle_count
         self.has_corners = self.angle_count > 0
         self.has_slopes = False
+        #: Lines by which each exposure is blurred besides, see `lines_of`.
+        self.trails: Array = np.zeros((self.exposures, 2))
         #: Terms and constants by which `images` differentiates if `derivatives` is "others".
         self.extra_terms: tuple[Name, ...] = ()
         first_pupil = pupil if pupil.shape == () else pupil[0]
@@ -135,6 +137,18 @@ class FieldStars:
             fixed_of_images=fixed_of_images, size=self.size + added_count, _reader=None, _sampled_pupils={},
             degrees_of_freedom=self.degrees_of_freedom - added_count, _terms=(*unknowns.edge, *self._terms[-2:]),
         )  # fmt: skip
+
+    def with_trails(self, trails: Array) -> FieldStars | None:
+        """Return a model whose exposures are blurred by lines besides (`trails` as in `lines_of`).
+
+        None if the images cannot tell a line: blur is not estimated, or a single star in one focus has astigmatism.
+        """
+        astigmatic = any(abs(m) == 2 for _, m in self.first_star.unknowns.edge)
+        is_told = self.count > 1 or not self.first_star.one_focus or not astigmatic
+        longest = float(lines_of(trails)[0].max())
+        if self.target is not None or not self.width_count or not is_told or longest > 0.5 * min(self.shape):
+            return None
+        return self.copy_with(trails=trails)
 
     def copy_with(self, **changes: Any) -> FieldStars:
         """Return a copy in which the attributes in `changes`, such as `extra_terms` or `pupil`, are replaced."""
@@ -228,6 +242,7 @@ class FieldStars:
                 images = reader.read(stacked, widths, angles, derivatives=selection == "all", threads=self.threads)
                 images = images[: len(stacked)] if others else images
             else:
+                stacked = reader.trailed(stacked, self.trails) if self.trails.any() else stacked
                 images = reader.read(stacked, squared_widths, derivatives=selection == "all")
                 if others:
                     images += reader.other_blurs(stacked[0], squared_widths[0]).values()

@@ -79,9 +79,10 @@ _MAX_PHASE_ERROR = 0.25
 _MAX_ERROR_CHANGE = 1.125
 APODIZED = 0.1  # apodization coefficient g: the amplitude is exp(-g) at the pupil edge
 _NO_BLUR = BlurProfile(np.ones(1), np.empty((1, 0)), np.zeros(1))
-_GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
+_GAUSSIAN, ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
 _UNEVEN = "blur that varies over the field"
-BLURS = (_GAUSSIAN, _ELLIPSE, _WINGS, _HALO)
+TRAIL = "trail"
+BLURS = (_GAUSSIAN, ELLIPSE, _WINGS, _HALO)
 GRADIENT = "background gradient"
 #: Effects of a single star that only the model of fields estimates, and whether this requires blur.
 OF_FIELDS = {**dict.fromkeys(BLURS, True), "apodization": False, GRADIENT: False}
@@ -99,7 +100,7 @@ _FOCI = (
 )
 _DESCRIPTIONS = {
     _GAUSSIAN: ("variance of an additional Gaussian blur", " pixels^2"),
-    _ELLIPSE: (
+    ELLIPSE: (
         "elliptical blur, for example from tracking or wind: (variance along rows - along columns) / 2, covariance",
         " pixels^2",
     ),
@@ -234,7 +235,7 @@ def missing_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool)
     """Yield the effects of additional blurs of each exposure, given derivatives of electrons (r * e, ...)."""
     if gaussian:
         yield MissingEffect(_GAUSSIAN, _WIDTH, _of_each_exposure(exposures, blurs["Gaussian"]))
-    yield MissingEffect(_ELLIPSE, _WIDTH, _of_each_exposure(exposures, blurs["along rows"], blurs["oblique"]))
+    yield MissingEffect(ELLIPSE, _WIDTH, _of_each_exposure(exposures, blurs["along rows"], blurs["oblique"]))
     yield MissingEffect(_WINGS, _WING_LIGHT, _of_each_exposure(exposures, blurs["wings"]))
     yield MissingEffect(_HALO, _WING_LIGHT, _of_each_exposure(exposures, blurs["halo"]))
 
@@ -312,7 +313,8 @@ def _image_of(name: str) -> int:
 
 def unit_of(name: Name) -> str:
     """Return the unit of an estimate."""
-    return _UNITS.get(str(name).split(" of image")[0], "rad")
+    text = str(name).split(" of image")[0]
+    return "pixels" if text.startswith(TRAIL) else _UNITS.get(text, "rad")
 
 
 def estimated_findings(

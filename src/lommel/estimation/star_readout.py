@@ -170,6 +170,21 @@ class StarReadout:
                     image[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * derivative
         return unfolded(images, self._window).reshape(len(images[0][0]), -1, *self._window)
 
+    def trailed(self, samples: Sequence[Values], trails: Array) -> list[Values]:
+        """Return samples (r * e, h, w) blurred by a line in each exposure; `trails` (e, 2) as in :func:`lines_of`."""
+        lengths, angles = (part[:, None, None] for part in lines_of(trails))
+        sides = [
+            scipy.fft.next_fast_len(side + math.ceil(float(lengths.max()) * self.pixel / self.step), real=True)
+            for side in self.shape
+        ]
+        # Frequencies in cycles per pixel; the spectrum of the samples has no aliases.
+        frequencies = np.fft.fftfreq(sides[0])[:, None], np.fft.rfftfreq(sides[1])
+        along = (frequencies[0] * np.sin(angles) + frequencies[1] * np.cos(angles)) * self.pixel / self.step
+        transfer = np.sinc(lengths * along).astype(np.float32)
+        spectra = (scipy.fft.rfft2(part.reshape(-1, len(trails), *self.shape), sides) for part in samples)
+        blurred = (scipy.fft.irfft2(spectrum * transfer, sides) for spectrum in spectra)
+        return [part[..., : self.shape[0], : self.shape[1]].reshape(-1, *self.shape) for part in blurred]
+
     def other_blurs(self, samples: Values, squared_widths: Array) -> dict[str, Values]:
         """Return derivatives (r * e, height, width) of images by the parameters of OTHER_BLURS.
 
@@ -229,6 +244,15 @@ class StarReadout:
         mixture = zip(self.blur.weights, rows, columns, strict=True)
         parts = (np.float32(w) * column_products(products(samples, column), row) for w, row, column in mixture)
         return np.asarray(sum(parts))
+
+
+def lines_of(trails: Array) -> tuple[Array, Array]:
+    """Return the lengths (pixels) and angles (radians, from the x axis towards the y axis) of lines.
+
+    `trails` (..., 2) are half the difference between the variances along y and x, and their covariance (pixels^2):
+    the covariance of a line of length L is L^2 / 12 along it, and 0 across.
+    """
+    return np.sqrt(24.0 * np.hypot(trails[..., 0], trails[..., 1])), 0.5 * np.arctan2(trails[..., 1], -trails[..., 0])
 
 
 def _even_odd_parts(images: Values) -> list[list[Values]]:

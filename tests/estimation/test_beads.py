@@ -441,6 +441,25 @@ def test_drift_is_estimated():
         assert abs(value - true) < 5.0 * found.beads[0].errors[name]
 
 
+def test_errors_contain_how_halves_of_the_planes_differ_where_nothing_explains_a_misfit():
+    z = np.linspace(-0.9e-6, 0.9e-6, 10)
+    stack, _ = recorded(1, waves(1), light=1e6, z=z)
+    # A ghost that is not in the model, and whose light changes from plane to plane.
+    ghost = 0.06 * np.roll(stack - 110.0, (3, 2), (1, 2)) * np.cos(np.arange(10.0))[:, None, None] ** 2
+    stack = np.round(stack + ghost)
+    whole, even, odd = (
+        fitted(stack[part], OIL, **(GIVEN | {"z": z[part]}), terms=TERMS, priors={})
+        for part in (np.s_[:], np.s_[::2], np.s_[1::2])
+    )
+    assert [fit.status for fit in (whole, even, odd)] == ["doubtful"] * 3
+    assert 0.01 < whole.findings.get("missed_light").numbers["missed"] < 0.1
+    differences = np.array([even.coefficients[term] - odd.coefficients[term] for term in TERMS])
+    errors = np.array([np.hypot(even.errors[term], odd.errors[term]) for term in TERMS])
+    assert 0.3 < np.sqrt(np.mean((differences / errors) ** 2)) < 1.5
+    # Two halves differ by twice the error of the whole.
+    assert 0.5 < np.median(errors / [2.0 * whole.errors[term] for term in TERMS]) < 2.0
+
+
 def test_a_search_that_ends_at_very_strong_aberrations_is_a_misfit():
     images, _ = recorded(1, waves(1))
     start = lm.Wavefront.zernike({(3, 3): 35.0})

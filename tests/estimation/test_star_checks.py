@@ -122,6 +122,29 @@ def pulls_of(fit):
     return np.array([(fit.coefficients[name] - true[name]) / fit.errors[name] for name in TERMS])
 
 
+@pytest.mark.parametrize("vanes", [0.0, 0.06])
+@pytest.mark.parametrize("blur", [False, True])
+def test_errors_contain_a_misfit_that_nothing_explains(vanes, blur):
+    telescope = Telescope(600e-9, 8.0, 0.2, vanes=vanes)
+    images = [
+        1e6 * telescope.transfer(WAVES, defocus=2 * known).image(29, 2.4e-6, 14.2, 13.9) for known in (0.0, 3.0)
+    ]
+    images = np.array(images)
+    if not vanes:  # a ghost of the star
+        images += 0.01 * np.roll(images, (3, -4), (1, 2))
+    images = Camera(gain=0.0, read=3.0).record(images + 20.0, 0)
+    fit = found(images, blur=blur)
+    assert fit.status == "doubtful"
+    missed = fit.findings.get("missed_light")
+    assert 0.005 < missed.numbers["missed"] < 0.1
+    assert f"misses {100 * missed.numbers['missed']:.2g} % of the light" in missed.text
+    assert np.abs(pulls_of(fit)).max() < 3.5
+    if not blur:
+        plain = found(images, checks=False)
+        assert plain.status == "misfit"
+        assert np.abs(pulls_of(plain)).max() > 10.0
+
+
 def test_what_is_estimated_is_no_candidate():
     fit = found(recorded(squeezed=1.02), also=("center", "f_number"))
     assert not seen(fit)

@@ -16,6 +16,7 @@ CODES: Mapping[str, str] = {
     "another_minimum": "another set of parameters, far from the estimate, fits as well",
     "below_offset": "most counts are below the offset that was stated",
     "blur_shape": "the most likely shape of the blur",
+    "compressed": "the images are compressed (JPEG), which changes their blur and noise",
     "contradiction": "values that were stated contradict each other",
     "crowded": "many images contain other molecules in addition to the fitted molecule",
     "errors_change": "a standard error changes within one standard deviation of the estimate",

@@ -29,6 +29,7 @@ from lommel.estimation.focal_model import FocalLight, Spectrum, transfer_curve
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.imaging.defocus_depth import counts_in_electrons, list_photographs
 from lommel.imaging.focal_engine import CONTRAST, UNMEASURED, Registration, processors
+from lommel.imaging.pair_noise import is_compressed
 from lommel.imaging.settings import channel_spectra, spectra
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
@@ -227,20 +228,15 @@ class _Search:
     def derivatives(self, at: Array, names: Sequence[str]) -> tuple[Array, Array]:
         """Return gradients, (parameters, tiles), and Hessians, (parameters, parameters, tiles), of `costs`."""
         steps = [_STEP * self.changes(row, names) for row in np.eye(len(names))]
-        with np.errstate(invalid="ignore"):  # infinite costs
-            return self._differences(at, steps)
-
-    def _differences(self, at: Array, steps: Sequence[Array]) -> tuple[Array, Array]:
-        """Return gradients and Hessians by finite differences."""
         middle = self.costs(at)
         ahead, behind = ([self.costs(at + sign * step) for step in steps] for sign in (1.0, -1.0))
-        gradients = np.subtract(ahead, behind) / (2.0 * _STEP)
         hessian = np.empty((len(steps), len(steps), len(middle)))
-        for i, step in enumerate(steps):
-            hessian[i, i] = ahead[i] + behind[i] - 2.0 * middle
-            for j in range(i):
-                hessian[i, j] = hessian[j, i] = self.costs(at + step + steps[j]) - ahead[i] - ahead[j] + middle
-        return gradients, hessian / _STEP**2
+        with np.errstate(invalid="ignore"):  # infinite costs
+            for i, step in enumerate(steps):
+                hessian[i, i] = ahead[i] + behind[i] - 2.0 * middle
+                for j in range(i):
+                    hessian[i, j] = hessian[j, i] = self.costs(at + step + steps[j]) - ahead[i] - ahead[j] + middle
+            return np.subtract(ahead, behind) / (2.0 * _STEP), hessian / _STEP**2
 
     def start(self) -> Array:
         """Return the nearest common shift of foci at which the planes agree about as well as anywhere; ValueError."""
@@ -375,8 +371,8 @@ class CalibratedPlane(NamedTuple):
 class FocalCalibration(FitReport):
     """Lenses calibrated by :func:`lommel.imaging.calibrate_focus`.
 
-    The findings have the codes "exchanged", "contradiction", "not_flat", "misfit" and "stated". ``print(found)``
-    prints a table.
+    The findings have the codes "exchanged", "contradiction", "not_flat", "misfit", "compressed" and "stated".
+    ``print(found)`` prints a table.
 
     Attributes
     ----------
@@ -558,10 +554,11 @@ def calibrate_focus(
     if not (metres + zero > lenses[0].focal_length).all():
         raise ValueError(f"distances from the lens must be above its focal length, got {metres.min() + zero:g} m")
     used = _ASSUMED if noise is None else validation.instance("noise", noise, Noise).poisson
-    planes = []
+    planes, compressed = [], False
     for pair, distance in zip(photographs, metres.tolist(), strict=True):
         electrons, valid, shape, _ = counts_in_electrons(list_photographs(pair, lenses), encoding, used)
         images = electrons.sum(axis=0, dtype=np.float32)
+        compressed |= any(map(is_compressed, images))
         registered = Registration(magnification, lenses, valid.shape, processors())
         if registered:
             images = np.stack(registered(list(images), math.inf, valid.view(np.uint8)))
@@ -583,6 +580,12 @@ def calibrate_focus(
         raise
     seen, costs = tuple(search.seen(at)), search.costs(at)
     findings = [*_findings(search, seen, covariance, noise is not None), *_exchanged(search, at, costs, other())]
+    if compressed:
+        text = (
+            "the photographs are compressed (JPEG), which looks like blur: numbers may be off by more than their "
+            "standard errors; use raw images or PNG, or check depth with a plane at another distance"
+        )
+        findings.append(Finding("compressed", "doubt", text, {}))
     f_number_error, *focus_errors, origin_error = np.sqrt(np.diag(covariance)).tolist()
     changed, origin = search.calibrated(at)
     return FocalCalibration(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import io
 import math
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import lommel as lm
 from lommel.lensfiles.lens_files import load_instrument
@@ -140,6 +142,18 @@ def test_a_tilted_plane_is_a_doubt():
 def test_a_plane_far_from_any_focus_near_the_stated_one_is_refused(pairs):
     with pytest.raises(ValueError, match=r"no focus within 0\.25 dioptres"):
         lm.imaging.calibrate_focus(pairs[:1], [0.9], STATED, PIXEL, **OPTIONS)
+
+
+def test_planes_compressed_as_jpeg_are_a_doubt():
+    values = []
+    for photograph in plane(1.25):
+        file = io.BytesIO()
+        light = np.clip(photograph, 0.0, 1.0)
+        Image.fromarray(np.round(255.0 * light ** (1.0 / 2.2)).astype(np.uint8)).save(file, "JPEG", quality=90)
+        values.append(np.asarray(Image.open(file)))
+    found = lm.imaging.calibrate_focus([values], [1.25], STATED, PIXEL, encoding=2.2, origin=0.0)
+    assert not found.reliable
+    assert "use raw images or PNG" in found.findings.get("compressed").text
 
 
 def test_planes_without_texture_are_refused():

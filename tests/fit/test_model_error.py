@@ -53,7 +53,7 @@ def test_the_result_is_the_maximum_of_the_dense_restricted_likelihood():
     found = model_error(residual, DERIVATIVES, VARIANCE, LIGHT)
     best, covariance, step = dense(residual, found.kappa, found.length)
     assert found.gain == pytest.approx(best - dense(residual, 0.0, 0.0)[0], abs=1e-3)
-    others = [(found.kappa * f, found.length) for f in (0.93, 1.07)] + [(found.kappa, other) for other in (0.0, 0.7)]
+    others = [(0.93 * found.kappa, LENGTH), (1.07 * found.kappa, LENGTH), (found.kappa, 0.7)]
     assert all(dense(residual, *other)[0] < best for other in others)
     assert found.length == LENGTH
     assert found.kappa == pytest.approx(KAPPA, rel=0.2)

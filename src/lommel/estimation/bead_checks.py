@@ -8,7 +8,7 @@ user's constants.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -67,7 +67,8 @@ _MAX_SIZES = 6.0  # largest plausible error of a stated constant, in expected si
 _RIVAL_SIZES = 3.0  # standard error of the priors of constants that the data do not tell apart, in expected sizes
 _ISOTROPIC = emitter_of("isotropic")
 _POLARIZED = "a dye that keeps polarization"
-_BEAD_EFFECTS = {"depth": ("depth",), "drift": DRIFT, _GRADIENT: GRADIENT}  # effects that are parameters of each bead
+# Effects that are parameters of each bead.
+_BEAD_EFFECTS: Mapping[str, tuple[str, ...]] = {"depth": ("depth",), "drift": DRIFT, _GRADIENT: GRADIENT}
 _DISPLACED = "displaced along z"
 _MAX_ESTIMATES = 3  # largest number of estimates of an effect in a message
 _MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
@@ -358,8 +359,8 @@ def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Set
             stacks = tuple(replace(stack, displaced=mask) for stack in model.stacks)
             model = replace(model, stacks=stacks, priors=priors | {"jump": Prior(0.0, math.inf)})
         elif name in ("drift", _GRADIENT):
-            drifts, gradients = model.drifts or name == "drift", model.gradients or name == _GRADIENT
-            model = replace(model, drifts=drifts, gradients=gradients)
+            drifts = model.drifts or name == "drift"
+            model = replace(model, drifts=drifts, gradients=model.gradients or name == _GRADIENT)
         else:
             candidates = next_terms(images.estimated_terms, ((2, 0), *images.fixed_terms))
             terms = [term for term in candidates if label(term) == name]
@@ -398,21 +399,16 @@ def estimated_finding(
 ) -> Finding:
     """Return the finding on the effects `names` that were estimated besides; `first` is the fit without them."""
     errors, first_errors = (np.sqrt(np.diag(covariance(one.scores.information[0]))) for one in (fit, first))
-    common = np.array([*fit.state.waves, *map(fit.state.setup.value, model.priors)])
+    in_beads = [getattr(place, key) for place in fit.state.places for key in model.bead_parameters]
+    values = np.array([*fit.state.waves, *map(fit.state.setup.value, model.priors), *in_beads])
     keys, texts = [name if isinstance(name, str) else label(name) for name in model.names], []
     for name in names:
-        if name in _BEAD_EFFECTS:
-            columns = [*_bead_columns(model, _BEAD_EFFECTS[name], len(keys))]
-            values = np.array([getattr(place, key) for place in fit.state.places for key in _BEAD_EFFECTS[name]])
-        else:
-            columns = [keys.index(name if name in keys else "jump")]
-            values = common[columns]
-        texts.append(_estimate(name, values, errors[columns], model, stated))
-    count, moved = len(first.state.waves), ""
+        columns = [*_bead_columns(model, _BEAD_EFFECTS.get(name, ()), len(keys))]
+        columns = columns or [keys.index(name if name in keys else "jump")]
+        texts.append(_estimate(name, values[columns], errors[columns], model, stated))
+    count = len(first.state.waves)
     moves = np.abs(fit.state.waves[:count] - first.state.waves) / first_errors[:count]
-    if count:
-        worst = int(moves.argmax())
-        moved = f" ({keys[worst]} moves by {moves[worst]:.2g} se)"
+    moved = "".join(f" ({keys[k]} moves by {moves[k]:.2g} se)" for k in np.argsort(-moves)[:1])
     text = f"estimated besides: {'; '.join(texts)}: terms allow for it{moved}"
     return Finding("estimated", "note", text, {"names": [*names], "moves": moves})
 

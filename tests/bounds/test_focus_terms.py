@@ -53,7 +53,9 @@ def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_an
     assert (found.scale, found.scale_error, *found.others) == pytest.approx(expected, nan_ok=True)
     # Of 8 / 1, 40 / 4 and 5 / 16; and of 2 / 1, 3 / 4 and 1 / 16.
     assert found.changes == pytest.approx((0.08, -0.0075))
-    assert found.lens_error == pytest.approx(0.3)
+    # 5 and 95 % of the vergences 1, 2 and 4.
+    assert found.lens_error["nearest"] == pytest.approx([1.0 / 3.8, 0.3])
+    assert found.lens_error["farthest"] == pytest.approx([1.0 / 1.1, 0.3])
 
 
 @pytest.mark.parametrize("steps", [1, 2])

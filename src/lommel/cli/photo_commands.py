@@ -523,6 +523,12 @@ def each_lens(instrument: Instrument, count: int, stated: PairCamera, images: st
     return [replace(copy, aperture_diameter=copy.aperture_diameter / scale) for copy in lenses]
 
 
+def with_calibration(options: imaging.DefocusOptions, instrument: Instrument) -> imaging.DefocusOptions:
+    """Return the options, with errors of the calibration of the lens file where flags do not state them."""
+    errors: dict[str, Any] = {} if instrument.calibration is None else instrument.calibration.errors
+    return replace(options, **{name: error for name, error in errors.items() if name not in given_flags()})
+
+
 def lens_facts(lenses: list[Lens]) -> Facts:
     """Return focus distances and f-numbers of several frames."""
     return {
@@ -598,10 +604,6 @@ def depth(
     stated, camera = vars(photo_noise), instrument.camera
     noise = noise_of(stated, camera, photographs=True) if states_noise(stated, camera) else None
     lenses = each_lens(instrument, len(photos), cameras)
-    if instrument.calibration is not None:
-        given = given_flags()
-        errors: dict[str, Any] = {k: v for k, v in instrument.calibration.errors.items() if k not in given}
-        options = replace(options, **errors)
     with progress("reading") as status:
         pictures = [imaging.read_photo(path, encoding) for path in photos]
         if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
@@ -619,7 +621,7 @@ def depth(
             noise=noise,
             between=between,
             progress=lambda finished, tiles: status(f"tile {finished} of {tiles}", finished / tiles),
-            options=options,
+            options=with_calibration(options, instrument),
         )
         seconds = time.perf_counter() - start
         status("comparing the blur with the blur of other apertures")

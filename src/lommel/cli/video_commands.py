@@ -40,12 +40,13 @@ from lommel.cli.photo_commands import (
     lens_facts,
     output_type,
     verdict_report,
+    with_calibration,
 )
 from lommel.cli.video_coding import DEFAULT_READ, DEFAULT_WHITE, Coding, coding_of
 from lommel.imaging import LiveDepth, LiveSharpen
 from lommel.imaging.blur import warn_of_depths
 from lommel.imaging.defocus_verdict import DefocusVerdict
-from lommel.imaging.focal_engine import BLOCK, MAX_KNOWN_ERROR, Magnified
+from lommel.imaging.focal_engine import BLOCK, MAX_KNOWN_ERROR
 from lommel.imaging.live import LiveDepthMap
 from lommel.io import photos, videos
 from lommel.io.depth_maps import fill_missing
@@ -137,7 +138,7 @@ def watch(
     misfit: Annotated[float, In(least=1.0, infinite=True)] = 2.0,
     files: Files = Files(),
     cameras: PairCamera = PairCamera(),
-    registration: Magnified = Magnified(),
+    options: imaging.DefocusOptions = imaging.DefocusOptions(),
     video_noise: FrameNoise = FrameNoise(),
 ) -> Report:
     """Estimate depth of video from frames with different focus.
@@ -158,6 +159,12 @@ def watch(
         The frames of one source alternate between two focus settings.
     encoding
         Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.
+    f_number_error
+        Common relative standard error of all f-numbers, below 0.5, whose effect is stated beside the errors of depth.
+    focus_error
+        Standard error of each focus distance, dioptres (1 / m), whose effect is stated beside the errors of depth,
+        which are of noise alone. By default both are those of the calibration in the lens file, or 3 % of the
+        f-number and 2 % of each focus distance.
     misfit
         Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all.
     white
@@ -197,7 +204,7 @@ def watch(
                 noise=coding.noise if stated else None,
                 shape=pairs.shape,
                 exposures="smooth",
-                magnification=registration.magnification,
+                magnification=options.magnification,
                 saturation=coding.saturation,
                 sharp=files.sharp,
             )
@@ -223,14 +230,16 @@ def watch(
             "pixel": instrument.side,
             **lens_facts(lenses),
             "between": [finite(distance) for distance in between],
-            "magnification": registration.magnification,
+            "magnification": options.magnification,
             "design_error": live.design_error,
             **tally.summary(pairs, end_reason),
             **outputs.facts,
         }
         notes = [text for text in (guess, compression, tally.unknown(misfit, facts)) if text]
-        errors = {} if instrument.calibration is None else instrument.calibration.errors
-        verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict(**errors)
+        lens_errors = with_calibration(options, instrument)
+        verdict = DefocusVerdict.of(math.nan)
+        if tally.failed < tally.pairs:
+            verdict = live.verdict(f_number_error=lens_errors.f_number_error, focus_error=lens_errors.focus_error)
         if (
             math.isnan(verdict.misfit) and facts["misfit"] is not None and (facts["known"] or facts["unfit"])
         ):  # of earlier pairs: the last one has no depth

@@ -64,7 +64,7 @@ class DefocusDepth:
         Distance from the lens, metres; NaN where depth cannot be determined.
     errors : ndarray, shape (height, width)
         Standard error of `depth`, metres, of noise alone unless errors of the lens are stated; inf where depth cannot
-        be determined. ``verdict.lens_error`` is that of the lens, which whole surfaces share.
+        be determined. ``verdict.lens_error`` is that of the lens, which all points at one distance share.
     misfit : ndarray, shape (height, width)
         Residual difference of the photographs at the estimated depth, relative to the noise: 1 where registration and
         noise model are right, more at depth edges, borders and moving objects. `errors` increase with it.

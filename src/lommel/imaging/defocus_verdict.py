@@ -12,8 +12,8 @@ blocks, independent of other cells.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from typing import NamedTuple, Self
 
@@ -97,10 +97,11 @@ class DefocusVerdict(FitReport):
     judged : float
         Fraction of the examined pixels whose misfit is judged. Others are near edges or steep slopes of depth: a
         window has one depth in the model.
-    lens_error : float
-        Median standard error of depth, metres, due to the errors of the lens that are stated, or to 3 % of the
-        f-number and 2 % of each focus distance if none is stated. Whole surfaces share it, and standard errors of
-        depth include it only if it is stated; NaN if no depth is known.
+    lens_error : dict of str to (float, float)
+        Distance and standard error of depth there, metres, "nearest" and "farthest" (5 and 95 % of known depths), due
+        to the errors of the lens that are stated, or to 3 % of the f-number and 2 % of each focus distance if none is
+        stated. All points at one distance share it, and standard errors of depth include it only if it is stated;
+        empty if no depth is known.
     """
 
     misfit: float
@@ -109,7 +110,7 @@ class DefocusVerdict(FitReport):
     others: tuple[float, ...] = ()
     changes: tuple[float, float] = (math.nan, math.nan)
     judged: float = 1.0
-    lens_error: float = math.nan
+    lens_error: Mapping[str, Sequence[float]] = field(default_factory=dict)
 
     @classmethod
     def of(
@@ -122,7 +123,7 @@ class DefocusVerdict(FitReport):
         *,
         judged: float = 1.0,
         stated: float | None = None,
-        lens_error: float = math.nan,
+        lens_error: Mapping[str, Sequence[float]] | None = None,
         included: bool = True,
         noise: Noise | None = None,
         compressed: bool = False,
@@ -222,19 +223,23 @@ class DefocusVerdict(FitReport):
                 "plane with texture at a known distance"
             )
             add("undetermined", "doubt", text)
-        details, parts = dict[str, float](), list[str]()
+        details, parts = dict[str, object](), list[str]()
         if all(map(math.isfinite, changes)):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}
             by_f_number, by_foci = (format_length(abs(change), digits=2) for change in changes)
-            parts += [f"1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci}"]
-        if not math.isnan(lens_error):
+            parts += [
+                f"1 % of the f-number changes depth by {by_f_number}, 0.01 dioptre of all foci by {by_foci} in the median"
+            ]
+        if lens_error:
             details |= {"lens_error": lens_error}
             f_number, focus = map(percent, UNMEASURED)
             part = f"noise alone: a lens that was not measured (f-number within {f_number}, foci within {focus}) adds"
             if not unmeasured:
                 part = "noise and of the lens as stated," if included else "noise alone: the lens as stated adds"
-            size = format_length(lens_error, digits=2)
-            parts += [f"standard errors are of {part} {size}, the same for whole surfaces"]
+            sizes = [
+                f"{format_length(error, digits=2)} at {distance:.3g} m" for distance, error in lens_error.values()
+            ]
+            parts += [f"standard errors are of {part} {' and '.join(sizes)}, which all points at one distance share"]
         if parts:
             add("stated", "note", "; ".join(parts), details)
         findings.append(untested_finding(untested, {}))
@@ -248,7 +253,7 @@ class DefocusVerdict(FitReport):
             others=others,
             changes=changes,
             judged=judged,
-            lens_error=lens_error,
+            lens_error=lens_error or {},
         )
 
     @property
@@ -289,7 +294,9 @@ def judge_frames(
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     frames = partial(_tiles, images[brightest], valid, weight, engine)
     median, judged = _judged_misfit(engine, brightest, frames(1), vergence) or (float(np.median(misfit[known])), 1.0)
-    lens_error = float(np.median(engine.lens_errors(known_vergence, *lens_errors) / known_vergence**2))
+    ends = np.percentile(known_vergence, [95.0, 5.0])
+    sizes = np.stack([1.0 / ends, engine.lens_errors(ends, *lens_errors) / ends**2], axis=1)
+    lens_error = dict(zip(("nearest", "farthest"), sizes.tolist(), strict=True))
     stated = None if lens_errors == (None, None) else engine.scale_error(*lens_errors)
     make_verdict = partial(
         DefocusVerdict.of,

@@ -15,6 +15,7 @@ from lommel.base import atomic, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.options import listed
 from lommel.estimation.focal_model import FocalLight, FocalModel
+from lommel.imaging.defocus_depth import DefocusOptions
 from lommel.imaging.defocus_verdict import DefocusVerdict, judge_frames
 from lommel.imaging.focal_engine import (
     BLOCK,
@@ -525,10 +526,7 @@ class LiveDepth:
         ValueError
             If there was no call yet, or an error is out of range.
         """
-        if f_number_error is not None:
-            f_number_error = validation.real("f_number_error", f_number_error, least=0.0, below=0.5)
-        if focus_error is not None:
-            focus_error = validation.real("focus_error", focus_error, least=0.0, unit="dioptres")
+        o = DefocusOptions(f_number_error=f_number_error, focus_error=focus_error)
         level, stored, saturation, mask = self._last_call()
         planes, limit = self._grey(stored, saturation, mask)
         with np.errstate(invalid="ignore"):
@@ -551,7 +549,7 @@ class LiveDepth:
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
         noise = self.noise if self._estimates else None
-        stated = f_number_error, focus_error
+        stated = o.f_number_error, o.focus_error
         return judge_frames(level.engine, images, valid, errors, misfit, vergence, stated, noise, included=False)
 
     def sharp(self) -> NDArray[np.float32]:

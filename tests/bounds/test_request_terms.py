@@ -155,7 +155,7 @@ def test_an_error_of_a_constant_is_told_that_molecules_leave_open_and_that_matte
     """Twice what the molecules tell, and no more than half of what is expected; from a bias of one half on."""
     per_unit = np.zeros((2, 4, 3))
     per_unit[0, 1, 2], per_unit[:, 2, 2] = bias * 1e6 * math.sqrt(2.0), 1e5
-    made = SimpleNamespace(_bias=per_unit, _images=SimpleNamespace(names=["a", "b", "depth"]))
+    made = SimpleNamespace(_bias=per_unit, _images=SimpleNamespace(columns={"a": [0], "b": [1], "depth": [2]}))
     made.tests = lambda: [SimpleNamespace(name="depth", errors=(error, 1e9))] if error else []
     expected = (pytest.approx(stated), "column", pytest.approx(stated * bias * 1e6)) if stated else None
     assert checks.TableTest.untested.fget(made).get("depth") == expected
@@ -370,7 +370,10 @@ def test_taps_around_a_circle_are_the_fewest_for_the_largest_error_of_an_order()
 def test_errors_of_places_are_in_metres_and_those_of_z_are_left_out_where_it_is():
     one, states, errors = np.ones(1), np.zeros(1, np.int32), MoleculeErrors(*np.arange(1.0, 6.0)[:, None])
     molecules = Molecules(*[one] * 5, errors, one, one, states, states)
-    spots, table = Spots(*[states] * 3, one, np.zeros((1, 5, 5)), 0, 0, 0, 0, 0.0), SimpleNamespace(z=(-1.0, 2.0))
+    spots, table = (
+        Spots(*[states] * 3, one, np.zeros((1, 5, 5)), 0, 0, 0, 0, 0.0, one > 0.0),
+        SimpleNamespace(z=(-1.0, 2.0)),
+    )
     for along in ("z", "none"):
         recording = MovieInfo(1, 9, 9, 2e-7, (5, 5), along)
         found = movie_fits._localizations(spots, molecules, recording, (one, one, one), table)

@@ -228,8 +228,9 @@ def test_molecules_fit_where_the_median_discrepancy_is_small_or_within_four_stan
         (50, -0.72, [("too_quiet", "doubt")]),
     ):  # fmt: skip
         made = SimpleNamespace(
-            _sums={"spots": 2000, "doubtful": 0, "far": 0, "kept": count}, molecules=count, median=median
-        )
+            _sums={"spots": 2000, "doubtful": 0, "far": 0, "kept": count}, molecules=count, median=median,
+            _is_dense=False, _is_structured=False, _is_explained=False,
+        )  # fmt: skip
         findings = []
         with contextlib.suppress(AttributeError, KeyError):  # what comes after the median is of other sums
             findings.extend(kind._fit_findings(made))

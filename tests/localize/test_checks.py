@@ -25,8 +25,8 @@ def table() -> Table:
     return table_of()
 
 
-def light(of: Table, frames=20, photons=800.0, background=8.0, apart=20) -> np.ndarray:
-    """Electrons of frames of 100 x 100 with 16 molecules each, at other places in each."""
+def light(of: Table, frames=20, photons=800.0, background=8.0, surface=None) -> np.ndarray:
+    """Electrons of frames of 100 x 100 with 16 molecules each, at other places in each; on a surface or at any z."""
     draw = np.random.default_rng(7)
     seen = np.full((frames, 100, 100), background)
     for frame in seen:
@@ -35,7 +35,8 @@ def light(of: Table, frames=20, photons=800.0, background=8.0, apart=20) -> np.n
             for column in range(20, 100, 20):
                 place = 7.0 + draw.uniform(-0.5, 0.5, 2)
                 where = np.s_[row + down - 7 : row + down + 8, column + across - 7 : column + across + 8]
-                frame[where] += photons * of(*place, draw.uniform(-5e-7, 5e-7))
+                z = draw.uniform(-5e-7, 5e-7) if surface is None else draw.normal(surface(row, column), 2e-8)
+                frame[where] += photons * of(*place, z)
     return seen
 
 
@@ -157,6 +158,43 @@ def test_molecules_beside_others_are_doubtful(table, mean):
     assert told.numbers["doubtful"] == (found.doubtful & found.kept).sum()
     assert (found.table["frame"][found.doubtful & found.kept] % 4 == 0).mean() > 0.95
     assert not {"misfit", "tilted_background"} & set(found.findings.codes)
+
+
+def test_crowding_comes_before_the_optics(table, mean):
+    """Four movies in one: 64 molecules a frame."""
+    crowd = sum(np.roll(mean - 8.0, (3 * k, 7 * k), (1, 2))[:: -1 if k % 2 else 1] for k in range(4)) + 8.0
+    found = localize_movie(CAMERA.record(crowd, 2), table, noise=CAMERA)
+    told = found.findings.get("crowded")
+    assert (found.status, told.severity, found.findings[0]) == ("crowded", "error", told)
+    assert 0.2 < told.numbers["box_by_chance"] < 0.7
+    assert told.numbers["pair_by_chance"] < 0.1
+
+
+@pytest.mark.parametrize(
+    ("surface", "size"),
+    [
+        (lambda row, column: 1e-7 * (column - 50) / 50, 1.4e-7),
+        (lambda row, column: 1e-7 * ((row - 50) ** 2 + (column - 50) ** 2) / 2500, 1.2e-7),
+        (lambda row, column: 0.0, None),
+    ],
+)
+def test_a_focal_surface_that_is_tilted_or_curved_is_told(surface, size, table):
+    """Of molecules on a membrane, as a membrane in a flat one; and never corrected."""
+    found = localize_movie(CAMERA.record(light(table, 8, 2000.0, surface=surface), 3), table, noise=CAMERA)
+    told = found.findings.get("not_flat")
+    assert (told is None, found.reliable) == ((False, False) if size else (True, True))
+    if size:
+        assert told.numbers["size"] == pytest.approx(size, rel=0.25)
+        assert found.findings[0] is told
+
+
+def test_structure_of_the_background_is_the_cause_rather_than_the_optics(table, mean):
+    y, x = np.mgrid[:100, :100]
+    outline = mean + 40.0 * np.exp(-(((np.hypot(y - 50, x - 50) - 30.0) / 1.5) ** 2))
+    found = localize_movie(CAMERA.record(outline, 2), table, noise=CAMERA)
+    assert found.findings[0].code in ("misfit", "crowded")
+    assert "background that is not flat" in found.message or "the background is not flat" in found.message
+    assert "sign of the astigmatism" not in found.message
 
 
 @pytest.mark.parametrize(

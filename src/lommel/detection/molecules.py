@@ -41,6 +41,7 @@ _MIN_MEAN = 1e-3  # smallest mean of a pixel, electrons
 _TRUNCATION = 4.0  # half-width of kernels, standard deviations
 _MIN_KNOWN = 1e-3  # fraction of the kernel's weight on known pixels, below which a pixel has no known neighbours
 APART = 1.0 - 1e-9  # smallest distance of boxes that do not overlap, in sides of a box
+_NEIGHBOR, _ISOLATED = 4.0, 0.75  # smallest score of a neighbour, and its largest distance in boxes
 DEFECT = 1e3  # smallest read noise of a defective pixel, electrons
 
 
@@ -66,6 +67,8 @@ class Spots:
         Numbers of pixels of the boxes that are saturated, and that are NaN, infinite or masked.
     false_spots : float
         Expected number of spots in a frame from noise alone.
+    isolated : ndarray of bool, shape (n,)
+        False for a spot with another maximum above four standard deviations within three quarters of a box.
     """
 
     frame: NDArray[np.int64]
@@ -78,6 +81,7 @@ class Spots:
     saturated: int
     left_out: int
     false_spots: float
+    isolated: NDArray[np.bool_]
 
     @property
     def corners(self) -> NDArray[np.int64]:
@@ -174,13 +178,19 @@ def find(
     known_fraction = smoothed(1.0 - defects, narrow)
 
     def maxima(frame: Array) -> tuple[Values, Values, Array]:
-        return kernel.maxima(filled(frame[None], defects[None], narrow, known_fraction)[0], variance, level)
+        # Dimmer maxima are not spots, but spots near them are not isolated.
+        light = filled(frame[None], defects[None], narrow, known_fraction)[0]
+        return kernel.maxima(light, variance, min(level, _NEIGHBOR))
 
     spots = side_by_side(maxima, list(electrons), 0)
     frame = np.repeat(np.arange(len(electrons)), [part[0].size for part in spots])
     row, column, score = (np.concatenate([part[k] for part in spots] or [np.empty(0, int)]) for k in range(3))
     # With twice the frame number as a coordinate, spots of different frames are at least 2 boxes apart.
-    kept = brightest(np.column_stack([row / rows, column / columns, 2.0 * frame]), score, APART)
+    places, bright = np.column_stack([row / rows, column / columns, 2.0 * frame]), score >= level
+    near = scipy.spatial.cKDTree(places).query_ball_point(places, _ISOLATED, p=np.inf, return_length=True)
+    frame, row, column, near = (part[bright] for part in (frame, row, column, near))
+    places, score = places[bright], score[bright]
+    kept = brightest(places, score, APART)
     overlapping = int(score.size - kept.sum())
     corners = np.column_stack([row - rows // 2, column - columns // 2])
     in_frame = ((corners >= 0) & (corners + box <= electrons.shape[1:])).all(axis=1)
@@ -190,8 +200,8 @@ def find(
     boxes = frame[:, None, None], *box_pixels(corners, box)
     saturated, left_out = (int(pixels[boxes].sum()) for pixels in (counts.full, counts.hidden))
     false_spots = _density(level, narrow, wide, kernel.weight) * electrons.shape[1] * electrons.shape[2]
-    (row, column), omitted = corners.T, (borders, overlapping, saturated, left_out)
-    return Spots(frame + start, row, column, score[kept], counts.marked()[boxes], *omitted, false_spots)
+    (row, column), omitted = corners.T, (borders, overlapping, saturated, left_out, false_spots)
+    return Spots(frame + start, row, column, score[kept], counts.marked()[boxes], *omitted, near[kept] < 2)
 
 
 def frame_counts(frames: ArrayLike | Counts, box: tuple[int, int], **options: Any) -> Counts:
@@ -311,9 +321,8 @@ def _moments(rows: int, columns: int, narrow: float, wide: float, weight: float 
     moments = np.zeros((2, rows, columns))
     # Multinomial expansion of (N - (1 + a) W + a W * W)^power; each term is separable in rows and columns.
     for powers in of_rows:
-        factor = math.factorial(sum(powers)) / math.prod(map(math.factorial, powers))
-        factor *= (-1.0 - weight) ** powers[1] * weight ** powers[2]
-        moments[sum(powers) - 2] += factor * np.outer(of_rows[powers], of_columns[powers])
+        factor = math.factorial(sum(powers)) / math.prod(map(math.factorial, powers)) * (-1.0 - weight) ** powers[1]
+        moments[sum(powers) - 2] += factor * weight ** powers[2] * np.outer(of_rows[powers], of_columns[powers])
     return moments[0], moments[1]
 
 
@@ -325,13 +334,11 @@ def _sums(side: int, narrow: float, wide: float) -> dict[tuple[int, ...], Array]
         scipy.ndimage.gaussian_filter1d(np.eye(count), sigma, axis=0, mode="reflect", truncate=_TRUNCATION)
         for sigma in (narrow, wide)
     )
-    wider_weights = wide_weights @ wide_weights
     # Pixels farther than `reach` from both edges have equal sums.
     index = np.minimum(np.arange(side), np.maximum(reach, np.arange(side) + count - side))
     powers = [powers for powers in itertools.product(range(4), repeat=3) if sum(powers) in (2, 3)]
-    return {
-        (i, j, k): (narrow_weights**i * wide_weights**j * wider_weights**k).sum(axis=1)[index] for i, j, k in powers
-    }
+    weights = narrow_weights, wide_weights, wide_weights @ wide_weights
+    return {of: math.prod(w**power for w, power in zip(weights, of, strict=True)).sum(axis=1)[index] for of in powers}
 
 
 def _density(threshold: float, narrow: float, wide: float, weight: float = 0.0) -> float:

@@ -39,7 +39,7 @@ CODES: Mapping[str, str] = {
     "no_counts": "the largest value is less than one electron, as of images that were divided by their full scale",
     "no_depth": "no depth was estimated: there is no texture, or all texture is out of range",
     "no_light": "the light of a source is within the noise",
-    "not_flat": "a plane is tilted",
+    "not_flat": "a plane, or z over the field of a movie, is tilted or curved",
     "not_settled": "the steps of the search did not settle",
     "opposite_astigmatism": "the astigmatism is of the opposite sign, and z is reversed",
     "other_explanation": "an effect that the model lacks, or another value of a constant, explains the data better",

@@ -8,7 +8,7 @@ deviation. The rival of a table has astigmatism of the opposite sign.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import partial
@@ -17,10 +17,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import scipy
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Json
 from lommel.base.units import format_length, percent, with_error
-from lommel.detection.molecules import DEFECT, Spots
+from lommel.detection.molecules import DEFECT, Spots, box_pixels
 from lommel.estimation.star_images import label
 from lommel.fit.findings import Finding, Findings, Severity, untested_finding
 from lommel.fit.goodness_of_fit import excess_test
@@ -46,6 +47,16 @@ _MAX_DARK = 0.75  # largest fraction of counts below the offset; without light i
 _DISCREPANT, _MISFIT = 0.3, 1.0  # median discrepancy above which fits are in doubt, and in error; no PSF is perfect
 # Fractions of doubtful molecules: the largest due to chance, and the fraction above which results are in doubt.
 _BY_CHANCE, _CROWDED = 0.01, 0.05
+# Crowded movies: probability of a second molecule in a box by chance, above which isolated molecules, at least
+# _MIN_ISOLATED of them, judge the PSF; and the distance below which two images are taken for one, metres.
+_DENSE, _MIN_ISOLATED, _PAIR = 0.2, 50, 170e-9
+# Fraction of doubtful molecules of a dense movie above which crowding is an error; spots of the median frame, over
+# the mean number of maxima, above which maxima are not molecules that blink; variance ratio of residuals by pixels
+# of the camera above which structure stays in place; part of the discrepancy above which a change is its cause.
+_MOST, _STEADY, _FIXED, _CAUSE = 0.25, 0.25, 1.3, 0.5
+# Focal surface: smallest number of molecules, largest number that is kept, parts of a side whose medians of z are
+# fitted, and probability by chance (that of 25 for a chi-squared of 5 degrees of freedom).
+_MIN_SURFACE, _MAX_SURFACE, _PARTS, _RARE = 60, 100_000, 8, 1.4e-4
 _MAX_AT_ENDS = 0.1  # largest fraction of spots at an end of the range of z
 _MIN_COMPARED = 10  # smallest number of molecules from which the standard deviation of the gain is estimated
 # Changes of the images that are tested: Zernike terms of the expected size _TERM (radians rms), and errors of the
@@ -64,8 +75,10 @@ _MIN_GAIN_RATIO = 1.5  # (gain of changes) / (gain of the rival) above which the
 _BIASED = 0.5  # rms bias, in standard errors, above which estimates are in doubt
 # Effects that images of single molecules do not reveal.
 _NOT_TESTABLE = (
+    "focal surface (z counts from it: five beads on the glass tell its shape)",
+    "pairs nearer than 170 nm (taken for one molecule)",
     "light that is uneven across the pupil, or clipped on one side (moves molecules sideways in proportion to z)",
-    "molecules that do not rotate freely, or move during an exposure",
+    "molecules that do not rotate freely",
     "drift of the focus",
 )
 _MIN_GAIN = 10.0  # smallest gain of log-likelihood of the rival that is reported
@@ -80,7 +93,11 @@ class Checks:
         self._once: dict[str, Finding] = {}
         self._counts = np.zeros((recording.rows, recording.columns), np.int64)
         self._sums = dict.fromkeys(("spots", "saturated", "left_out", "ends", "doubtful"), 0)
-        self._discrepancies = np.zeros(2 * _WIDEST * _PER_UNIT + 1, np.int64)
+        # Histograms of the discrepancies of all molecules, and of isolated ones.
+        self._discrepancies = np.zeros((2, 2 * _WIDEST * _PER_UNIT + 1), np.int64)
+        self._maxima, self._frames, self._steady, self._places = 0, 0, 0, list[Array]()
+        # Number, sum and sum of squares of normalised residuals at each pixel of the camera.
+        self._fixed = np.zeros((3, *self._counts.shape))
         self._residuals: list[tuple[Array, ...]] = []
         self._excess: list[Finding] = []
         self._rival = None if recording.along == "none" else rival_of(table)
@@ -104,8 +121,12 @@ class Checks:
     def _add_once(self, code: str, severity: Severity, text: str, **numbers: Any) -> None:
         self._once.setdefault(code, Finding(code, severity, text, numbers))
 
-    def first(self, counts: Counts) -> None:
-        """Check the counts of the first block."""
+    def first(self, counts: Counts, search: Callable[..., Spots]) -> None:
+        """Check the counts of the first block; `search` finds spots."""
+        if len(counts) >= _MIN_FRAMES:
+            # Spots of the median of frames stay in place: no molecules that blink, but structure of the background.
+            spots = search(np.median(counts.marked(), axis=0)[None])
+            self._steady = len(spots) + spots.borders + spots.overlapping
         # Without light, read noise puts half of the counts below the offset.
         dark_fraction = float(np.mean(counts.values < self._noise.offset))
         if dark_fraction > _MAX_DARK:
@@ -123,6 +144,8 @@ class Checks:
 
         Return the significance of the slope in standard deviations, or 0 if slopes were fitted.
         """
+        if self._fixed[0].sum() < _MOLECULES * math.prod(self._recording.box):
+            self._add_residuals(spots, molecules)
         if fitted and self._changes.done:
             return 0.0
         score = scored(spots, molecules, self._table, self._noise, self._changes.images)
@@ -150,6 +173,20 @@ class Checks:
             self._add_once("tilted_background", "doubt" if flat else "note", text, **numbers)
         return sigmas
 
+    def _add_residuals(self, spots: Spots, molecules: Molecules) -> None:
+        if (score := scored(spots, molecules, self._table, self._noise, everything=True)) is not None:
+            residual = score.residual / np.sqrt(score.mean + score.read)
+            pixels = tuple(np.broadcast_arrays(*box_pixels(score.corners, self._recording.box)))
+            for total, values in zip(self._fixed, (residual**0, residual, residual**2), strict=True):
+                np.add.at(total, pixels, np.nan_to_num(values))
+
+    @property
+    def fixed(self) -> float:
+        """Variance of the mean residuals of pixels of the camera, over that of noise: 1 without fixed structure."""
+        count, total, squares = self._fixed[:, self._fixed[0] > 1.0]
+        between, free = float((total**2 / count).sum()), float((count - 1.0).sum())
+        return between / count.size * free / (float(squares.sum()) - between) if free else 1.0
+
     def compare(self, spots: Spots, background: str) -> None:
         """Compare fits of the first molecules with fits by the rival; `background` is "flat" or "tilted"."""
         part = slice(_MOLECULES - self._compared)
@@ -162,31 +199,55 @@ class Checks:
         usable = fits.converged & rival.converged & (np.minimum(fits.discrepancy, rival.discrepancy) < DOUBTFUL)
         self._gains += (rival.log_likelihood - fits.log_likelihood)[usable].tolist()
 
-    def count(self, part: Localizations) -> None:
-        """Add the localisations of a block."""
+    def count(self, part: Localizations, isolated: NDArray[np.bool_], frames: int) -> None:
+        """Add the localisations of a block of `frames`; `isolated` is the attribute of their spots."""
         pixels = (np.floor(part.table[name] / self._recording.pixel).astype(np.int64) for name in "yx")
         # Positions at the edge may round to a pixel outside.
         places = (np.clip(pixel, 0, side - 1) for pixel, side in zip(pixels, self._counts.shape, strict=True))
         np.add.at(self._counts, tuple(places), 1)
+        self._maxima += part.spots + part.borders + part.overlapping
+        self._frames += frames
+        if sum(map(len, self._places)) < _MAX_SURFACE:
+            good = part.table[part.kept & ~part.doubtful]
+            self._places.append(np.stack([good[name] for name in ("y", "x", "z", "z_error")], axis=1))
         discrepancies = part.table["discrepancy"][part.kept]
         for name in self._sums:
             self._sums[name] += int((discrepancies >= DOUBTFUL).sum()) if name == "doubtful" else getattr(part, name)
         bins = np.round(np.clip(discrepancies, -_WIDEST, _WIDEST) * _PER_UNIT).astype(np.int64) + _WIDEST * _PER_UNIT
-        self._discrepancies += np.bincount(bins, minlength=self._discrepancies.size)
+        for total, chosen in zip(self._discrepancies, (bins, bins[isolated[part.kept]]), strict=True):
+            total += np.bincount(chosen, minlength=total.size)
 
     @property
     def molecules(self) -> int:
         """Number of molecules whose fits converged."""
-        return int(self._discrepancies.sum())
+        return int(self._discrepancies[0].sum())
 
     @property
     def median(self) -> float:
-        """Median of the discrepancies, without large discrepancies such as of crowded molecules."""
-        sums = np.cumsum(self._discrepancies)
+        """Median of the discrepancies, without large ones; of isolated molecules if a movie is dense."""
+        sums = np.cumsum(self._discrepancies, axis=1)
+        sums = sums[int(self._is_dense and sums[1, -1] >= _MIN_ISOLATED)]
         # The median of the discrepancies below the median of all plus DOUBTFUL.
-        middle = int(np.searchsorted(sums, 0.5 * self.molecules)) + int(DOUBTFUL * _PER_UNIT)
+        middle = int(np.searchsorted(sums, 0.5 * sums[-1])) + int(DOUBTFUL * _PER_UNIT)
         middle = int(np.searchsorted(sums, 0.5 * sums[min(middle, sums.size - 1)]))
         return middle / _PER_UNIT - _WIDEST if self.molecules else 0.0
+
+    @property
+    def _by_chance(self) -> tuple[float, float]:
+        """Probabilities of a second molecule in the box, and nearer than _PAIR."""
+        density = self._maxima / (max(self._frames, 1) * self._counts.size)
+        areas = math.prod(self._recording.box), math.pi * (_PAIR / self._recording.pixel) ** 2
+        return -math.expm1(-density * areas[0]), -math.expm1(-density * areas[1])
+
+    @property
+    def _is_dense(self) -> bool:
+        has_neighbors = self._discrepancies[1].sum() < (1.0 - _DENSE) * self.molecules
+        blinks = self._steady * self._frames < _STEADY * self._maxima
+        return has_neighbors and blinks and self._by_chance[0] > _DENSE
+
+    @property
+    def _is_structured(self) -> bool:
+        return not self._is_dense and self.fixed > _FIXED  # neighbours that blink in one place are structure, too
 
     @property
     def summary(self) -> str:
@@ -198,9 +259,19 @@ class Checks:
     @property
     def findings(self) -> Findings:
         """Findings of the blocks checked so far."""
-        of_fits, of_spots = self._fit_findings(), self._spot_findings()
-        found = self._excess, self._rival_findings(), self._changes.findings, of_fits, self._once.values(), of_spots
-        return Findings(chain(*found))
+        changes, of_fits = self._changes.findings, [*self._fit_findings()]
+        if self._is_explained and any(one.code == "misfit" and one.severity == "error" for one in of_fits):
+            changes = [replace(one, severity="error") for one in changes]
+        excess = [] if self._is_dense else self._excess
+        groups = excess, self._rival_findings(), changes, of_fits, self._surface(), self._once.values()
+        first = {"crowded"} if self._is_dense else {"misfit", "crowded"} if self._is_structured else set()
+        return Findings(sorted(chain(*groups, self._spot_findings()), key=lambda one: one.code not in first))
+
+    @property
+    def _is_explained(self) -> bool:
+        """Whether changes of the images explain the median discrepancy."""
+        # Chi2 of one molecule has the standard deviation sqrt(2 pixels), the unit of the discrepancy.
+        return 2.0 * self._changes.gain > _CAUSE * self.median * math.sqrt(2.0 * math.prod(self._recording.box))
 
     def _rival_findings(self) -> Iterator[Finding]:
         """Yield the finding that the rival is likelier, if its gain of log-likelihood is significant.
@@ -234,30 +305,59 @@ class Checks:
         # The standard error of the median of n normal deviates is sqrt(pi / (2 n)).
         median, error = self.median, math.sqrt(0.5 * math.pi / n)
         numbers = {"median": median, "error": error}
-        text = f"the median discrepancy, {median:.2g}, is not 0 within its standard error, {error:.1g}: the "
+        text = f"the median discrepancy, {median:.2g}, is not 0 within its standard error, {error:.1g}"
         if median > max(_DISCREPANT, 4.0 * error):
-            text += "PSF (sign of the astigmatism, depth, indices, wavelength), the gain or the offset may be wrong"
+            if self._is_structured:
+                text += ": the background is not flat within boxes, or the camera needs maps of gain and offset"
+            elif not (self._is_explained or self._is_dense):
+                text += ": the PSF (sign of the astigmatism, depth, indices, wavelength), gain or offset may be wrong"
             yield Finding("misfit", "error" if median > _MISFIT else "doubt", text, numbers)
         elif median < -max(_DISCREPANT, 4.0 * error):
-            text += "gain or the offset may be wrong: check `white` and `offset`"
-            yield Finding("too_quiet", "doubt", text, numbers)
+            yield Finding("too_quiet", "doubt", f"{text}: check gain (`white`) and `offset`", numbers)
         # Report doubtful molecules if their number exceeds the number due to chance by four standard deviations.
-        if median < _MISFIT and sums["doubtful"] > 1.0 + _BY_CHANCE * n + 4.0 * math.sqrt(_BY_CHANCE * n):
-            fraction = sums["doubtful"] / n
-            text = (
-                f"{sums['doubtful']} of {n} molecules have images that noise does not explain, for example because "
-                f"of a second molecule in the box: leave out molecules with a discrepancy of {DOUBTFUL:g} or more"
-            )
-            numbers = {"doubtful": sums["doubtful"], "molecules": n}
-            yield Finding("crowded", "doubt" if fraction > _CROWDED else "note", text, numbers)
+        doubtful, (box, pair) = sums["doubtful"], self._by_chance
+        many = doubtful > 1.0 + _BY_CHANCE * n + 4.0 * math.sqrt(_BY_CHANCE * n)
+        if self._is_dense or (median < _MISFIT and many):
+            cause = "a background that is not flat" if self._is_structured else "a second molecule in the box"
+            text = f"{doubtful} of {n} molecules have images that noise does not explain, as because of {cause}"
+            if self._is_dense:
+                text += f", as {percent(box)} of boxes have by chance; {percent(pair)} have one nearer than 170 nm"
+            is_error, is_doubt = self._is_dense and doubtful > _MOST * n, doubtful > _CROWDED * n
+            text += f": leave out molecules with a discrepancy of {DOUBTFUL:g} or more"
+            chances = {"doubtful": doubtful, "molecules": n, "box_by_chance": box, "pair_by_chance": pair}
+            yield Finding("crowded", "error" if is_error else "doubt" if is_doubt else "note", text, chances)
         if self._recording.along != "none":
-            untested = self._changes.untested
-            stated = [
-                f"{name} ({_format_error(name, size)} changes {estimate} by {bias:.2g} standard errors)"
-                for name, (size, estimate, bias) in untested.items()
-            ]
-            sizes: Json = {name: {"error": size, estimate: bias} for name, (size, estimate, bias) in untested.items()}
-            yield untested_finding([*stated, *_NOT_TESTABLE], sizes)
+            untested = sorted(self._changes.untested.items(), key=lambda item: -item[1][2])
+            sizes: Json = {name: {"error": size, estimate: bias} for name, (size, estimate, bias) in untested}
+            sizes |= {name: {} for name in _NOT_TESTABLE}
+            items = [f"{name} ({_format_error(name, by)} moves {of} {q:.2g} se)" for name, (by, of, q) in untested]
+            items[1:1] = _NOT_TESTABLE
+            yield untested_finding(items, sizes)
+
+    def _surface(self) -> Iterator[Finding]:
+        """Yield the finding that z follows a surface of the second degree over the field, from medians of parts."""
+        places = np.concatenate([*self._places, np.empty((0, 4))])
+        if self._recording.along == "none" or len(places) < _MIN_SURFACE:
+            return
+        scaled = places[:, :2] / (0.5 * self._recording.pixel * np.array(self._counts.shape)) - 1.0
+        cell = np.clip(0.5 * _PARTS * (scaled + 1.0), 0, _PARTS - 1).astype(int) @ (_PARTS, 1)
+        parts = [np.median(np.column_stack([scaled, places[:, 2]])[cell == k], axis=0) for k in np.unique(cell)]
+        y, x, z = np.transpose(parts)
+        if (free := len(z) - 6) < 6:
+            return
+        columns = np.stack([np.ones_like(x), y, x, y * y, y * x, x * x], axis=1)
+        c = np.linalg.lstsq(columns, z)[0]
+        covariance = np.linalg.inv(columns.T @ columns)[1:, 1:] * np.square(z - columns @ c).sum() / free
+        chance = float(scipy.special.fdtrc(5, free, c[1:] @ np.linalg.solve(covariance, c[1:]) / 5.0))
+        size, bias = float(np.ptp(columns @ c)), float(np.std(columns @ c) / np.median(places[:, 3]))
+        if chance < _RARE and bias > _BIASED:
+            text = (
+                f"z follows a tilted or curved surface, {format_length(size, digits=2)} over the field: unless it is "
+            )
+            text += (
+                f"the specimen, z is off by {bias:.2g} standard errors rms; five beads on the glass tell the surface"
+            )
+            yield Finding("not_flat", "doubt", text, {"size": size, "bias": bias, "chance": chance})
 
     def _spot_findings(self) -> Iterator[Finding]:
         sums = self._sums
@@ -303,14 +403,13 @@ def _format_error(name: str, size: float) -> str:
 def _label(test: ScoreTest) -> str:
     """Return a change of the images and its size as text."""
     size = " +- ".join(with_error(test.size[0], test.errors[0]))
-    if test.name == _BLUR:
-        angle = 0.5 * math.degrees(math.atan2(test.size[2], -test.size[1])) % 180.0
-        is_long = math.hypot(*test.size[1:]) > 5.0 * test.errors[1:].max()
-        direction = f", most along {angle:.0f} degrees from columns to rows" if is_long else ""
-        return f"blur of {math.sqrt(test.size[0]):.2g} pixels rms (variance {size} pixels^2{direction})"
-    if test.name in _CONSTANTS:
-        return f"{test.name} off by {size}{_UNITS.get(test.name, '')}"
-    return f"{test.name} = {size} rad"
+    if test.name != _BLUR:
+        is_term = test.name not in _CONSTANTS
+        return f"{test.name} {'=' if is_term else 'off by'} {size}{' rad' if is_term else _UNITS.get(test.name, '')}"
+    angle = 0.5 * math.degrees(math.atan2(test.size[2], -test.size[1])) % 180.0
+    is_long = math.hypot(*test.size[1:]) > 5.0 * test.errors[1:].max()
+    direction = f", most along {angle:.0f} degrees from columns to rows" if is_long else ""
+    return f"blur of {math.sqrt(test.size[0]):.2g} pixels rms (variance {size} pixels^2{direction})"
 
 
 def _change_constant(pupil: ObjectivePupil, along: str, name: str, change: float) -> ObjectivePupil:
@@ -364,10 +463,8 @@ class ChangeImages:
             names.append(name)
             scales.append(size)
         # A narrow kernel changes an image by half the sum of its covariances times second derivatives.
-        rows, columns, oblique = (
-            _SUBPIXELS**2 * np.gradient(np.gradient(images, axis=first), axis=second)
-            for first, second in ((1, 1), (2, 2), (1, 2))
-        )
+        y, x = np.gradient(_SUBPIXELS**2 * images, axis=(1, 2))
+        rows, columns, oblique = np.gradient(y, axis=1), np.gradient(x, axis=2), np.gradient(x, axis=1)
         changes += [0.5 * (rows + columns), 0.5 * (rows - columns), oblique]
         self.columns = {name: [k] for k, name in enumerate(names)} | {_BLUR: [len(names) + k for k in range(3)]}
         self.scales = np.array([*scales, *[_VARIANCE] * 3])
@@ -408,6 +505,7 @@ class Score(NamedTuple):
     residual: Array
     mean: Array
     read: Array
+    corners: NDArray[np.int64]
 
     def without_changes(self, sizes: Array) -> Score:
         """Return the score with the contribution of changes of these `sizes` subtracted."""
@@ -450,9 +548,13 @@ def _eliminate(information: Array, slope: Array, count: int) -> tuple[Array, Arr
 
 
 def scored(
-    spots: Spots, molecules: Molecules, table: Table, camera: Noise, changes: ChangeImages | None = None
-) -> Score | None:
-    """Return the score of background slopes and of `changes` in the boxes of fits; None if no fit converged."""
+    spots: Spots, molecules: Molecules, table: Table, camera: Noise, changes: ChangeImages | None = None,
+    *, everything: bool = False,
+) -> Score | None:  # fmt: skip
+    """Return the score of background slopes and of `changes` in the boxes of fits; None if no fit converged.
+
+    Crowded molecules are left out. With `everything` they are not, and residuals are without slopes.
+    """
     height, width = table.shape
     positions = np.column_stack([molecules.row, molecules.column]) - spots.corners
     middle = np.array([height // 2, width // 2])
@@ -460,8 +562,11 @@ def scored(
     if not usable.any():
         return None
     # Molecules with neighbours are left out, because a neighbour resembles a slope of the background.
-    limit = np.median(molecules.discrepancy[usable]) + DOUBTFUL
-    chosen = np.flatnonzero(usable & (molecules.discrepancy < limit))[:_MOLECULES]
+    if not everything:
+        if (usable & spots.isolated).sum() >= _MIN_ISOLATED:
+            usable &= spots.isolated
+        usable &= molecules.discrepancy < np.median(molecules.discrepancy[usable]) + DOUBTFUL
+    chosen = np.flatnonzero(usable)[:_MOLECULES]
     counts, read = in_electrons(spots.images[chosen], camera, spots.corners[chosen])
     places = positions[chosen, 0], positions[chosen, 1], molecules.z[chosen]
     values, derivatives = table(*places, derivatives=True)
@@ -488,8 +593,11 @@ def scored(
     # Correct residuals for the five fitted parameters.
     pixels = np.isfinite(counts).sum(axis=(1, 2))
     residual = (counts - mean) * np.sqrt(pixels / np.maximum(pixels - 5, 1))[:, None, None]
-    read = np.broadcast_to(read, mean.shape)
-    return Score(slope, reduced, bias, molecules.row[chosen], molecules.column[chosen], residual, mean, read)
+    if everything:
+        sizes = np.linalg.solve(reduced[:, :2, :2], slope[:, :2, None])
+        residual -= (sizes[..., None] * ramps).sum(axis=1)
+    read, at = np.broadcast_to(read, mean.shape), (molecules.row[chosen], molecules.column[chosen])
+    return Score(slope, reduced, bias, *at, residual, mean, read, spots.corners[chosen])
 
 
 class TableTest:
@@ -571,11 +679,7 @@ class TableTest:
         labels = [_label(test) for test in significant]
         cause = other_explanation(significant, [f"{labels[0]} beside what the table states", *labels[1:]])
         name, is_blur = _BIASES[int(biases.argmax())], significant[0].name == _BLUR
-        step = (
-            "check for vibration, motion in an exposure and focus of the camera"
-            if is_blur
-            else "fit the pupil to beads"
-        )
+        step = "check for vibration and motion in exposures" if is_blur else "fit the pupil to beads"
         text = f"{cause.text}: this moves {name} by {biases.max():.2g} standard errors rms; {step}"
         numbers = {**cause.numbers, "bias": dict(zip(_BIASES, biases.tolist(), strict=True))}
         severity: Severity = "doubt" if max(biases.max(), total_biases.max()) >= _BIASED else "note"

@@ -183,7 +183,7 @@ def movie_blocks(
             part = mask if np.ndim(mask) < 3 else mask[count : count + len(frames)]
             counts = frame_counts(frames, table.shape, saturation=saturation, mask=part)
             if not count:
-                checks.first(counts)
+                checks.first(counts, search)
             if counts.assumed:
                 saturation = counts.saturation  # for all following blocks
             spots = search(counts, first=count)
@@ -195,7 +195,7 @@ def movie_blocks(
                 molecules = _recentred(values, spots, count, table, partial(fit_boxes, table, background=background))
             checks.compare(spots, "tilted" if background == "tilted" else "flat")
             localizations = _localizations(spots, molecules, recording, widths, table)
-            checks.count(localizations)
+            checks.count(localizations, spots.isolated, len(frames))
             yield replace(localizations, findings=checks.findings, summary=checks.summary)
             count += len(frames)
             if options.progress is not None:

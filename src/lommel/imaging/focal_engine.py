@@ -353,7 +353,7 @@ class FocalEngine:
         return np.stack([np.interp(vergence, vergences, derivatives) for derivatives in changes])
 
     def lens_errors(self, vergence: Array, f_number_error: float | None, focus_error: float | None) -> Array:
-        """Return standard errors of the estimated vergence due to errors of the lenses, which all points at one distance share.
+        """Return standard errors of vergence due to errors of the lenses, which all points at one distance share.
 
         `f_number_error` is the relative error of all f-numbers, `focus_error` that of each focus vergence in 1 / m.
         If both are None, the lens was not measured: see :data:`UNMEASURED`.

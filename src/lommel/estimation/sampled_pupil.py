@@ -102,7 +102,7 @@ class SampledPupil:
         if not len(images):
             return []
         for k, coefficients in enumerate(edge.astype(np.float32)):
-            phase = np.tensordot(coefficients, terms, 1)
+            phase = np.einsum("k,kyx->yx", coefficients, terms)  # several threads of BLAS would mostly wait
             planes = self._amplitude * np.cos(phase), self._amplitude * np.sin(phase)
             pupil = np.stack([planes[0].real - planes[1].imag, planes[0].imag + planes[1].real])[None]
             real, imaginary = self._fields(np.concatenate([pupil, derivative_terms[:, None] * pupil]))

@@ -743,7 +743,8 @@ def _freed(
     rivals: list[str],
 ) -> Freed:  # fmt: skip
     """Return what `fit` estimates and `first_fit` does not; `changes` are those of constants."""
-    constants, before = {}, first_fit.polynomials()
+    constants: dict[str, tuple[float, float, float]] = {}
+    before = first_fit.polynomials()
     if ELLIPSE in changes:
         trails = zip(*trails_of(fit, tests), strict=True)
         constants |= {f"{TRAIL} in exposure {i}": (x, error, 0.0) for i, (x, error, _) in enumerate(trails, 1)}

@@ -497,7 +497,7 @@ class StarImages(RowModel):
         """Return the derivatives of electrons by the parameters `x` (1, p), shape (p, n, height, width)."""
         values, slopes = self.images(x)
         images = np.stack([*(slope.values for slope in slopes), values, np.ones_like(values)]).astype(np.float64)
-        return np.einsum("npd,dnyx->pnyx", self._chain_at(x)[0, :, :-1, :-1], images)
+        return np.asarray(np.einsum("npd,dnyx->pnyx", self._chain_at(x)[0, :, :-1, :-1], images))
 
     def with_flux_background(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares for the PSFs `values`."""

@@ -227,8 +227,8 @@ class DefocusVerdict(FitReport):
         if all(map(math.isfinite, changes)):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}
             by_f_number, by_foci = (format_length(abs(change), digits=2) for change in changes)
-            by = f"{by_f_number}, 0.01 dioptre of all foci by {by_foci}"
-            parts += [f"1 % of the f-number changes the median depth by {by}"]
+            by = f"{by_f_number}, 0.01 dioptre of all foci by {by_foci} in the median"
+            parts += [f"1 % of the f-number changes depth by {by}"]
         if lens_error:
             details |= {"lens_error": lens_error}
             f_number, focus = map(percent, UNMEASURED)

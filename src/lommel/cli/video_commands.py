@@ -236,10 +236,9 @@ def watch(
             **outputs.facts,
         }
         notes = [text for text in (guess, compression, tally.unknown(misfit, facts)) if text]
-        lens_errors = with_calibration(options, instrument)
-        verdict = DefocusVerdict.of(math.nan)
+        o, verdict = with_calibration(options, instrument), DefocusVerdict.of(math.nan)
         if tally.failed < tally.pairs:
-            verdict = live.verdict(f_number_error=lens_errors.f_number_error, focus_error=lens_errors.focus_error)
+            verdict = live.verdict(f_number_error=o.f_number_error, focus_error=o.focus_error)
         if (
             math.isnan(verdict.misfit) and facts["misfit"] is not None and (facts["known"] or facts["unfit"])
         ):  # of earlier pairs: the last one has no depth

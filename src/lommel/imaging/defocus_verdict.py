@@ -226,18 +226,16 @@ class DefocusVerdict(FitReport):
         details, parts = dict[str, object](), list[str]()
         if all(map(math.isfinite, changes)):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}
-            by_f_number, by_foci = (format_length(abs(change), digits=2) for change in changes)
-            by = f"{by_f_number}, 0.01 dioptre of all foci by {by_foci} in the median"
-            parts += [f"1 % of the f-number changes depth by {by}"]
+            stop, foci = (format_length(abs(change), digits=2) for change in changes)
+            text = f"1 % of the f-number changes depth by {stop}, 0.01 dioptre of all foci by {foci} in the median"
+            parts.append(text)
         if lens_error:
             details |= {"lens_error": lens_error}
             f_number, focus = map(percent, UNMEASURED)
             part = f"noise alone: a lens that was not measured (f-number within {f_number}, foci within {focus}) adds"
             if not unmeasured:
                 part = "noise and of the lens as stated," if included else "noise alone: the lens as stated adds"
-            sizes = [
-                f"{format_length(error, digits=2)} at {distance:.3g} m" for distance, error in lens_error.values()
-            ]
+            sizes = [f"{format_length(error, digits=2)} at {at:.3g} m" for at, error in lens_error.values()]
             parts += [f"standard errors are of {part} {' and '.join(sizes)}, which all points at one distance share"]
         if parts:
             add("stated", "note", "; ".join(parts), details)

@@ -526,7 +526,8 @@ class LiveDepth:
         ValueError
             If there was no call yet, or an error is out of range.
         """
-        o = DefocusOptions(f_number_error=f_number_error, focus_error=focus_error)
+        DefocusOptions(f_number_error=f_number_error, focus_error=focus_error)  # checks them
+        stated = f_number_error, focus_error
         level, stored, saturation, mask = self._last_call()
         planes, limit = self._grey(stored, saturation, mask)
         with np.errstate(invalid="ignore"):
@@ -549,7 +550,6 @@ class LiveDepth:
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
         noise = self.noise if self._estimates else None
-        stated = o.f_number_error, o.focus_error
         return judge_frames(level.engine, images, valid, errors, misfit, vergence, stated, noise, included=False)
 
     def sharp(self) -> NDArray[np.float32]:

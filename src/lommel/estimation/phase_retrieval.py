@@ -71,6 +71,9 @@ _MAX_SUM_ERROR = 0.05  # images whose sums differ from 1 by less count as normal
 # Effects that are estimated because the images favour them: number of refits in turn, and of rivals in each.
 _MAX_REFITS, _MAX_RIVALS, _REFIT_STEPS = 2, 3, 30
 _GROSS_CHI2 = 100.0  # chi2 from which no effect is small
+# Largest log Bayes factor of an effect that is compared with a model error, which takes about as long as a refit.
+_CLEAR = 50.0
+_NEARLY = 0.5  # part of this logarithm that the gain of a model error exceeds if it explains the images as well
 _SAME_COST = 0.5  # difference of lnL up to which the first of two rivals is preferred
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
@@ -554,6 +557,8 @@ def _with_causes_freed(
     checked = tested()
     for _ in range(_MAX_REFITS):
         refits, favoured = [], [(test, freed(model, test.name)) for test in seen(checked[0])]
+        if favoured and not rivals and _exceeds(model, x, favoured[0][0]):
+            break
         for test, unknowns in favoured[:_MAX_RIVALS]:
             if unknowns is None or favoured[0][1] is None:  # another effect explains the images at least as well
                 continue
@@ -572,6 +577,26 @@ def _with_causes_freed(
     return model, x, scores, settled, checked, rivals
 
 
+def _residual_parts(model: StarImages, x: Array, mean: Array) -> tuple[Array, Array, Array]:
+    """Return residual (NaN where unknown), variance of noise, and light without background, each (n, h, w)."""
+    shape, light = (model.count, *model.shape), mean - model.per_image(x)[0, -1, :, None]
+    residual = np.where(model.valid > 0.0, model.counted - mean, np.nan)
+    return residual.reshape(shape), model.variance(mean).reshape(shape), light.reshape(shape)
+
+
+def _exceeds(model: StarImages, x: Array, test: ScoreTest) -> bool:
+    """Return whether a model error explains the images nearly as well as the effect of `test`.
+
+    An effect of known shape that is the cause explains them far better.
+    """
+    if test.log_bayes > _CLEAR:
+        return False
+    mean = model.mean(x, model.images(x)[0].reshape(1, model.count, -1))[0]
+    residual, variance, light = _residual_parts(model, x, mean)
+    error = model_errors.model_error(residual, model.columns(x), variance, light)
+    return error is not None and error.gain > _NEARLY * max(test.log_bayes, model_errors.MIN_GAIN)
+
+
 def _model_error(
     model: StarImages, x: Array, mean: Array, step: Array, codes: tuple[str, ...], tests: Sequence[ScoreTest]
 ) -> model_errors.ModelError | None:
@@ -579,16 +604,15 @@ def _model_error(
 
     `step` (p,) is a further step of the fit.
     """
-    is_misfit, shape = "misfit" in codes, (model.count, *model.shape)
-    residual = np.where(model.valid > 0.0, model.counted - mean, np.nan).reshape(shape)
-    variance = model.variance(mean).reshape(shape)
-    light = (mean - model.per_image(x)[0, -1, :, None]).reshape(shape)
+    is_misfit = "misfit" in codes
+    residual, variance, light = _residual_parts(model, x, mean)
     is_clear = {"excess_noise", "hot_pixels", "too_quiet"}.isdisjoint(codes)
     if not is_clear or not (is_misfit or model_errors.is_correlated(residual, variance, light)):
         return None
     error = model_errors.model_error(residual, model.columns(x), variance, light)
-    # An effect of known shape explains the images better than a model error, unless it is another one.
+    # An effect of known shape that is the cause explains the images far better than a model error.
     least = 0.0 if is_misfit else max([model_errors.MIN_GAIN, *(test.log_bayes for test in seen(tests))])
+    least *= _NEARLY if seen(tests) else 1.0
     return error if error is not None and error.gain >= least and error.holds(model.rms, step) else None
 
 

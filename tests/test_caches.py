@@ -175,7 +175,7 @@ def test_clearing_frees_what_is_kept_and_changes_no_bit():
     before = asked()
     held, limit = _core.cached_bytes()
     assert 2**20 < held < limit < 2**31
-    assert {"lommel.psf.cached_plan", "lommel.optics.layers.debye._powers"} <= {
+    assert {"lommel.psf._plans", "lommel.optics.layers.debye._powers"} <= {
         name for name, count in kept().items() if count
     }
     lm.clear_caches()

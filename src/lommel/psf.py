@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from os import PathLike
@@ -140,16 +139,12 @@ def psf(
     # Recent plans are cached, so that calls with the same options check them and build tables only once.
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}
-    prepared = None
     no_blur = type(fill) is float and fill == 1.0 and isinstance(blur, tuple) and not blur
     # The cache ignores types inside tuples, so that (True, True), which must be refused, would equal (1, 1).
     hashable = center is None or (type(center) is tuple and all(type(part) in _NUMBERS for part in center))
     if no_blur and hashable and type(shape) is int:
-        with suppress(TypeError):  # for an unhashable or invalid option, the call below raises the proper error
-            prepared = cached_plan(shape, pixel, center=center, **options)
-    if prepared is None:
-        prepared = Plan(shape, pixel, center=center, fill=fill, blur=blur, **options)
-    return prepared(pupil, derivatives=derivatives)
+        return cached_plan(shape, pixel, center=center, **options)(pupil, derivatives=derivatives)
+    return Plan(shape, pixel, center=center, fill=fill, blur=blur, **options)(pupil, derivatives=derivatives)
 
 
 class Plan:
@@ -394,7 +389,17 @@ class Plan:
 
 
 # Plans of recent calls and fits. `typed` distinguishes equal options of different types, such as 1 and True.
-cached_plan = lru_cache(maxsize=64, typed=True)(Plan)
+_plans = lru_cache(maxsize=64, typed=True)(Plan)
+
+
+def cached_plan(*window: Any, **options: Any) -> Plan:
+    """Return the plan with these options, of recent calls or a new one."""
+    try:
+        return _plans(*window, **options)
+    except TypeError:  # of an unhashable or invalid option: the constructor raises the proper error
+        return Plan(*window, **options)
+
+
 _NUMBERS = (float, int)
 
 

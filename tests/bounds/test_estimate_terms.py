@@ -28,7 +28,7 @@ from lommel.estimation.field_fit import FieldFit
 from lommel.estimation.fisher import Information
 from lommel.fit import Finding
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
-from lommel.fit.score_tests import Marginal
+from lommel.fit.score_tests import Grade, Marginal
 from lommel.fit.scoring import Scores
 
 _ = interpolate, ndimage  # whose first import is no cost of a test
@@ -105,7 +105,7 @@ def star_matrix(pupil, center, flux, background):
 
 def test_errors_of_a_star_are_those_of_its_information(monkeypatch):
     none = Marginal(np.zeros(1), np.full((1, 1), 0.25))
-    monkeypatch.setattr(phase_retrieval, "star_tests", lambda *_: ((), none, []))
+    monkeypatch.setattr(phase_retrieval, "star_tests", lambda *_: ((), Grade(none, 0.0, 0.0, 0, 1.0, (0.0, 2.0)), []))
     doubt = Finding("errors_change", "doubt", "")
     monkeypatch.setattr(phase_retrieval, "error_findings", lambda *_: [doubt])
     image = 2e4 * lm.psf(COMA, **STAR).values + 9.0
@@ -136,7 +136,7 @@ def test_errors_of_stars_of_a_field_are_those_of_their_information_together(monk
         "blur": False}  # fmt: skip
     refine = field_fit.Search.refine
     monkeypatch.setattr(field_fit.Search, "refine", lambda *a, **b: replace(refine(*a, **b), settled=False))
-    nothing = (), Marginal(np.zeros(1), np.eye(1)), []
+    nothing = (), Grade(Marginal(np.zeros(1), np.eye(1)), 0.0, 0.0, 0, 1.0, (0.0, 2.0)), []
     monkeypatch.setattr(field_search, "missing_tests", lambda *_: nothing)
     monkeypatch.setattr(field_search, "slope_findings", lambda *_: [])
     fit = searches.fit_field(windows, places, lm.Pupil(), **given)
@@ -394,7 +394,7 @@ def test_images_of_a_search_have_the_tolerance_of_a_search_and_others_their_own(
 
 
 def test_a_blurred_star_has_the_errors_of_its_field(monkeypatch):
-    nothing = (), Marginal(np.zeros(1), np.full((1, 1), 0.25)), []
+    nothing = (), Grade(Marginal(np.zeros(1), np.full((1, 1), 0.25)), 0.0, 0.0, 0, 1.0, (0.0, 2.0)), []
     monkeypatch.setattr(field_search, "missing_tests", lambda *_: nothing)
     monkeypatch.setattr(field_search, "slope_findings", lambda *_: [])
     record = NOISE.record(2e4 * lm.psf(COMA, **STAR).values + 9.0, seed=2)

@@ -103,7 +103,7 @@ def outcome(**changes):
     )
     given = {"fit": fit, "rejected": np.arange(0), "held_out": (1.0, 0.1), "bright_chi2": (1.0, SPREAD),
     "places": np.zeros((3, 2)),
-             "blur_costs": {}, "notes": [], "tests": (), "marginal": None, "rival": None}  # fmt: skip
+             "blur_costs": {}, "notes": [], "tests": (), "grade": None, "rival": None}  # fmt: skip
     return Outcome(**given | changes)
 
 

@@ -249,7 +249,7 @@ def in_numbers(value: Any) -> Any:
     if isinstance(value, lm.Counts | Options):
         return in_numbers(vars(value))
     if isinstance(value, dict):
-        return {name: in_numbers(part) for name, part in value.items()}
+        return {name: in_numbers(part) for name, part in value.items() if name != "_counts"}
     if isinstance(value, list | tuple):
         return list(map(in_numbers, value))
     if isinstance(value, np.ndarray):

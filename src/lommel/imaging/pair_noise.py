@@ -37,6 +37,8 @@ def is_compressed(image: Values) -> bool:
     along both axes.
     """
     total = 0.0
+    if min(image.shape) < 9 * 8:  # too few blocks
+        return False
     for values in (image, image.T):
         sizes = np.median(np.abs(np.diff(values, 3, axis=1)), axis=0)
         logs = np.log(np.maximum(sizes[: len(sizes) // 8 * 8], 1e-12)).reshape(-1, 8)

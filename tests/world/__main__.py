@@ -57,13 +57,15 @@ def page(stored: dict[str, list[Run]]) -> str:
             f"| {one.told} | {one.wrong_and_good} | {rms} | {largest} | {codes} |"
         )
     total = [one for _, one in judged(stored)]
-    wrong, count = sum(one.wrong_and_good for one in total), sum(one.runs for one in total)
-    named = sum(one.good for row, one in judged(stored) if MUST[BY_ROW[row].must] == "named")
-    good = sum(one.good for one in total) - named
-    counted = f"{count} results of {len(total)} worlds: {good} called good, {wrong} of them wrong. {named} more"
-    rule = "are not counted as wrong: they name what their data leave open, and may be far off in it."
-    first = f"{counted} are called good in\nthe rows *named*, and {rule}"
-    return first + "\n\n" + "\n".join(rows)
+    sums = {name: sum(getattr(one, name) for one in total) for name in ("runs", "good", "wrong_and_good")}
+    named = sum(one.wrong_and_good for row, one in judged(stored) if BY_ROW[row].must == "N")
+    first = (
+        f"{sums['runs']} results of {len(total)} worlds: {sums['good']} called good, {sums['wrong_and_good']} of "
+        f"them wrong, {named} of\nthese in rows *named*, whose results name what is wrong among what they cannot test."
+    )
+    rates = [f"{BY_ROW[row].name} ({one.rms:.2f})" for row, one in judged(stored) if "rms" in " ".join(one.faults)]
+    second = f"Errors are not 0.8 to 1.15 standard errors, as far as the runs show, in {len(rates)} worlds"
+    return "\n\n".join((first, f"{second}: {', '.join(rates)}." if rates else f"{second}.", "\n".join(rows)))
 
 
 def read(path: Path) -> dict[str, list[Run]]:

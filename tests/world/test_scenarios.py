@@ -56,11 +56,18 @@ def test_what_must_come_of_a_world_is_held_against_what_comes(must, trial, fault
 
 
 def test_many_runs_show_standard_errors_that_are_too_small_or_too_large():
-    one = Scenario("0", "a world", "fit", lambda seed: answer())
+    rows = [Scenario("0", "a world", "fit", lambda seed: answer(), must) for must in ("R", "RT", "N")]
     for size, fault in ((1.0, False), (1.6, True), (0.5, True)):
         z = size * np.random.default_rng(1).normal(size=(25, 5))
         runs = [Run(k, True, [], "", row.tolist(), [], {}, False, 0.1) for k, row in enumerate(z)]
-        assert bool(judge(one, runs).faults) == fault
+        assert [bool(judge(row, runs).faults) for row in rows] == [fault, fault, False]
+
+
+def test_results_that_name_what_is_wrong_are_counted_as_wrong():
+    one = Scenario(
+        "0", "a world", "fit", lambda seed: answer(Finding("misfit", "note", "bad"), z=9.0), "N", ("misfit",)
+    )
+    assert judge(one, [attempt(one, 0)]).wrong_and_good == 1
 
 
 def test_a_refusal_is_told_and_an_error_is_a_fault():
@@ -105,5 +112,5 @@ def test_runs_are_kept_and_become_a_table(tmp_path, monkeypatch):
     text = page.read_text(encoding="utf-8")
     assert text.startswith("before\n")
     assert text.endswith("after\n")
-    assert "1 results of 1 worlds: 1 called good, 0 of them wrong. 0 more" in text
+    assert "1 results of 1 worlds: 1 called good, 0 of them wrong, 0 of\n" in text
     assert "what was here" not in text

@@ -144,13 +144,14 @@ def judge(scenario: Scenario, runs: Sequence[Run]) -> Judgement:
     good = [run for run in runs if run.good]
     first = [run for run in runs if set(run.codes[:3] if scenario.must != "N" else run.codes) & set(scenario.codes)]
     told = [run for run in first if scenario.must == "N" or not run.good]
-    wrong = [run for run in good if run.wrong and scenario.must != "N"]
+    wrong = [run for run in good if run.wrong]
     z = np.array([one for run in good for one in run.z])
     every = np.abs([one for run in good for one in (*run.z, *run.held)])
     rms = float(np.sqrt(np.mean(z**2))) if z.size else math.nan
     largest = float(every.max()) if every.size else math.nan
     faults, count = [], len(runs)
-    if wrong:
+    # What its data cannot test may be off in a row "N", where the result names it; it is counted nevertheless.
+    if wrong and scenario.must != "N":
         faults.append(f"wrong and called good: {len(wrong)} of {count}")
     if scenario.must in ("T", "N") and len(told) < scenario.at_least * count:
         faults.append(f"told by {' or '.join(scenario.codes) or 'any code'}: {len(told)} of {count}")
@@ -159,16 +160,16 @@ def judge(scenario: Scenario, runs: Sequence[Run]) -> Judgement:
             faults.append(f"good: {len(good)} of {count}")
         if every.size and largest > _limit(NEVER, every.size):
             faults.append(f"off by {largest:.1f} standard errors")
-        if z.size >= 10:
-            low, high = np.sqrt(chi2.ppf([RARE / 2, 1 - RARE / 2], z.size) / z.size)
-            if not min(RMS[0], low) <= rms <= max(RMS[1], high):
-                faults.append(f"errors are {rms:.2f} standard errors rms")
-        for name, (least, most) in scenario.limits.items():
-            values = np.array([run.extras[name] for run in good if name in run.extras])
-            if values.size:
-                mean, error = values[:, 0].mean(), np.hypot.reduce(values[:, 1]) / len(values)
-                if not least - 3 * error <= mean <= most + 3 * error:
-                    faults.append(f"{name} {mean:.4g} +- {error:.2g}, not {least:g} to {most:g}")
+    if scenario.must != "N" and z.size >= 10:
+        low, high = np.sqrt(chi2.ppf([RARE / 2, 1 - RARE / 2], z.size) / z.size)
+        if not min(RMS[0], low) <= rms <= max(RMS[1], high):
+            faults.append(f"errors are {rms:.2f} standard errors rms")
+    for name, (least, most) in scenario.limits.items():
+        values = np.array([run.extras[name] for run in good if name in run.extras])
+        if values.size:
+            mean, error = values[:, 0].mean(), np.hypot.reduce(values[:, 1]) / len(values)
+            if not least - 3 * error <= mean <= most + 3 * error:
+                faults.append(f"{name} {mean:.4g} +- {error:.2g}, not {least:g} to {most:g}")
     seconds = float(np.median([run.seconds for run in runs])) if runs else math.nan
     if max((run.seconds for run in runs), default=0.0) > scenario.seconds:
         faults.append(f"more than {scenario.seconds:g} s")

@@ -693,8 +693,7 @@ class Search:
         if refit is None or refit.scores.deviance[0] > fit.scores.deviance[0]:
             self.stars = stars
             return None
-        if not added_count:
-            freed[test.name] = freed.get(test.name, 0.0) + float(test.size[0])
+        freed[test.name] = freed.get(test.name, 0.0) + float(test.size[0])
         return refit
 
     def _with_background_slopes(self, fit: Solution) -> Solution:

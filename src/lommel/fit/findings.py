@@ -43,6 +43,7 @@ CODES: Mapping[str, str] = {
     "not_settled": "the steps of the search did not settle",
     "opposite_astigmatism": "the astigmatism is of the opposite sign, and z is reversed",
     "other_explanation": "an effect that the model lacks, or another value of a constant, explains the data better",
+    "outliers": "single values are far from their neighbours",
     "pattern": "residuals have stripes, or offsets of rows or columns, as due to pick-up or readout",
     "pixel_pitch": "the pixel pitch is not that of the camera, or not that which the images state",
     "plane_light": "the light of the planes of a stack rises or falls along z: fading, or light beyond the frame",

@@ -17,6 +17,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.quantities import is_angle, stated_unit
 from lommel.base.units import percent
+from lommel.fit.findings import Finding, Findings, Judged
 from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront, radians_per
 from lommel.special import zernike
 
@@ -34,6 +35,10 @@ _RESIDUE = 1e-9
 # Count, for each value, the pixels with an equal neighbour. A value is taken as a marker of missing pixels if its
 # count is at least this number, this fraction of the pupil's pixels, and this multiple of every other count.
 _MIN_BLANK_PIXELS, _MIN_BLANK_FRACTION, _MIN_BLANK_RATIO = 8, 0.002, 8
+# A pixel is an outlier if it differs from the median of itself and its four neighbours by this multiple of the
+# typical difference. Steps between neighbours count from this multiple on, if they are this fraction of a wave or
+# more, and are along this many pixels, relative to the square root of all.
+_OUTLIER, _STEP, _STEP_LENGTH = 8.0, 0.5, 0.15
 _BLOCK = 16384  # samples processed together; bounds the memory of fits to large maps
 
 
@@ -120,8 +125,11 @@ class OPDMap:
 
 
 @dataclass(frozen=True, eq=False)
-class WavefrontFit:
+class WavefrontFit(Judged):
     """A wavefront fitted to measurements, and its residual.
+
+    The findings have the codes "other_explanation" (a step of one wave, as of an error of phase unwrapping) and
+    "outliers" (pixels far from their neighbours; a doubt if they move coefficients by a standard error or more).
 
     Attributes
     ----------
@@ -142,6 +150,8 @@ class WavefrontFit:
         coefficients.
     unit : str
         Unit of `piston`, `rms`, `peak_to_valley` and `residual`.
+    findings : Findings
+        Findings on the residual, from which `status`, `converged` and `reliable` follow.
     """
 
     wavefront: Wavefront
@@ -152,6 +162,7 @@ class WavefrontFit:
     samples: NDArray[np.int64]
     condition: float
     unit: str
+    findings: Findings
 
 
 def fit_opd(
@@ -256,7 +267,8 @@ def fit_opd(
         for member, map_residual in zip(members, group_residuals, strict=True):
             residual[member][pixels] = map_residual
         condition = max(condition, group_condition)
-    return _fit_result(terms, coefficients, residual, condition, maps.shape[:-2], unit, scale)
+    floor = _RESIDUE * float(np.abs(maps[in_pupil]).max())
+    return _fit_result(terms, coefficients, residual, condition, maps.shape[:-2], unit, scale, floor)
 
 
 def opd_map(
@@ -402,8 +414,9 @@ def _fit_result(
     stack: tuple[int, ...],
     unit: str,
     scale: float,
+    floor: float,
 ) -> WavefrontFit:
-    """Return the fit from residuals of maps (axis 0; NaN: unused)."""
+    """Return the fit from residuals of maps (axis 0; NaN: unused), whose rounding errors are below `floor`."""
     flat_residual = residual.reshape(len(residual), -1)
     count = np.isfinite(flat_residual).sum(axis=1)
     # The constant is among the terms, so that the mean of the residual is 0.
@@ -418,7 +431,39 @@ def _fit_result(
         samples=count.reshape(stack),
         condition=condition,
         unit=unit,
+        findings=Findings(_findings(residual, floor, 2.0 * math.pi / scale)),
     )
+
+
+def _findings(residual: Array, floor: float, wave: float) -> Iterator[Finding]:
+    """Yield the findings on residuals of maps (axis 0; NaN: unused) whose rounding errors are below `floor`."""
+    # The median includes the pixel itself, so that both sides of a step have medians of their own.
+    padded = np.pad(residual, ((0, 0), (1, 1), (1, 1)), constant_values=np.nan)
+    neighbors = padded[:, 2:, 1:-1], padded[:, :-2, 1:-1], padded[:, 1:-1, 2:], padded[:, 1:-1, :-2]
+    apart = np.abs(residual - np.median([residual, *neighbors], axis=0))
+    far = apart > _limits(apart, floor)
+    inner = np.where(far, np.nan, residual)
+    square = np.nansum(residual[far] ** 2), np.nansum(inner**2)
+    steps = 0
+    for axis in (1, 2):
+        difference = np.abs(np.diff(inner, axis=axis))
+        steps += ((difference > _STEP * wave) & (difference > _limits(difference, floor))).sum(axis=(1, 2))
+    longest = int(np.max(steps, initial=0))
+    if longest > _STEP_LENGTH * math.sqrt(np.isfinite(residual).sum(axis=(1, 2)).max()):
+        text = f"the residual has a step of about one wave along {longest} pixels: unwrap the phase, or mask a side"
+        yield Finding("other_explanation", "error", text, {"pixels": longest})
+    if far.any():
+        moved = math.sqrt(square[0] / max(square[1], 1e-300))
+        text = f"{int(far.sum())} pixels are far from their neighbours"
+        text += f", and move coefficients by about {moved:.2g} standard errors: mask them"
+        numbers = {"pixels": int(far.sum()), "standard_errors": moved}
+        yield Finding("outliers", "doubt" if moved > 1.0 else "note", text, numbers)
+
+
+def _limits(values: Array, floor: float) -> Array:
+    """Return the limit of values of each map beyond which they are not noise."""
+    typical = np.nanpercentile(values, 68.0, axis=(1, 2), keepdims=True)
+    return np.asarray(_OUTLIER * np.fmax(typical, floor))
 
 
 def _maps(opd: ArrayLike, mask: ArrayLike | None, unit: str) -> tuple[Array, NDArray[np.bool_]]:

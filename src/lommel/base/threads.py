@@ -76,11 +76,15 @@ def product(a: Values, b: Values) -> Values:
     stacked = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
     result = np.empty((*stacked, a.shape[-2], b.shape[-1]), np.result_type(a, b))
     limit = _SINGLE_THREAD_PRODUCTS // (4 if np.iscomplexobj(result) else 1)
-    columns = max(1, math.isqrt(limit // a.shape[-1]))
-    for first in range(0, b.shape[-1], columns):
-        part = b[..., first : first + columns]
-        rows = max(1, limit // (part.shape[-2] * part.shape[-1]))
-        for top in range(0, a.shape[-2], rows):
-            block = np.s_[..., top : top + rows, first : first + columns]
-            np.matmul(a[..., top : top + rows, :], part, out=result[block])
+    # A block of one row or column would be a product with a vector, which uses all threads: blocks are about equal.
+    for columns in _blocks(b.shape[-1], max(2, math.isqrt(limit // a.shape[-1]))):
+        width = columns.stop - columns.start
+        for rows in _blocks(a.shape[-2], max(2, limit // (a.shape[-1] * width))):
+            np.matmul(a[..., rows, :], b[..., columns], out=result[..., rows, columns])
     return result
+
+
+def _blocks(count: int, largest: int) -> list[slice]:
+    """Return slices of about equal length, at most `largest`, that cover `count` items."""
+    n = -(-count // largest)
+    return [slice(count * i // n, count * (i + 1) // n) for i in range(n)]

@@ -81,6 +81,10 @@ class SampledPupil:
         if pupil.segmented:
             amplitude *= np.exp(1j * pupil.opening.phase(x, y))
         # Images are fractions of the light per pixel: I (pixel area in v) / (4 pi transmission).
+        if self._length:
+            # The transform begins with the first pixel of the window, whose frequency is negative: a slope of phase.
+            slopes = (2.0 * math.pi / self._length * (n // 2) * np.arange(side) for n in grid.shape)
+            amplitude = amplitude * np.exp(1j * np.add.outer(*slopes))
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission))
         self._amplitude = (amplitude * (scale * width**2 / math.pi)).astype(np.complex64)
         self._terms = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
@@ -116,9 +120,9 @@ class SampledPupil:
         """Return the real and imaginary parts of fields (n, h, w) of pupils, shape (n, real and imaginary, y, x)."""
         if self._length:
             # The origin of the transform is the first cell: this multiplies all fields by the same phase factor.
-            field = scipy.fft.fft2(planes[:, 0] + np.complex64(1j) * planes[:, 1], (self._length, self._length))
-            rows, columns = (np.arange(side) - side // 2 for side in self._shape)
-            field = field[:, rows[:, None], columns]
+            field, (rows, columns) = planes[:, 0] + np.complex64(1j) * planes[:, 1], self._shape
+            field = scipy.fft.fft(field, self._length, overwrite_x=True)[..., :columns]  # rows beyond the aperture are 0
+            field = scipy.fft.fft(field, self._length, axis=-2)[:, :rows]
             return field.real, field.imag
         # Transforms with a cosine (c) or sine (s): the first letter is for rows (y), the second for columns (x).
         (cc, sc), (cs, ss) = self._transforms(planes)

@@ -22,6 +22,7 @@ from itertools import product
 import numpy as np
 import scipy
 
+from lommel.base import threads
 from lommel.base.arrays import Array, Values
 from lommel.blur.mixtures import BlurProfile
 from lommel.special.legendre import gauss_legendre
@@ -32,7 +33,6 @@ _BANDS = np.linspace(0.02, 1.0, 50)  # candidates for F
 ROOM = 0.5  # increase of the blur width, pixels, up to which the sample lattice is kept
 _MARGIN = 3.0  # lambda*N by which the samples extend beyond the outer pixels
 _BLUR_MARGIN = 3.7  # standard deviations of the blur by which the samples extend farther
-_SINGLE_THREAD = 2**18  # real multiplications up to which BLAS uses a single thread
 _BATCH = 6  # number of images computed together, so that their samples stay in the cache
 # Additional variances of wings and halo, divided by the geometric mean variance of the blur.
 _WIDER_VARIANCES = (3.0, 15.0)
@@ -286,14 +286,7 @@ def unfolded(parts: list[list[Values]], window: tuple[int, int]) -> Values:
 
 def products(images: Values, matrix: Array) -> Values:
     """Return products (..., h, m) of the rows of images (..., h, n) with a matrix (m, n) or matrices (..., m, n)."""
-    # Blocks of rows are small enough for one thread of BLAS; several threads would mostly wait for each other.
-    transposed, rows = matrix.swapaxes(-1, -2).astype(images.dtype, copy=False), images.shape[-2]
-    limit = _SINGLE_THREAD // (4 if np.iscomplexobj(images) else 1)
-    block = max(1, limit // max(transposed.shape[-2] * transposed.shape[-1], 1))
-    if block >= rows:
-        return np.asarray(images @ transposed)
-    # Blocks are about equal: a remainder of one row would be a product with a vector, which uses all threads.
-    return np.concatenate([part @ transposed for part in np.array_split(images, -(-rows // block), axis=-2)], axis=-2)
+    return threads.product(images, matrix.swapaxes(-1, -2).astype(images.dtype, copy=False))
 
 
 def column_products(images: Values, matrix: Array) -> Values:

@@ -121,7 +121,9 @@ class SampledPupil:
         if self._length:
             # The origin of the transform is the first cell: this multiplies all fields by the same phase factor.
             field, (rows, columns) = planes[:, 0] + np.complex64(1j) * planes[:, 1], self._shape
-            field = scipy.fft.fft(field, self._length, overwrite_x=True)[..., :columns]  # rows beyond the aperture are 0
+            field = scipy.fft.fft(field, self._length, overwrite_x=True)[
+                ..., :columns
+            ]  # rows beyond the aperture are 0
             field = scipy.fft.fft(field, self._length, axis=-2)[:, :rows]
             return field.real, field.imag
         # Transforms with a cosine (c) or sine (s): the first letter is for rows (y), the second for columns (x).

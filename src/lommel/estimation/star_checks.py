@@ -323,8 +323,10 @@ def estimated_findings(
     """Return the finding on estimates that the images favour: value, standard error and stated value of each.
 
     `move` is the largest change of another estimate, in standard errors; `rivals` explain the images as well.
+    Estimates that the images do not determine are left out.
     """
     words, keys = [], ("value", "error", "stated")
+    estimates = {name: numbers for name, numbers in estimates.items() if abs(numbers[0]) > numbers[1]}
     for name, (value, error, stated) in estimates.items():
         note = f" (stated {stated:.6g}{', with this pixel and wavelength' * (name == 'f_number')})"
         words.append(f"{name} {' +- '.join(with_error(value, error))} {unit_of(name)}".rstrip() + note)

@@ -197,10 +197,14 @@ def place_of(code: str, severity: str, reliable: bool) -> int:
 
 
 def shortened(findings: Sequence[tuple[str, str]]) -> list[str]:
-    """Return the texts of findings (code, text), at most ten lines; the codes of the others are in the last text."""
-    lengths = np.cumsum([len(text) for _, text in findings])
-    count = max(1, int((lengths <= _MOST_CHARACTERS).sum()))
-    texts, others = [text for _, text in findings[:count]], [code for code, _ in findings[count:]]
+    """Return the texts of findings (code, text), at most ten lines; the codes of the others are in the last text.
+
+    The first text, and a summary, which has no code, are never left out.
+    """
+    lengths = np.cumsum([len(text) * bool(code) for code, text in findings])
+    kept = [k == 0 or not code or lengths[k] <= _MOST_CHARACTERS for k, (code, _) in enumerate(findings)]
+    texts = [text for (_, text), is_kept in zip(findings, kept, strict=True) if is_kept]
+    others = dict.fromkeys(code for (code, _), is_kept in zip(findings, kept, strict=True) if not is_kept)
     return [*texts, *([f"and {', '.join(others).replace('_', ' ')}: see findings"] if others else [])]
 
 

@@ -96,11 +96,11 @@ def score_tests(
 ) -> tuple[ScoreTest, ...]:
     """Return the tests of candidates, sorted by decreasing Bayes factors.
 
-    Candidates that the data do not determine are left out. `information` (p, p) and `slope` (p,) are the Fisher
+    Candidates that the data do not determine, or that no prior restricts, are left out. `information` (p, p) and `slope` (p,) are the Fisher
     information and the gradient of the log-likelihood at its maximum, including priors; `unknowns` are the columns
     that the fit estimates.
     """
-    estimated = {*unknowns}
+    estimated, candidates = {*unknowns}, [item for item in candidates if math.isfinite(item.known)]
     # All candidates that are not estimated share one elimination.
     eliminated_columns = [j for item in candidates if estimated.isdisjoint(item.columns) for j in item.columns]
     squares, gradients = _eliminated(information, slope, unknowns, eliminated_columns)

@@ -42,12 +42,12 @@ def live(pair, stated, **more):
 def test_lenses_as_they_are_agree_with_frames(pair):
     found = live(pair, lenses()).verdict()
     assert found.agrees
-    assert found.findings.codes == ("untested",)
+    assert found.findings.codes == ("stated", "untested")
     assert found.misfit == pytest.approx(1.0, abs=0.1)
     assert abs(found.scale - 1.0) < 2.0 * found.scale_error < 0.1
     assert found.status == "converged"
     assert "blurs differ as the lenses state" in found.message
-    assert found.to_dict()["findings"][0]["numbers"]["what"][0].startswith("which image is focused nearer")
+    assert found.to_dict()["findings"][1]["numbers"]["what"][0].startswith("which image is focused nearer")
 
 
 @pytest.mark.parametrize(("f_number", "scale"), [(2.24, 0.8), (3.08, 1.1), (3.36, 1.2)])
@@ -94,9 +94,9 @@ def test_the_misfit_of_exact_lenses_is_one_and_that_of_a_shift_is_not(f_number, 
 def test_a_size_of_blur_that_frames_do_not_tell_is_named_with_what_it_costs(pair):
     one = live([each[:, :128] for each in pair], lenses()).verdict()  # a plane, on few pixels
     assert one.reliable
-    assert one.findings.codes == ("untested",)
-    told = one.findings.get("untested")
-    assert told.numbers["what"][0].startswith("the size of blur")
+    assert one.findings.codes == ("stated", "untested")
+    assert one.findings.get("untested").numbers["what"][0].startswith("the size of blur")
+    told = one.findings.get("stated")
     # A shift of all foci shifts depth: by 0.01 z^2.
     assert one.changes[1] == pytest.approx(-0.01 * 1.4**2, rel=0.02)
     assert (told.numbers["by_f_number"], told.numbers["by_foci"]) == one.changes

@@ -61,7 +61,7 @@ def page(stored: dict[str, list[Run]]) -> str:
     named = sum(one.wrong_and_good for row, one in judged(stored) if BY_ROW[row].must == "N")
     first = (
         f"{sums['runs']} results of {len(total)} worlds: {sums['good']} called good, {sums['wrong_and_good']} of "
-        f"them wrong, {named} of\nthese in rows *named*, whose results name what is wrong among what they cannot test."
+        f"them wrong, {named} of\nthese in rows *named*, whose results name it among what they cannot test."
     )
     rates = [f"{BY_ROW[row].name} ({one.rms:.2f})" for row, one in judged(stored) if "rms" in " ".join(one.faults)]
     second = f"Errors are not 0.8 to 1.15 standard errors, as far as the runs show, in {len(rates)} worlds"

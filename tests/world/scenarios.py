@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,9 +13,10 @@ from scipy import ndimage
 
 import lommel as lm
 import searches
+from lommel.fit import Findings
 from tests.world import air, camera, scene, stage
 from tests.world.camera import Camera
-from tests.world.optics import Objective, Telescope, Transfer, Waves, as_waves, disc, noll, zernike
+from tests.world.optics import Objective, Telescope, Transfer, Waves, as_waves, cells, disc, noll, zernike
 from tests.world.verdicts import Scenario, Trial
 
 
@@ -465,6 +467,72 @@ def pair(
     return Trial(said, z, seconds, extras={"error of depth": (float(off), 0.0)}, wrong=wrong)
 
 
+def live(seed: int, depth: float, *, f_number: float = 1.8, wrong: bool = False) -> Trial:
+    """Estimate depth at video rate from two frames of electrons, in blocks of 4 pixels."""
+    taken, _ = photographs(f"at {depth}", 0.6, seed % 2)
+    frames = [STARS.record(5000.0 * one, 2 * seed + k) for k, one in enumerate(taken)]
+    lens = lm.Lens(focal_length=50e-3, f_number=f_number, focus_distance=FOCI[0], wavelength=550e-9)
+    found, lenses = lm.Noise(read=3.0), [lens.focused(focus) for focus in FOCI]
+    engine = lm.imaging.LiveDepth(
+        lenses, FINE_PIXEL, between=(1.8, 6.0), noise=found, shape=frames[0].shape, light=2500.0
+    )
+    seen_as, seconds = timed(engine, *frames)
+    some = np.isfinite(seen_as.errors)
+    some[:5] = some[-5:] = some[:, :5] = some[:, -5:] = False
+    some &= (np.indices(some.shape) % 4 == 0).all(axis=0)
+    return Trial(engine.verdict(), ((seen_as.depth - depth) / seen_as.errors)[some], seconds, wrong=wrong)
+
+
+def restored(seed: int, *, f_number: float = 1.8, depth: float = 2.9, white: float = 5000.0) -> Trial:
+    """Deblur a photograph of a texture at 2.9 m, focused at 2.3 m; wrong if it is worse than the photograph."""
+    picture = scene.texture((96, 120), 0.6, 430 + seed % 2)
+    light = scene.photograph([(picture, np.ones_like(picture), _geometric(2.9, FOCI[0]))])
+    photo = STARS.record(5000.0 * light, seed) / 5000.0
+    truth = picture.reshape(96, scene.FINE, 120, scene.FINE).mean((1, 3))
+    lens = lm.Lens(focal_length=50e-3, f_number=f_number, focus_distance=FOCI[0], wavelength=550e-9)
+    found, seconds = timed(
+        lm.imaging.restore, photo, np.full(photo.shape, depth), lens, FINE_PIXEL, encoding="linear",
+        noise=lm.Noise(white=white, read=3.0), saturation=np.inf,
+    )  # fmt: skip
+    after, before = (float(np.std((one - truth)[16:-16, 16:-16])) for one in (found.values, photo))
+    return Trial(found, np.zeros(0), seconds, extras={"error / before": (after / before, 0.0)}, wrong=after > before)
+
+
+# Slanted edges, seen through a disc of 3 pixels, up to 1e4 electrons. Results have no verdict: all are good.
+def edge(seed: int, *, exposed: float = 1.0, bits: int = 16) -> Trial:
+    """Measure the response of a disc and pixels at four frequencies from a picture of an edge."""
+    fine, turned = 96 * scene.FINE, np.radians(5.0 + seed % 5)
+    x = np.arange(fine) - (fine - 1) / 2
+    across = x * np.cos(turned) + x[:, None] * np.sin(turned)
+    picture = 0.1 + 0.8 * np.clip(across + 0.5, 0, 1)
+    light = scene.photograph([(picture, np.ones_like(picture), lambda v, u: disc(1.5, np.hypot(v, u)))])[
+        16:-16, 16:-16
+    ]
+    full = 2.0**bits - 1
+    counts = Camera(gain=1e4 / full, offset=0.0, read=3.0, bits=bits).record(1e4 * exposed * light, seed)
+    found, seconds = timed(lm.sfr, counts if bits == 16 else counts.astype(np.uint8), PIXEL)
+    f = np.array([0.1, 0.2, 0.3, 0.4])
+    true = disc(1.5, f) * np.sinc(f * np.cos(turned)) * np.sinc(f * np.sin(turned))
+    z = (found(f / PIXEL) - true) / np.interp(f / PIXEL, found.frequencies, found.errors)
+    return Trial(SimpleNamespace(findings=Findings()), z, seconds)
+
+
+def opd(seed: int, *, step: float = 0.0, island: float = 0.0, outliers: int = 0, radians: float = 30.0) -> Trial:
+    """Fit a map of 80 x 80 pixels, each seed another wavefront: noise of 0.1 rad, a step of a wave, outliers."""
+    draw, x = np.random.default_rng(seed), cells(80)
+    rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x[None])
+    sizes = dict(zip(range(2, 23), draw.normal(size=21).tolist(), strict=True))
+    values = sum(size * zernike(j, rho, theta) for j, size in sizes.items()) + draw.normal(size=rho.shape) * 0.1
+    values = values + 2 * np.pi * ((x > step) if step else (np.hypot(x[:, None] - 0.3, x) < island))
+    values[tuple(draw.integers(20, 60, (2, outliers)))] += radians
+    found, seconds = timed(lm.fit_opd, values, unit="radians")
+    inside = rho <= 1
+    terms = np.stack([zernike(j, rho[inside], theta[inside]) for j in range(1, 46)], axis=1)
+    fitted = np.linalg.lstsq(terms, (values - found.residual)[inside])[0][1:22]
+    errors_ = 0.1 * np.sqrt(np.diag(np.linalg.inv(terms.T @ terms)))[1:22]
+    return Trial(found, (fitted - list(sizes.values())) / errors_, seconds)
+
+
 def _k(fwhm: float) -> Blur:
     return (("kolmogorov", fwhm),)
 
@@ -495,7 +563,7 @@ def _fields() -> list[Scenario]:
     karman = (("karman", 1.5, 20.0 / (air.WIDTH * 600e-9 / (1.5 * air.ARCSECOND))),)
     add("13a", 'von Karman 20 m, 1.5", 5e3 e', partial(field, blur=karman, flux=5e3))
     add("13b", 'von Karman 20 m, 1.5", 5e4 e', partial(field, blur=karman, flux=5e4))
-    add("14", 'Moffat 3, 1.5"', partial(field, blur=(("moffat", 1.5, 3.0),), flux=5e4), "T", BLUR)
+    add("14", 'Moffat 3, 1.5"', partial(field, blur=(("moffat", 1.5, 3.0),), flux=5e4), "RT", BLUR)
     track = ("tracking", 0.7, 0.0), ("tracking", 1.5, 0.0)
     add("15a", 'tracking 0.7 px, Kolmogorov 1"', partial(field, blur=(*_k(1.0), track[0]), flux=5e4), "RT", OTHER)
     ellipse = ("ellipse", "elongated", *BLUR)
@@ -658,6 +726,30 @@ def _pairs() -> list[Scenario]:
     return made
 
 
+def _others() -> list[Scenario]:
+    made: list[Scenario] = []
+    add = partial(_add, made, "fit_opd")
+    add("49a", "map with noise of 0.1 rad", opd)
+    add("49b", "a third of the map one wave higher", partial(opd, step=0.33), "T", OTHER)
+    add("49c", "an island of the map one wave higher", partial(opd, island=0.3), "T", OTHER)
+    add("49d", "nine pixels of 30 rad", partial(opd, outliers=9), "T", ("outliers",))
+    add("49e", "four pixels of 1 rad", partial(opd, outliers=4, radians=1.0), "RT", ("outliers",))
+    add = partial(_add, made, "sfr")
+    add("50a", "edge, well exposed", edge)
+    add("50b", "edge, bright side full, 8 bits", partial(edge, exposed=1.6, bits=8), "T", ("refused",))
+    add = partial(_add, made, "restore")
+    add("51a", "texture at 2.9 m", restored)
+    add("51b", "f/2.8 for 1.8", partial(restored, f_number=2.8), "RT", ("misfit", "not_settled"))
+    add("51c", "f/1.4 for 1.8", partial(restored, f_number=1.4), "N", ("untested",))
+    add("51d", "depth 2.6 m for 2.9", partial(restored, depth=2.6), "RT", ("misfit", "not_settled"))
+    add("51e", "white four times too large", partial(restored, white=2e4), "N", ("untested",))
+    add = partial(_add, made, "LiveDepth")
+    add("52a", "texture at 2.5 m", partial(live, depth=2.5))
+    add("52b", "texture at 3.3 m", partial(live, depth=3.3))
+    add("52c", "f/2.8 for 1.8", partial(live, depth=2.9, f_number=2.8, wrong=True), "T", ("lens_scale", "misfit"))
+    return made
+
+
 def _breathing(image: np.ndarray) -> np.ndarray:
     middle = (np.array(image.shape) - 1) / 2
     return ndimage.affine_transform(image, np.eye(2) / 1.007, middle - middle / 1.007, order=3, mode="nearest")
@@ -670,4 +762,4 @@ def _add(
     made.append(Scenario(row, name, estimator, run, must, codes, **more))
 
 
-SCENARIOS = (*_fields(), *_retrievals(), *_beads(), *_movies(), *_stacks(), *_pairs())
+SCENARIOS = (*_fields(), *_retrievals(), *_beads(), *_movies(), *_stacks(), *_pairs(), *_others())

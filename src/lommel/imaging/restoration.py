@@ -38,7 +38,7 @@ from lommel.deconvolve.algorithms import (
 from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur
-from lommel.fit.findings import Finding, Findings
+from lommel.fit.findings import Finding, Findings, untested_finding
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
@@ -57,6 +57,8 @@ _MAX_MISFIT = 0.08  # largest accepted (discrepancy - 1) of a result / (discrepa
 # Largest accepted mean of abs(x - y) / mean of abs(A y - y), for the result x, the photograph y and the blur A. In
 # tests with the stated blur it was at most 3.3.
 _MAX_CHANGE_RATIO = 4.5
+# A photograph that is deblurred as far as its noise allows does not test these.
+_UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
 _MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
@@ -297,4 +299,4 @@ def _findings(stopped: str, discrepancy: float, limit: float) -> Findings:
     if stopped == STEPS:
         text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more steps fit better"
         return Findings([Finding("not_settled", "error" if discrepancy > limit else "doubt", text, numbers)])
-    return Findings()
+    return Findings([untested_finding(_UNTESTED, {})])

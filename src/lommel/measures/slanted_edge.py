@@ -22,6 +22,7 @@ _MARGIN = 5.0  # smallest distance of the edge from the sides of the picture, pi
 _MIN_ANGLE, _MAX_ANGLE = 2.0, 40.0  # angle between the edge and the rows or columns, degrees
 _MIN_CONTRAST = 5.0  # smallest step at the edge divided by the standard deviation of the noise of a pixel
 _PLATEAU = 0.5  # fraction of the profile over which its window function is 1; it falls to 0 like cos^2 at both ends
+_MAX_FULL = 0.01  # largest fraction of pixels with the largest integer
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,9 +98,9 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     Raises
     ------
     TypeError, ValueError
-        If the image has another shape or is not finite; if the edge does not exceed the noise, is nearer than 5
-        pixels to a side or is not at 2 to 40 degrees to the rows or columns; or if its slope is a simple fraction
-        such as 1/3, for which gaps in the profile exceed a quarter pixel.
+        If the image has another shape or is not finite; if it is overexposed; if the edge does not exceed the noise,
+        is nearer than 5 pixels to a side or is not at 2 to 40 degrees to the rows or columns; or if its slope is a
+        simple fraction such as 1/3, for which gaps in the profile exceed a quarter pixel.
 
     Notes
     -----
@@ -121,6 +122,10 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     side = validation.pixel(pixel, metric=True)
     if values.ndim != 2 or min(values.shape) < 20:
         raise ValueError(f"image must have the shape (height, width) of 20 x 20 pixels or more, got {values.shape}")
+    if (integers := np.asarray(image).dtype).kind in "iu" and np.mean(values == np.iinfo(integers).max) > _MAX_FULL:
+        raise ValueError(
+            "image must not be overexposed, got pixels with the largest value of their type: expose less"
+        )
     # A nearly horizontal edge is transposed to a nearly vertical one.
     horizontal = np.ptp(values.mean(axis=1)) > np.ptp(values.mean(axis=0))
     vertical = values.T if horizontal else values

@@ -557,7 +557,8 @@ def _with_causes_freed(
     checked = tested()
     for _ in range(_MAX_REFITS):
         refits, favoured = [], [(test, freed(model, test.name)) for test in seen(checked[0])]
-        if favoured and not rivals and _exceeds(model, x, favoured[0][0]):
+        # If rivals change terms by different amounts, the grade of all is more honest than an estimate of one.
+        if favoured and not rivals and (len(favoured) > 1 < checked[1].rest or _exceeds(model, x, favoured[0][0])):
             break
         for test, unknowns in favoured[:_MAX_RIVALS]:
             if unknowns is None or favoured[0][1] is None:  # another effect explains the images at least as well

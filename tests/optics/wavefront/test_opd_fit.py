@@ -304,3 +304,21 @@ def test_what_rounding_leaves_of_zeros_around_a_pupil_is_no_measurement():
             ValueError, match=rf"opd is 0 at .* as in files that mark missing pixels: pass mask=.*{way}"
         ):
             lm.fit_opd(values, unit="waves", radius=57.0, center=(48, 48))
+
+
+@pytest.mark.parametrize(
+    ("change", "status", "codes"),
+    [
+        (lambda x: 0.0 * x, "converged", ()),
+        (lambda x: 3.0 * (x > 27), "converged", ()),  # half a wave: no error of unwrapping
+        (lambda x: 6.0 * (x > 27), "other_explanation", ("other_explanation",)),
+        (lambda x: 0.5 * ((x == 20) & (x.T == 17)), "converged", ("outliers",)),
+        (lambda x: 9.0 * ((x == 20) & (x.T == 17)), "doubtful", ("outliers",)),
+    ],
+)
+def test_steps_of_a_wave_and_outliers_are_found_in_the_residual(change, status, codes):
+    x = np.tile(np.arange(40), (40, 1))
+    noise = np.random.default_rng(5).normal(scale=0.05, size=x.shape)
+    for unit, size in (("radians", 1.0), ("waves", 0.5 / np.pi)):
+        fit = lm.fit_opd(size * (noise + change(x)), unit=unit, degree=4)
+        assert (fit.status, fit.findings.codes) == (status, codes)

@@ -32,7 +32,7 @@ from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
 _MIN_SIDE, _STEP = 96, 16  # least number of cells across the aperture, and a number of which it is a multiple
-SMALL = 160  # pixels: side of an image above which fields are computed by FFT instead of products of matrices
+SMALL = 100  # pixels: side of an image above which fields are computed by FFT instead of products of matrices
 _SUBCELLS = 4  # number of subcells along each axis of a cell, from which its clear fraction is computed
 SLANT = "light that slopes across the pupil"
 FOLDS = tuple(f"light of {n} folds in the pupil" for n in ("two", "three", "four"))
@@ -62,7 +62,8 @@ class SampledPupil:
         side = max(_MIN_SIDE, _STEP * math.ceil(window / _STEP))
         width = 2.0 / side  # of a cell, pupil radii
         # Length of Fourier transforms; 0 for products of matrices, which are faster for small images.
-        self._length = scipy.fft.next_fast_len(max(grid.shape)) if max(grid.shape) > SMALL else 0
+        length = max(*grid.shape, math.ceil(_MIN_SIDE * math.pi / grid.step(pupil)))
+        self._length = scipy.fft.next_fast_len(length) if max(grid.shape) > SMALL else 0
         if self._length:
             width = 2.0 * math.pi / (self._length * grid.step(pupil))
             side = 2 * math.ceil(1.0 / width)
@@ -84,7 +85,7 @@ class SampledPupil:
         if self._length:
             # The transform begins with the first pixel of the window, whose frequency is negative: a slope of phase.
             slopes = (2.0 * math.pi / self._length * (n // 2) * np.arange(side) for n in grid.shape)
-            amplitude = amplitude * np.exp(1j * np.add.outer(*slopes))
+            amplitude *= np.exp(1j * np.add.outer(*slopes))
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission))
         self._amplitude = (amplitude * (scale * width**2 / math.pi)).astype(np.complex64)
         self._terms = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
@@ -120,11 +121,9 @@ class SampledPupil:
         """Return the real and imaginary parts of fields (n, h, w) of pupils, shape (n, real and imaginary, y, x)."""
         if self._length:
             # The origin of the transform is the first cell: this multiplies all fields by the same phase factor.
-            field, (rows, columns) = planes[:, 0] + np.complex64(1j) * planes[:, 1], self._shape
-            field = scipy.fft.fft(field, self._length, overwrite_x=True)[
-                ..., :columns
-            ]  # rows beyond the aperture are 0
-            field = scipy.fft.fft(field, self._length, axis=-2)[:, :rows]
+            # The first transform omits rows beyond the aperture, where the pupil function is 0.
+            rows = scipy.fft.fft(planes[:, 0] + np.complex64(1j) * planes[:, 1], self._length)
+            field = scipy.fft.fft(rows[..., : self._shape[1]], self._length, axis=-2)[:, : self._shape[0]]
             return field.real, field.imag
         # Transforms with a cosine (c) or sine (s): the first letter is for rows (y), the second for columns (x).
         (cc, sc), (cs, ss) = self._transforms(planes)

@@ -28,9 +28,9 @@ from lommel.blur.mixtures import BlurProfile
 from lommel.special.legendre import gauss_legendre
 
 _TAPER = 1.0 / 0.45 - 1.0  # (frequency at which T reaches 0) / F: without blur h is 0.45 lambda*N
-_NEGLIGIBLE = 1e-6  # largest transfer function of pixels and blur above F
+_NEGLIGIBLE = 1e-5  # largest transfer function of pixels and blur above F
 _BANDS = np.linspace(0.02, 1.0, 50)  # candidates for F
-ROOM = 0.5  # increase of the blur width, pixels, up to which the sample lattice is kept
+ROOM = 0.25  # increase of the blur width, pixels, up to which the sample lattice is kept
 _MARGIN = 3.0  # lambda*N by which the samples extend beyond the outer pixels
 _BLUR_MARGIN = 3.7  # standard deviations of the blur by which the samples extend farther
 _BATCH = 6  # number of images computed together, so that their samples stay in the cache

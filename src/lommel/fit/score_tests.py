@@ -96,9 +96,9 @@ def score_tests(
 ) -> tuple[ScoreTest, ...]:
     """Return the tests of candidates, sorted by decreasing Bayes factors.
 
-    Candidates that the data do not determine, or that no prior restricts, are left out. `information` (p, p) and `slope` (p,) are the Fisher
-    information and the gradient of the log-likelihood at its maximum, including priors; `unknowns` are the columns
-    that the fit estimates.
+    Candidates that the data do not determine, or that no prior restricts, are left out. `information` (p, p) and
+    `slope` (p,) are the Fisher information and the gradient of the log-likelihood at its maximum, including priors;
+    `unknowns` are the columns that the fit estimates.
     """
     estimated, candidates = {*unknowns}, [item for item in candidates if math.isfinite(item.known)]
     # All candidates that are not estimated share one elimination.

@@ -272,7 +272,8 @@ class Kernel:
         background = smoothed(light, self.wide)
         excess = smoothed(light, self.narrow) - background
         if self.weight:
-            excess -= self.weight * (background - smoothed(background, self.wide))
+            # Around a bright spot the kernel is positive where N - W is negative: a maximum must be one of both.
+            excess -= self.weight * np.maximum(background - smoothed(background, self.wide), 0.0)
         mean = np.maximum(np.maximum(background, 0.0) + variance, _MIN_MEAN)
         # The score is less than (excess / standard deviation): it is computed only for pixels where that is at least
         # `level`. The product x abs(x) has the sign of x, which rejects pixels below the background.

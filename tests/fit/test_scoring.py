@@ -2,7 +2,15 @@
 
 import numpy as np
 
-from lommel.fit.scoring import Scores, covariance, damped_steps, fisher_scoring, flux_background, search_rows
+from lommel.fit.scoring import (
+    Progress,
+    Scores,
+    covariance,
+    damped_steps,
+    fisher_scoring,
+    flux_background,
+    search_rows,
+)
 
 
 class Bounded:
@@ -102,3 +110,26 @@ def test_the_covariance_is_infinite_where_nothing_is_known():
     found = covariance(information)
     assert np.isinf(found[1, 1])
     np.testing.assert_allclose(found[np.ix_([0, 2], [0, 2])], np.linalg.inv(information[np.ix_([0, 2], [0, 2])]))
+
+
+def test_of_progress_the_remaining_time_is_right_within_a_factor_of_2_from_a_tenth_on():
+    rng = np.random.default_rng(4)
+    for expected in (0.6, 1.0, 1.6):  # steps per phase, in those that were stated
+        clock, told = 0.0, []
+        progress = Progress(lambda done, chi2, told=told: told.append(done))
+        times, left = [], 1.0
+        for share, steps in ((0.3, 15), (0.3, 10), (0.5, 20), (0.8, 10)):
+            progress.begin(share, steps)
+            cost = left * share / steps
+            for _ in range(round(expected * steps)):
+                clock += cost * rng.uniform(0.7, 1.3)
+                progress(0, 1.0)
+                times.append(clock)
+            left *= 1.0 - share
+        time, done = np.array(times), np.array(told)
+        assert (np.diff(done) > 0.0).all()
+        assert done[-1] < 1.0
+        judged = (done >= 0.1) & (done < 0.9)
+        ratio = time * (1.0 / done - 1.0) / (clock + left - time)
+        assert ratio[judged].min() > 0.5
+        assert ratio[judged].max() < 2.0

@@ -31,7 +31,7 @@ from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
 from lommel.fit.model_error import ModelError, with_errors_of_model
 from lommel.fit.score_tests import Grade, ScoreTest, causes_of_misfit, seen
-from lommel.fit.scoring import Report, Scores, search_rows
+from lommel.fit.scoring import Progress, Scores, search_rows
 from lommel.methods.derivative_names import term_of
 
 _MAX_SINGLES = 60  # largest number of stars that are fitted individually
@@ -68,6 +68,11 @@ _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
 # Refits in turn with effects that the stars favour; distance of a constant, standard errors, that needs no more.
 _MAX_REFITS, _SETTLED = 4, 0.3
+# Measured part of the remaining time that each phase takes, and its typical number of steps.
+_PHASES = {
+    "single stars": (0.18, 15), "starts": (0.05, 15), "joint": (0.15, 9), "signs": (0.25, 15), "profiles": (0.33, 17),
+    "tests": (0.9, 2),
+}  # fmt: skip
 _TOO_STRONG = "aberrations are too strong for the tolerance; pass a design as pupil"
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missing"
 
@@ -183,7 +188,7 @@ class Search:
         pixel_size: Array,
         degree: int,
         draw: np.random.Generator,
-        report: Report,
+        report: Progress,
     ) -> None:
         self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
         self.initial_stars = stars
@@ -233,6 +238,7 @@ class Search:
         is_sure = np.zeros(len(chosen), dtype=bool)
         rows = np.arange(len(chosen))  # indices of stars for which another start is needed
         for attempt in range(_MAX_STARTS):
+            self.report.begin(*_PHASES["starts" if attempt else "single stars"])
             model = SingleStars(self.simplified_stars, chosen[rows], self.widest)
             x = self._random_start(model, scatter=attempt > 0 or stars.first_star.sign_ambiguous)
             with suppress(Declined, ToleranceError):
@@ -334,6 +340,7 @@ class Search:
             starts = iter([(robust(bases[-1], waves, quality, self.metric)[0], waves)])
         best_fit: Solution | None = None
         lowest_chi2 = np.inf
+        self.report.begin(*_PHASES["joint"])
         for polynomials, _ in starts:
             fit = self.refine(chosen, polynomials, squared_width, 8)
             if fit is None:
@@ -437,6 +444,7 @@ class Search:
         With a single focus there are several minima, which differ in the signs of even terms.
         """
         self.rival = None
+        self.report.begin(*_PHASES["signs"])
         if not self.stars.first_star.one_focus or self.stars.has_corners:
             return fit
         for _ in range(2):
@@ -512,6 +520,7 @@ class Search:
     def best_profile(self, fit: Solution) -> Solution:
         """Return the fit with the most likely profile of blur; a single width is preferred to two of similar lnL."""
         nuisance, polynomials, squared_widths = fit.nuisance(), fit.polynomials(), fit.squared_widths()
+        self.report.begin(*_PHASES["profiles"])
 
         def fit_profile(profile: BlurProfile, widths: Array, max_steps: int) -> Solution:
             self.stars = self.initial_stars.with_blur_profile(profile)
@@ -648,6 +657,8 @@ class Search:
         first_fit, freed, rivals = fit, dict[str, float](), list[str]()
         arguments = self.places, self.degree, freed
         tests, grade, untested = missing_tests(fit.model, fit.x, fit.scores, *arguments)
+        self.report.begin(*_PHASES["tests"])
+        self.report(0, float(fit.scores.chi2[0]))
         for _ in range(_MAX_REFITS):
             refit = self._freeing(fit, tests, freed)
             if refit is None:

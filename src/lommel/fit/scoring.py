@@ -8,6 +8,7 @@ set, computes images and their derivatives (:class:`RowModel`). Other models com
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, NamedTuple, Protocol
@@ -30,24 +31,30 @@ _MAX_STRETCH = 16.0  # largest factor by which a step is lengthened
 # A search is in a local minimum if its fit is bad and _PATIENCE steps in a row gain less than the fraction _STALLED
 # of (chi2 in excess of its limit) * (degrees of freedom).
 _STALLED, _PATIENCE = 1e-4, 3
-_STEP_SHARE = 0.02  # part of the remaining fraction of the progress that a step takes
+_STEP_SHARE = 0.02  # least part of the remaining fraction of the progress that a step takes
 
 Report = Callable[[int, float], object]
 """Function of the number of a step and of the best chi2 before this step."""
 
 
 class Progress:
-    """Report of the steps of searches, however many follow: each takes a part of the remaining fraction.
+    """Report of the steps of searches, however many follow; `begin` states what is known about the next steps.
 
-    `function`, if any, is called with the fraction that is done and with chi2.
+    `function`, if any, is called with the fraction that is done, which never decreases, and with chi2.
     """
 
     def __init__(self, function: Callable[[float, float], object] | None) -> None:
-        self.function, self.done = function, 0.0
+        self.function, self.done, self.end, self.left = function, 0.0, 1.0, math.inf
+
+    def begin(self, share: float, steps: int) -> None:
+        """Begin a phase of about `steps` steps, which takes a part `share` of the remaining time."""
+        self.done = self.done if self.left == math.inf else self.end  # a phase may have had fewer steps
+        self.end, self.left = self.done + share * (1.0 - self.done), steps
 
     def __call__(self, step: int, chi2: float) -> None:
         """Report a step of any of the searches."""
-        self.done += _STEP_SHARE * (1.0 - self.done)
+        self.done += (self.end - self.done) * max(_STEP_SHARE, 1.0 / max(self.left, 2.0))
+        self.left -= 1
         if self.function is not None:
             self.function(self.done, chi2)
 

@@ -218,11 +218,10 @@ class DefocusVerdict(FitReport):
             )
         disagrees = any(finding.severity != "note" for finding in findings)
         if not agreements and not disagrees:
-            text = (
-                "nothing could be tested: neither noise nor lens is confirmed; state the noise, or photograph a "
-                "plane with texture at a known distance"
-            )
-            add("undetermined", "doubt", text)
+            way_out = "state the noise, or photograph a plane with texture at a known distance"
+            if compressed:
+                way_out = "JPEG removes noise and faint details, which also moves depth: use raw images or PNG"
+            add("undetermined", "doubt", f"nothing could be tested, neither noise nor lens: {way_out}")
         details, parts = dict[str, object](), list[str]()
         if all(map(math.isfinite, changes)):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}

@@ -56,7 +56,7 @@ CORE_ORDER = [
     {"rim"},
     {"averages"},
     {"stratified"},
-    {"paper", "imaging", "focal", "measures", "estimation", "localize"},
+    {"paper", "imaging", "focal", "estimation", "localize"},
 ]
 # Modules whose package has another name.
 ALONE = {"_core": "core", "__main__": "cli", "__init__": "the package"}

@@ -12,10 +12,11 @@ from lommel.core.answers import ToleranceError
 from lommel.estimation import field_search
 from lommel.estimation.field_search import Outcome, Search, outliers
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
+from lommel.fit.scoring import Progress
 
 
 def made(**parts):
-    return SimpleNamespace(**parts)
+    return SimpleNamespace(**{"report": Progress(None)} | parts)
 
 
 def quality(chi2, spread=0.1):
@@ -74,8 +75,8 @@ def test_single_stars_have_starts_until_one_is_good_or_two_agree(monkeypatch):
     monkeypatch.setattr(field_search, "SingleStars", lambda stars, rows, widest: rows)
     monkeypatch.setattr(field_search, "search_rows", search)
     stars = made(size=1, first_star=made(sign_ambiguous=False))
-    self = made(stars=stars, simplified_stars=stars, widest=1.0, report=None, _random_start=lambda model,
-        scatter: None)  # fmt: skip
+    self = made(stars=stars, simplified_stars=stars, widest=1.0, _random_start=lambda model, scatter:
+        None)  # fmt: skip
     x, chi2, sure = Search.fit_single_stars(self, chosen)
     assert sure.tolist() == [one[2] for one in STARTS]
     assert asked == [one[3] for one in STARTS]

@@ -166,3 +166,24 @@ def test_numpy_sees_the_values_without_a_copy_unless_one_is_needed():
     with pytest.raises(ValueError, match="copy"):
         np.array(image, dtype=np.float64, copy=False)
     assert np.max(image) == image.values.max()
+
+
+def test_a_plan_that_another_thread_uses_meanwhile_computes_each_pupil_by_its_own_light():
+    clear, ring = lm.Pupil(), lm.Pupil(obscuration=0.5)
+
+    class Shared(lm.Plan):
+        kept = None
+
+        @property
+        def _prepared(self):
+            return self.kept
+
+        @_prepared.setter
+        def _prepared(self, prepared):
+            self.kept = prepared
+            if prepared is not None and prepared.light[0] == clear.aperture:
+                self.prepared(ring)  # as another thread does, right after this one
+
+    plan = Shared(9, 0.5)
+    assert plan.prepared(clear).light[0] == clear.aperture
+    assert plan(clear).values == pytest.approx(lm.psf(clear, 9, 0.5).values, abs=1e-6)

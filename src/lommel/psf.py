@@ -253,11 +253,13 @@ class Plan:
         """Return the prepared computation for pupils that differ from `pupil` only in phase."""
         # Checks, methods and tables depend only on these properties; successive pupils often differ only in phase.
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        if self._prepared is None or self._prepared.light != light:
-            self._prepared = prepare(
+        # Another thread may replace the attribute at any time: plans of the cache are shared.
+        prepared = self._prepared
+        if prepared is None or prepared.light != light:
+            prepared = self._prepared = prepare(
                 pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
-        return self._prepared
+        return prepared
 
     def _compute(self, prepared: Prepared, pupil: BasePupil, names: tuple[Name, ...], out: Values | None) -> PSF:
         """Return a PSF, with derivatives by checked `names`, computed without the shortcut of :class:`Prepared`."""

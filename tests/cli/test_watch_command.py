@@ -181,7 +181,7 @@ def test_depth_of_compressed_video_is_right_within_larger_errors_or_not_known(fo
         assert (result.returncode == 3) is not depth.any()
     assert found[1]["unknown"]["compressed"] == found[3]["unknown"]["compressed"] == 1.0
     assert found[2]["known"] > 0.5  # quantization near the noise is a part of the noise
-    assert "fine texture is lost, and depth is less precise or not known" in result.stderr
+    assert "and removes fainter texture; above 32 times" in found[3]["notes"][1]
 
 
 def test_what_moves_and_narrow_bands_have_no_depth_and_their_shares_are_stated(folder, call_lommel):

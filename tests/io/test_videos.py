@@ -130,7 +130,8 @@ def test_frames_of_two_sources_are_paired_by_their_times(tmp_path):
         assert found == [(k, k) for k in (0, 1, 2, 3, 5, 7, 9)]
         assert pairs.dropped == 3
         assert pairs.alone == 4
-    assert said == [f"{b} ends before {a}, whose frame at 0.400 s was skipped"]
+    assert len(said) == 1
+    assert said[0].startswith(f"{b} ends before {a}, whose frame at 0.400 s was skipped. Unless")
 
 
 def test_sources_of_different_moments_have_no_pairs_and_that_is_told(tmp_path, monkeypatch):

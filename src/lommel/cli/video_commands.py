@@ -213,17 +213,13 @@ def watch(
             outputs = Outputs(files, between, pairs, coding, stack)
             end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop)
             status("finishing")
-            compression = video_faults.loss_note(pairs.loss, coding)
-            if compression:
-                status.tell(compression)
             if not tally.pairs:
                 if stop.requested:
                     raise KeyboardInterrupt
                 raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
-        guess, noise = coding.guess if stated else "", None if stated else live.noise
+        guess, noise, used = coding.guess if stated else "", None if stated else live.noise, estimator.coding_in_use
         if noise is not None:
-            white = _white(noise) * coding.white / _white(coding.noise)
-            coding.facts.update(white=white, read_noise=noise.read, noise_is_a_guess=False)
+            coding.facts.update(white=used.white, read_noise=noise.read, noise_is_a_guess=False)
         facts = {
             **coding.facts,
             "shape": list(pairs.shape),
@@ -235,6 +231,7 @@ def watch(
             **tally.summary(pairs, end_reason),
             **outputs.facts,
         }
+        compression = video_faults.loss_note(pairs.loss, used)
         notes = [text for text in (guess, compression, tally.unknown(misfit, facts)) if text]
         o, verdict = with_calibration(options, instrument), DefocusVerdict.of(math.nan)
         if tally.failed < tally.pairs:
@@ -242,10 +239,10 @@ def watch(
         if (
             math.isnan(verdict.misfit) and facts["misfit"] is not None and (facts["known"] or facts["unfit"])
         ):  # of earlier pairs: the last one has no depth
-            verdict = DefocusVerdict.of(facts["misfit"], noise=noise)
+            verdict = DefocusVerdict.of(facts["misfit"], noise=noise, stated=o.f_number_error)
         return (
             told(facts, succeeded=pairs.lost is None)
-            + Report({}, [Wrapped(note) for note in notes])
+            + Report({"notes": notes}, [Wrapped(note) for note in notes])
             + verdict_report(verdict)
             + written([files.output, *files.depths, files.table])
         )
@@ -314,13 +311,11 @@ class Estimator:
             for k, name in enumerate(("the first frame", "the second frame")):
                 failure = failure.replace(f"frames[{k}]", name)
             return PairResult(elapsed, time.perf_counter() - start, failure)
-        # With an estimated noise the frames are in electrons of this noise.
-        unit = _white(self.coding.noise) / _white(self.live.noise)
-        image = self.live.sharp() * np.float32(unit) if self.sharp else None
+        coding = self.coding_in_use
+        image = self.live.sharp() * np.float32(self.coding.white / coding.white) if self.sharp else None
         depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
         estimated = np.isfinite(errors)
         # Each block has the first cause that applies.
-        coding = self.coding._replace(noise=self.live.noise or self.coding.noise, white=self.coding.white / unit)
         causes = self._faults(pair, frames[1], estimate, loss, coding)
         causes |= {"misfit": estimated & (misfit > self.limit), "border": np.isnan(misfit), "known": estimated}
         causes["flat"] = video_faults.is_flat(equal, coding)
@@ -333,6 +328,12 @@ class Estimator:
         numbers = unknown.pop("known"), unknown["misfit"], *medians
         duration = time.perf_counter() - start
         return PairResult(elapsed, duration, "", depth, errors, image, numbers, unknown)
+
+    @property
+    def coding_in_use(self) -> Coding:
+        """The coding with the estimated noise, in whose electrons the frames then are; or as stated."""
+        coding, noise = self.coding, self.live.noise or self.coding.noise
+        return coding._replace(noise=noise, white=coding.white * _white(noise) / _white(coding.noise))
 
     def _faults(
         self, pair: videos.FramePair, far: Values, estimate: LiveDepthMap, loss: float | Values, coding: Coding
@@ -350,9 +351,9 @@ class Estimator:
         return faults
 
 
-def _white(noise: Noise | None) -> float:
+def _white(noise: Noise) -> float:
     """Return the electrons at 1."""
-    return math.nan if noise is None else float(np.asarray(noise.white, np.float64))
+    return float(np.asarray(noise.white, np.float64))
 
 
 def _median(values: Map) -> float:
@@ -419,7 +420,8 @@ class Tally:
         if facts["unfit"]:
             return (
                 f"not known for a misfit above {limit:g} (--misfit): {100.0 * facts['unfit']:.2g} % of the blocks; "
-                "causes: motion from frame to frame, depth edges, different magnification (--magnification lens)"
+                "causes: motion, frames of different times, depth edges, compression, different magnification "
+                "(--magnification lens)"
             )
         if self.failed == self.pairs:
             return "no depth found: no pair could be used, for the reason given at the first pair"
@@ -645,11 +647,10 @@ def sharpen(
         "seconds": seconds,
         "ended": end_reason,
     }
-    notes = [coding.guess]
+    notes = [note for note in (coding.guess, video and video_faults.loss_note(video.loss, coding)) if note]
     if video is not None:
-        notes.append(video_faults.loss_note(video.loss, coding))
         facts |= {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
-    lines = Report({}, [Wrapped(note) for note in notes if note])
+    lines = Report({"notes": notes}, [Wrapped(note) for note in notes])
     return told(facts, succeeded=failure is None) + lines + written([output])
 
 

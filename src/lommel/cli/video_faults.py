@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
 
 MAX_LOSS = 32.0
 """Largest variance that compression adds, relative to noise, of blocks with depth."""
+
+FINEST_JPEG = 1.5 / 255.0**2
+"""Variance that Motion JPEG of quality 1 adds to values from 0 to 1."""
 
 _BLOCK_WINDOW = np.array([1.0, 4.0, 6.0, 4.0, 1.0]) / 16.0  # weights of neighbouring blocks, as those of depth
 _LOSS_REACH = 7  # blocks: side of the square whose largest loss counts, since depth is found from a neighbourhood
@@ -71,13 +75,18 @@ def _loss_of_codes(coding: Coding) -> tuple[Array, Array]:
 
 def loss_note(loss: float | Values, coding: Coding) -> str:
     """Return a sentence if compression adds more than noise to a medium value, otherwise an empty one."""
-    if not np.any(loss) or float(np.median(loss)) * _loss_of_codes(coding)[1][_CODES // 2] < 1.0:
+    median = float(np.median(loss))
+    relative = median * float(_loss_of_codes(coding)[1][_CODES // 2]) if median else 0.0
+    if relative < 1.0:
         return ""
-    return (
-        "Compression adds more than the noise, or its quantization cannot be read: fine texture is lost, and depth "
-        "is less precise or not known. Record with less compression, as Motion JPEG of quality 1 or 2 (-q:v of "
-        "ffmpeg), or without."
-    )
+    effect = "smooths its blocks, or its quantization cannot be read: depth is not known."
+    if math.isfinite(relative):
+        effect = (
+            f"adds {relative:.2g} times the variance of noise to medium values, and removes fainter texture; above "
+            f"{MAX_LOSS:g} times depth is not known."
+        )
+    finer = ", or as Motion JPEG of quality 1 (-q:v 1 -qmin 1 of ffmpeg)" if median > FINEST_JPEG else ""
+    return f"Compression {effect} Record without loss (FFV1, PNG){finer}."
 
 
 def relative_loss(frames: Sequence[Values], loss: float | Values, coding: Coding) -> Values:

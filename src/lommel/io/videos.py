@@ -502,7 +502,11 @@ class FramePairs(_ClosingIterator):
         for ended, other, frame in ((first, second, b), (second, first, a)):
             if frame is not None and not ended.live and self.lost is None:
                 self.alone += 1
-                self._report(f"{ended.name} ends before {other.name}, whose frame at {frame.time:.3f} s was skipped")
+                self._report(
+                    f"{ended.name} ends before {other.name}, whose frame at {frame.time:.3f} s was skipped. Unless "
+                    "it was stopped first, it lost frames that its times do not show: from there on pairs are of "
+                    "different times, and what moves has a misfit"
+                )
 
 
 def video_frames(source: Source, *, grey: bool = False, tell: Report | None = None) -> VideoFrames:

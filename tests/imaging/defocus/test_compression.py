@@ -8,6 +8,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from lommel.cli.instruments import FrameNoise
+from lommel.cli.video_coding import coding_of
+from lommel.cli.video_faults import loss_note
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.pair_noise import is_compressed
 from lommel.recorded.noise import Noise
@@ -32,4 +35,24 @@ def test_a_verdict_by_which_nothing_is_tested_is_not_reliable():
     assert not verdict.reliable
     assert verdict.findings.get("undetermined").severity == "doubt"
     assert "use raw images or PNG" in verdict.findings.get("untested").numbers["what"][0]
+    assert verdict.summary.startswith("compressed (JPEG)")
     assert "undetermined" not in DefocusVerdict.of(1.0, 1.0, 0.03, noise=noise).findings.codes
+
+
+@pytest.mark.parametrize(("stated", "measured"), [(None, False), (0.04, True)])
+def test_a_lens_whose_errors_are_stated_is_not_to_be_calibrated_again(stated, measured):
+    verdict = DefocusVerdict.of(1.0, noise=Noise(white=5e3, read=2.0), stated=stated)
+    assert ("calibrate" in verdict.message) != measured
+
+
+@pytest.mark.parametrize(
+    ("loss", "words", "finer"),
+    [(1.4, "adds 1.8 times", False), (6.2, "adds 8 times", True), (np.inf, "cannot be read", True), (0.5, "", False)],
+)
+def test_less_compression_is_advised_only_where_there_is_less(loss, words, finer):
+    given = FrameNoise(white=24e3, read=3.0)
+    coding = coding_of(256, np.dtype(np.uint8), "srgb", given, None, None)
+    note = loss_note(np.full((3, 4), loss / 255.0**2), coding)
+    assert words in note
+    assert bool(note) == bool(words)
+    assert ("quality 1 (-q:v 1 -qmin 1" in note) == finer

@@ -35,8 +35,8 @@ def test_a_copy_is_what_the_example_is_and_serves_the_next_command(call_lommel, 
     assert call_lommel("info", "phone.toml", folder=tmp_path).returncode == 0
 
 
-def test_all_go_to_a_folder_that_is_made(call_lommel, tmp_path):
-    told = json.loads(call_lommel("examples", "--all", "-o", "a/b", "--json", folder=tmp_path).stdout)
+def test_several_go_to_a_folder_that_is_made(call_lommel, tmp_path):
+    told = json.loads(call_lommel("examples", *THERE, "-o", "a/b", "--json", folder=tmp_path).stdout)
     assert (
         {Path(name).stem for name in told["files"]}
         == {path.stem for path in (tmp_path / "a/b").iterdir()}

@@ -274,7 +274,6 @@ def test_depth_its_error_and_the_test_of_the_lenses_are_written_and_told(misfit,
     assert (facts["files"], made.returncode) == (["d.npy", "e.npy"], 0 if verdict.converged else 3)
     np.testing.assert_allclose(np.load(folder / "e.npy"), 0.01 * DEPTH, rtol=1e-6)
     told = " ".join(call_lommel(*words, folder=folder).stdout.split())
-    assert "no depth found: the photos have no texture" in told
     assert (verdict.summary in told) == (misfit == 3.0)
     assert all(finding.text[:40] in told for finding in verdict.findings)
     assert told.endswith("wrote d.npy wrote e.npy")

@@ -12,7 +12,7 @@ from lommel.cli.command import OUTPUT, command
 from lommel.cli.instruments import MaskedPhotoNoise, noise_of, radial_instrument
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_file, written
-from lommel.cli.photo_commands import ENCODING, PairCamera, apply_mask, each_lens
+from lommel.cli.photo_commands import ENCODING, PairCamera, apply_mask, each_lens, read_alike
 from lommel.imaging.focal_engine import Magnified
 from lommel.report import Report
 
@@ -71,9 +71,7 @@ def calibrate(
     if photo_noise.white is not None:
         noise = noise_of(vars(photo_noise), instrument.camera, photographs=True)
     with progress("reading") as status:
-        pictures = [imaging.read_photo(path, encoding) for path in photos]
-        if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
-            raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
+        pictures = read_alike(photos, encoding)
         values = [picture.values for picture in pictures]
         pairs = [apply_mask(values[k : k + 2], photo_noise.mask) for k in range(0, len(values), 2)]
         status("fitting the lens")

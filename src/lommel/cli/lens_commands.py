@@ -32,7 +32,6 @@ def examples(
     /,
     *,
     folder: Annotated[Path, Shown(("--output", "-o"), metavar="DIRECTORY")] = Path(),
-    everything: Annotated[bool, Shown(("--all",))] = False,
     text: Annotated[str | None, Shown(("--find",), metavar="TEXT")] = None,
 ) -> Report:
     """List or copy example files of lenses, objectives, cameras.
@@ -45,8 +44,6 @@ def examples(
     ----------
     folder
         Folder to copy to, created if needed; by default the current folder.
-    everything
-        Copy all examples.
     text
         List only examples with these words in kind, name or description: "nikon water", "camera".
 
@@ -57,14 +54,13 @@ def examples(
       lommel examples phone                # copy phone.toml to the current folder
       lommel examples exercises            # a Jupyter notebook for class
       lommel examples first-psf            # a notebook to start with
-      lommel examples --all -o lenses
     """
     files = example_files()
-    if text is not None and (names or everything):
+    if text is not None and names:
         raise ValueError("--find lists examples: leave it out to copy them")
-    if not names and not everything:
+    if not names:
         return _list_examples(files, (text or "").lower().split())
-    stems = list(files) if everything else [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
+    stems = [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
     for name in stems:
         if name not in files:
             raise ValueError(f"NAMES must be names of examples, got {shown(name)}; {_suggest(name, files)}")

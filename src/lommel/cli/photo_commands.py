@@ -378,6 +378,14 @@ def restore(
     return job.report(facts) + Report({}, findings, result.converged)
 
 
+def read_alike(paths: Sequence[Path], encoding: Encoding | None) -> list[imaging.Photograph]:
+    """Return photos; ValueError unless they have one type and one encoding."""
+    pictures = [imaging.read_photo(path, encoding) for path in paths]
+    if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
+        raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
+    return pictures
+
+
 def apply_mask(photos: Sequence[Pixels], path: Path | None) -> Sequence[Pixels]:
     """Return photos whose pixels are masked by an image file, if there is one."""
     if path is None:
@@ -605,9 +613,7 @@ def depth(
     noise = noise_of(stated, camera, photographs=True) if states_noise(stated, camera) else None
     lenses = each_lens(instrument, len(photos), cameras)
     with progress("reading") as status:
-        pictures = [imaging.read_photo(path, encoding) for path in photos]
-        if len({(picture.values.dtype, picture.encoding) for picture in pictures}) > 1:
-            raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
+        pictures = read_alike(photos, encoding)
         for path, picture, used in zip(photos, pictures, lenses, strict=True):
             tell_optics(path.name, picture.exif, instrument.side, used)
         images = apply_mask([picture.values for picture in pictures], photo_noise.mask)
@@ -635,9 +641,7 @@ def depth(
         save_figure(estimate.plot, figure)
     facts = estimate.to_dict() | lens_facts(lenses) | {"seconds": seconds, "pixel": instrument.side}
     facts["read"] = _read_as(pictures[0])
-    none = "no depth found: the photos have no texture, or all of it is out of range"
-    text = [none] if facts["depth"] is None else []
-    return told(facts) + Report({}, text) + verdict_report(estimate.verdict) + written([*outputs, sharp, figure])
+    return told(facts) + verdict_report(estimate.verdict) + written([*outputs, sharp, figure])
 
 
 @command

@@ -194,8 +194,6 @@ def watch(
             # Without a noise the tables wait for the first pair; until then the usual one of video.
             coded = video_noise if stated else replace(video_noise, white=DEFAULT_WHITE, read=DEFAULT_READ)
             coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, coded, instrument.camera, encoding)
-            if coding.guess and stated:
-                status.tell(coding.guess)
             status("computing the filters of every distance")
             live = LiveDepth(
                 lenses,
@@ -424,8 +422,8 @@ class Tally:
                 "(--magnification lens)"
             )
         if self.failed == self.pairs:
-            return "no depth found: no pair could be used, for the reason given at the first pair"
-        return "" if facts["known"] else "no depth found, for the causes stated as unknown"
+            return "no pair could be used, for the reason given at the first pair"
+        return ""
 
 
 class Outputs:
@@ -611,8 +609,6 @@ def sharpen(
         distance: float | Array = fill_missing(metres, depth_map.missing or "nearest") if at is None else at
         if map_ is not None:
             warn_of_depths(lens_in_use, instrument.side, distance)
-        if coding.guess:
-            status.tell(coding.guess)
         status("computing the filters")
         live: LiveSharpen | None = None
         start = time.perf_counter()

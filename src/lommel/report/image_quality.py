@@ -21,7 +21,7 @@ from lommel.methods import Method, Polychromatic
 from lommel.methods.choice import first_within_tolerance, references
 from lommel.methods.paper.huygens import HuygensFresnel
 from lommel.optics.aperture.apodization import illumination
-from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
+from lommel.optics.aperture.shapes import Segments
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 from lommel.show.drawing import of_emitter
@@ -85,7 +85,8 @@ def setup(instrument: Instrument) -> Json:
             "spider": lens.spider,
             "vignetting": lens.vignetting,
             "mask": None if lens.mask is None else {"side": lens.mask.side},
-            "stop": None if lens.stop is None else _stop(lens.stop),
+            "stop": None if lens.stop is None else type(lens.stop).__name__,
+            "segments": len(lens.stop.shapes) if isinstance(lens.stop, Segments) else None,
         },
         "clear_area": instrument.pupil().area,
     }
@@ -344,18 +345,6 @@ def listed_terms(terms: Mapping[tuple[int, int], Numbers]) -> list[Json]:
         {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
         for (n, m), c in sorted(terms.items(), key=lambda item: int(zernike.index_of(item[0][0], item[0][1], "noll")))
     ]
-
-
-def _stop(stop: Shape | Segments) -> Json:
-    """Return the numbers of segments and shapes of a stop, and the rms piston of its segments."""
-    shapes = stop.shapes if isinstance(stop, Segments) else (stop,)
-    parts = [part for shape in shapes for part in shape.parts if part != Disc()]  # without the rim itself
-    kinds = {"discs": (Disc, CatEye), "ellipses": (Ellipse,), "polygons": (Polygon,)}
-    return {
-        "segments": len(stop.shapes) if isinstance(stop, Segments) else 0,
-        "piston_rms_waves": float(np.std(stop.piston)) / (2.0 * math.pi) if isinstance(stop, Segments) else 0.0,
-        "parts": {name: sum(isinstance(part, kind) for part in parts) for name, kind in kinds.items()},
-    }
 
 
 DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)

@@ -239,13 +239,6 @@ def round_length(limit: float) -> float:
     return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= limit * (1.0 + 1e-12)))
 
 
-def columns_of(count: int) -> int:
-    """Return the number of columns for `count` pictures: one row of up to eight, else rows with few empty cells."""
-    if count <= 8:
-        return count
-    return min(range(3, 9), key=lambda columns: (-count % columns, abs(columns - math.sqrt(1.5 * count))))
-
-
 def figure_of(artist: Figure | Axes) -> Figure:
     """Return the figure that contains axes or a subfigure."""
     figure = artist.get_figure(root=True)
@@ -257,16 +250,7 @@ def fit_to_width(text: str, artist: Figure | Axes, size: float = 9.0) -> str:
     """Return a title broken between words into lines that fit the figure's width, for a font size in points."""
     figure = figure_of(artist)
     letters = int(72.0 * figure.get_figwidth() / (0.56 * size))
-    return "\n".join(part for line in text.split("\n") for part in _wrapped(line, letters))
-
-
-def _wrapped(line: str, max_letters: int) -> list[str]:
-    """Break a text into the smallest number of lines of at most `max_letters` letters, of about equal length."""
-    lines = textwrap.wrap(line, max_letters) or [""]
-    for width in range(-(-len(line) // len(lines)), max_letters if len(lines) > 1 else 0):
-        if len(equal_lines := textwrap.wrap(line, width)) == len(lines):
-            return equal_lines
-    return lines
+    return "\n".join(textwrap.fill(line, letters) for line in text.split("\n"))
 
 
 def entitle(figure: Figure, text: str) -> None:
@@ -322,7 +306,7 @@ def tiles(
     """
     at_most(shape)
     count = int(np.prod(shape))
-    columns = shape[1] if len(shape) == 2 else columns_of(count)
+    columns = shape[1] if len(shape) == 2 else min(count, 8)
     rows = -(-count // columns)
     figure = new_figure((max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8))
     all_axes = np.empty(shape, dtype=object)

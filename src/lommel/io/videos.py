@@ -803,9 +803,6 @@ class _ImageReader:
         self.levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
         self.grey = values.ndim == 2
 
-    def _read(self, path: Path) -> Values:
-        return self._frame(path, photos.read_raster(path)[0])
-
     def _frame(self, path: Path, values: Values) -> Values:
         """Return the values of an image as those of a frame."""
         _require_frame_size(validation.line(path), *values.shape[1::-1])
@@ -819,7 +816,7 @@ class _ImageReader:
         reported = False
         for number, path in self._files:
             try:
-                values = self._read(path)
+                values = self._frame(path, photos.read_raster(path)[0])
             except (OSError, ValueError) as error:
                 if not reported:
                     reported = True

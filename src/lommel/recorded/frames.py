@@ -25,12 +25,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Index, Values
 from lommel.base.encoding import named
-from lommel.base.quantities import (
-    EVEN,
-    LETTERS,
-    in_order,
-    in_unit,
-)
+from lommel.base.quantities import EVEN, LETTERS, in_order, in_unit
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, icc, photos, registry, zarr_folders
@@ -53,7 +48,7 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
-    from tifffile import FileHandle, TiffFile, TiffPageSeries
+    from tifffile import TiffFile, TiffPageSeries
 
 _RESOLUTION_UNITS = {2: 25.4e-3, 3: 1e-2}  # metres of values of the tag ResolutionUnit of TIFF: inch, centimetre
 _FINEST_PRINT = 1e-5  # metres: pixels of prints are larger (2540 per inch)
@@ -587,7 +582,8 @@ class _TiffPlanes(Planes):
     @property
     def files(self) -> set[str]:
         """Paths of the files if there are several, else empty."""
-        paths = {str(handle.path) for handle in self._handles()} if self._is_multifile else set()
+        pages = self._pages if self._is_multifile else ()
+        paths = {str(page.parent.filehandle.path) for page in pages if page is not None}
         return paths if len(paths) > 1 else set()
 
     def close(self) -> None:
@@ -598,9 +594,6 @@ class _TiffPlanes(Planes):
         """Return some pages, or a part of their rows and columns."""
         images, rows, columns = part
         return np.stack([self.plane(number)[rows, columns] for number in range(images.start, images.stop)])
-
-    def _handles(self) -> set[FileHandle]:
-        return {page.parent.filehandle for page in self._pages if page is not None}
 
     def plane(self, number: int) -> Values:
         """Return one image."""

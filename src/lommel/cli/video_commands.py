@@ -215,9 +215,9 @@ def watch(
                 if stop.requested:
                     raise KeyboardInterrupt
                 raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
-        guess, noise, used = coding.guess if stated else "", None if stated else live.noise, estimator.coding_in_use
+        guess, noise = coding.guess if stated else "", None if stated else live.noise
         if noise is not None:
-            coding.facts.update(white=used.white, read_noise=noise.read, noise_is_a_guess=False)
+            coding.facts.update(white=estimator.coding_in_use.white, read_noise=noise.read, noise_is_a_guess=False)
         facts = {
             **coding.facts,
             "shape": list(pairs.shape),
@@ -229,7 +229,7 @@ def watch(
             **tally.summary(pairs, end_reason),
             **outputs.facts,
         }
-        compression = video_faults.loss_note(pairs.loss, used)
+        compression = video_faults.loss_note(pairs.loss, estimator.coding_in_use)
         notes = [text for text in (guess, compression, tally.unknown(misfit, facts)) if text]
         o, verdict = with_calibration(options, instrument), DefocusVerdict.of(math.nan)
         if tally.failed < tally.pairs:

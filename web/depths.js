@@ -37,9 +37,9 @@ export function tablesOf(bytes) {
   const { buffer } = bytes.slice();
   const head = new Float32Array(buffer, 0, 31);
   const [, , , , , frames, degree, , rank, count, around, imageDegree, , images] = head;
-  const floats = new Float32Array(buffer, 0, 39 + around + rank);
-  const steps = floats.subarray(30 + around, 39 + around);
-  const sizes = floats.subarray(39 + around);
+  const floats = new Float32Array(buffer, 0, 40 + around + rank);
+  const steps = floats.subarray(30 + around, 40 + around);
+  const sizes = floats.subarray(40 + around);
   const left = wholes(bytes.subarray(4 * floats.length));
   const taken = (length) => left.splice(0, length);
   const basis = taken(rank * frames * (degree + 1));

@@ -300,9 +300,10 @@ def test_errors_of_depth_are_those_of_the_energies_of_filters():
     for depth in range(count):
         start = max(0, depth - 6)
         energies = [energy(k, depth) for k in range(start, min(count, depth + 7))]
-        k = min(max(int(np.argmin(energies)), 1), len(energies) - 2)
-        a, b, d = energies[k - 1 : k + 2]
-        assert found.bias[depth] == pytest.approx(start + k + 0.5 * (a - d) / (a - 2 * b + d) - depth, abs=1e-9)
+        k = min(max(int(np.argmin(energies)), 2), len(energies) - 3)
+        quartic = np.poly1d(np.polyfit(range(-2, 3), energies[k - 2 : k + 3], 4))
+        x = min(quartic.deriv().roots, key=abs).real
+        assert found.bias[depth] == pytest.approx(start + k + x - depth, abs=1e-7)
         at = min(max(depth, 1), count - 2) - start
         curvature = 0.5 * (energies[at - 1] - 2.0 * energies[at] + energies[at + 1])
         g, s, h, n = filters[depth, 0], slope[depth, 0], transfer[depth], noise[depth]

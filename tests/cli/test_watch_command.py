@@ -28,7 +28,7 @@ from lommel.base.encoding import from_light, to_light
 from lommel.cli import video_coding, video_commands
 from lommel.cli.instruments import FrameNoise
 from lommel.io import videos
-from scenes import ThinLens, plane, record, texture
+from scenes import ThinLens, lommel_lens, plane, record, texture
 from video_files import frames_of, write_video
 
 LENS = """
@@ -242,6 +242,24 @@ def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lomme
         ]
         scatter.append(1.4826 * np.median(np.abs(np.concatenate(z))))
     assert scatter[0] < 1.15 < scatter[1]
+
+
+def test_rows_of_text_stay_as_they_are_and_bands_of_light_are_made_even():
+    page = np.where(np.arange(8 * SIDE)[:, None] // 8 % 14 < 8, texture("text", SIDE, seed=3), 1.3)
+    options = {"noise": lm.Noise(white=1.0, read=3.0), "shape": (SIDE, SIDE), "exposures": "smooth"}
+    live = TABLES([lommel_lens(lens) for lens in PAIR], 4e-6, between=(1.2, 2.0), **options)
+    coding = video_coding.coding_of(
+        65536, np.dtype(np.uint16), "linear", FrameNoise(white=65535.0, read=3.0), None, None
+    )
+    estimator = video_commands.Estimator(live, coding, math.inf, sharp=False)
+    lamp = 1.0 + 0.1 * np.sin(np.arange(SIDE) / 9.0)[:, None]
+    for distance, light, even in ((1.35, 1.0, False), (1.5, lamp, True), (1.5, lamp, True)):
+        near, far = record(plane(page, PAIR, distance, LIGHT), 5, offset=0.0)
+        second = np.rint(far * light).astype(np.uint16)
+        result = estimator(SimpleNamespace(time=0.0, first=near, second=second))
+        assert estimator.evens == even
+        # Of the text, evened, depth is off by 4 standard errors.
+        assert abs(np.nanmedian((result.depth - distance) / result.errors)) < (1.0 if even else 0.5)
 
 
 @pytest.mark.parametrize("kind", [np.uint16, np.float32])

@@ -8,7 +8,7 @@ import os
 import sys
 import time
 from collections import Counter, deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -68,6 +68,8 @@ _CURVE_LEVELS = 4096  # number of levels of linear light in the sRGB lookup tabl
 _COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "frame time (s)", "dropped"]
 
 _DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
+_TEST_ROWS = 16  # number of pairs after which it is tested again whether equalized rows lower the misfit
+_WORSE = 0.1  # increase of the mean logarithm of the misfit after which it is tested at once
 _RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
 _MAX_NEAREST = 1e9  # metres: largest nearest distance of filters, practically infinity
 
@@ -291,6 +293,9 @@ class Estimator:
     alternating: bool = False  # True if the frames of a pair are not of the same time
     largest_error: float = math.inf  # largest standard error of 1 / depth where compression increases it, 1 / m
     first_time: float = math.nan  # time of the first pair
+    evens: bool = True  # True if rows are equalized
+    age: int = 0  # number of pairs
+    score: float = math.inf  # mean logarithm of the misfit when it was last tested whether equalized rows lower it
     far: Values | None = None  # second frame of the previous pair of alternating frames
 
     def __call__(self, pair: videos.FramePair, loss: float | Values = 0.0) -> PairResult:
@@ -302,8 +307,7 @@ class Estimator:
         elapsed, start = pair.time - self.first_time, time.perf_counter()
         try:
             frames = self.coding.light(pair.first), self.coding.light(pair.second)
-            equal = equalize_rows(*frames, self.coding)
-            estimate = self.live(*equal)
+            estimate, equal = self._estimate(*frames)
         except ValueError as error:
             failure = with_options(str(error))
             for k, name in enumerate(("the first frame", "the second frame")):
@@ -332,6 +336,20 @@ class Estimator:
         """The coding with the estimated noise, in whose electrons the frames then are; or as stated."""
         coding, noise = self.coding, self.live.noise or self.coding.noise
         return coding._replace(noise=noise, white=coding.white * _white(noise) / _white(coding.noise))
+    def _estimate(self, *frames: Values) -> tuple[LiveDepthMap, Sequence[Values]]:
+        """Return the depth of frames, and the frames, with rows equalized where this lowers the misfit.
+
+        Rows of the scene, such as lines of text, differ in brightness as well where the frames differ in blur.
+        """
+        choices = frames, equalize_rows(*frames, self.coding)
+        estimate = self.live(*choices[self.evens])
+        score = _mean_log(estimate.misfit)
+        if self.age % _TEST_ROWS == 0 or score > self.score + _WORSE:
+            other = _mean_log(self.live(*choices[not self.evens]).misfit)
+            self.evens, self.score = self.evens ^ (other < score), min(score, other)
+            estimate = self.live(*choices[self.evens])
+        self.age += 1
+        return estimate, choices[self.evens]
 
     def _faults(
         self, pair: videos.FramePair, far: Values, estimate: LiveDepthMap, loss: float | Values, coding: Coding
@@ -352,6 +370,10 @@ class Estimator:
 def _white(noise: Noise) -> float:
     """Return the electrons at 1."""
     return float(np.asarray(noise.white, np.float64))
+
+
+def _mean_log(values: Map) -> float:
+    return float(np.log(values[np.isfinite(values)]).sum()) / values.size
 
 
 def _median(values: Map) -> float:

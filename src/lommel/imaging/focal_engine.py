@@ -438,7 +438,7 @@ class FocalEngine:
             forms.append(channel.forms(rank))
         image_basis = self.images[0].basis if images else np.zeros((0, *tables.basis.shape[1:]))
         statistics = np.sum([channel.statistics() for channel in self.channels], axis=0)
-        statistics[[1, 3, 5, 6]] /= len(self.channels)  # the others are sums, as energies are
+        statistics[[1, 3, 5, 6, 7]] /= len(self.channels)  # the others are sums, as energies are
         return self._stream(
             shape, self.binning, tables.taps, residuals, image_basis, np.concatenate(forms, axis=1), statistics
         )
@@ -447,7 +447,7 @@ class FocalEngine:
         """Return the stream that computes sharp images of a channel from frames of a shape."""
         tables = self.images[channel]
         no_residuals = np.zeros((1, 0, *tables.basis.shape[1:]))
-        return self._stream(shape, 1, tables.taps, no_residuals, tables.basis, np.zeros((0, 0)), np.zeros((7, 0)))
+        return self._stream(shape, 1, tables.taps, no_residuals, tables.basis, np.zeros((0, 0)), np.zeros((8, 0)))
 
     def tables(self, white: float, offset: float, saturation: float) -> bytes:
         """Return tables of one channel and of sharp images in the format of cpp/include/lommel/focal/file.hpp."""
@@ -458,7 +458,7 @@ class FocalEngine:
         mixes = np.zeros((count, 0)) if images is None else self.factors(0, None)
         header = [
             0x464D4C4C,  # the letters LLMF, little-endian
-            2,
+            3,
             channel.binning,
             BLOCK // channel.binning,
             math.ceil(self.task.blur / channel.binning),

@@ -183,7 +183,7 @@ class FocalTables:
         return float(self.vergence[1] - self.vergence[0])
 
     def statistics(self) -> Array:
-        """Return the statistics in the order that :class:`FocalStream` expects, shape (7, c)."""
+        """Return the statistics in the order that :class:`FocalStream` expects, shape (8, c)."""
         return np.stack(
             [
                 self.noise,
@@ -193,6 +193,7 @@ class FocalTables:
                 self.curvature_variance,
                 self.concentration,
                 self.leak,
+                self.bias,
             ]
         )
 
@@ -460,6 +461,7 @@ class _Statistics(NamedTuple):
         bias, errors, texture_ratio, noise_variance, curvature_ratio, curvature_variance = np.zeros((6, count))
         averaged = np.unique(np.linspace(0, count - 1, _MAX_AVERAGED).astype(int))
         half_second_difference = np.array([0.5, -1.0, 0.5])
+        through_five = np.linalg.inv(np.vander(np.arange(-2.0, 3.0), increasing=True))
 
         def mean_energies(candidates: slice | Array, c: int) -> Array:
             """Return the mean energies, minus noise, of texture at depth c, by the filters of these `candidates`."""
@@ -471,12 +473,12 @@ class _Statistics(NamedTuple):
         for c in range(count):
             h, n = model.transfer[c], model.noise[c]
             g, d = filters[c], derivatives[c]
-            # Bias: position of the minimum of a parabola through the lowest energy and its two neighbours.
+            # Bias: position of the minimum of the quartic through the lowest energy and its four neighbours.
             start = max(0, c - 6)
             energy = mean_energies(slice(start, c + 7), c)
-            k = min(max(int(np.argmin(energy)), 1), len(energy) - 2)
-            before, middle, after = energy[k - 1 : k + 2]
-            bias[c] = start + k + 0.5 * (before - after) / (before - 2.0 * middle + after) - c
+            k = min(max(int(np.argmin(energy)), 2), len(energy) - 3)
+            roots = np.polynomial.Polynomial(through_five @ energy[k - 2 : k + 3]).deriv().roots()
+            bias[c] = start + k + roots[np.argmin(np.abs(roots))].real - c
             index = min(max(c, 1), count - 2) - start  # index of c in `energy`, not the first or last candidate
             curvature = float(half_second_difference @ energy[index - 1 : index + 2])
             # Cross-spectra S_ee, S_dd and S_ed of the residuals p and q, for scene plus noise.
@@ -612,7 +614,7 @@ class SharpTables:
             return np.ascontiguousarray(values, dtype=np.float32)
 
         no_mixes = float32(np.zeros((1, 0, *self.basis.shape[1:])))
-        forms, statistics = float32(np.zeros((0, 0))), float32(np.zeros((7, 0)))
+        forms, statistics = float32(np.zeros((0, 0))), float32(np.zeros((8, 0)))
         taps, basis, window = float32(self.taps.values), float32(self.basis), float32([1.0])
         numbers = (0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0)
         return FocalStream((*size, 1, 4, 1, 0, threads), taps, no_mixes, basis, window, forms, statistics, numbers)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.ndimage import map_coordinates
@@ -91,6 +93,27 @@ def test_where_a_frame_is_nearly_sharp_on_large_pixels_there_is_no_bias():
     for distance in (2.4, 3.3):
         z = errors(live(*frames(lenses, distance, "soft")), distance)
         assert abs(np.median(z)) < 0.5
+
+
+def test_errors_contain_the_bias_of_the_filters(mild):
+    engine, pair = mild._levels[0].engine, frames(MILD, 1.45)
+    tables, step, found = engine.channels[0], engine.channels[0].step, []
+    gains = np.eye(1, 6, dtype=np.float32).repeat(2, axis=0)
+    try:
+        for bias in (0.0, 2.0):
+            engine.channels[0] = replace(tables, bias=np.full_like(tables.bias, bias))
+            stream = engine.stream((SIDE, SIDE))
+            stream.take([one.astype(np.float32) for one in pair], gains, 100.0, 65535.0, None)
+            depth, errors, _ = np.empty((3, SIDE // 4, SIDE // 4), np.float32)
+            stream.depths(depth, errors, np.empty_like(errors))
+            found.append((depth[8:-8, 8:-8], errors[8:-8, 8:-8]))
+    finally:
+        engine.channels[0] = tables
+    (depth, alone), (same, both) = found
+    known = np.isfinite(both)
+    assert known.mean() > 0.98
+    np.testing.assert_array_equal(depth[known], same[known])
+    np.testing.assert_allclose(both[known], np.hypot(alone, 2.0 * step * depth**2)[known], rtol=0.02)
 
 
 def test_beside_an_edge_of_depth_errors_are_as_told_or_it_is_not_known(mild):

@@ -16,9 +16,9 @@ namespace lommel {
 // statistics[row][candidate]; row 0: E of white noise; 1: (variance of E' / 2 due to texture) / kappa; 2: variance of E' / 2 due to
 // noise; 3: kappa / (mean of E over candidates - minimum of E); 4: variance of kappa due to noise; 5: concentration (see
 // FocalSearch) of a texture of all frequencies; 6: leak, the part of the mean E of a single frequency that the filters of its
-// own candidate let through.
+// own candidate let through; 7: bias of the candidate of least E, of a texture of all frequencies.
 struct FocalCandidates {
-    static constexpr std::size_t rows = 7;
+    static constexpr std::size_t rows = 8;
 
     std::size_t count;  // number of candidates, 4 n + 1 with an integer n >= 2
     const float *forms, *statistics;
@@ -124,7 +124,7 @@ class FocalSearch {
     }
 
    private:
-    enum Row { ByTexture = 1, ByNoise, Steepness, OfCurvature, Concentration, Leak };
+    enum Row { ByTexture = 1, ByNoise, Steepness, OfCurvature, Concentration, Leak, Bias };
     static float square(float x) { return x * x; }
     static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
@@ -270,7 +270,7 @@ class FocalSearch {
             variance = std::max(variance, moment / std::max(total, 1e-3f));
         }
         // By Schwarz's inequality, leak shifts the minimum by at most the square root of (its energy / curvature).
-        variance += shifted_of_few * few * leak / curvature;
+        variance += shifted_of_few * few * leak / curvature + square(statistic(Bias));
         // The distance of the farthest candidate that leak could have made higher than the minimum, as two standard errors.
         const float level = here + (alike + alike_of_few * few) * leak;
         float reach = 0.5f * rough_step;  // less this, for the spread that steps of 4 add

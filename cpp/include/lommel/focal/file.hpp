@@ -18,7 +18,7 @@ namespace lommel {
 
 // Table file, little-endian: 32-bit integers, then floats, in the order of the fields below.
 struct FocalFile {
-    static constexpr std::int32_t magic = 0x464d4c4c, version = 2;  // the letters "LLMF"
+    static constexpr std::int32_t magic = 0x464d4c4c, version = 3;  // the letters "LLMF"
     static constexpr std::int32_t block = 4;  // side of the blocks of the depth map, in pixels
     enum Whole {
         Magic,

@@ -336,6 +336,7 @@ class Estimator:
         """The coding with the estimated noise, in whose electrons the frames then are; or as stated."""
         coding, noise = self.coding, self.live.noise or self.coding.noise
         return coding._replace(noise=noise, white=coding.white * _white(noise) / _white(coding.noise))
+
     def _estimate(self, *frames: Values) -> tuple[LiveDepthMap, Sequence[Values]]:
         """Return the depth of frames, and the frames, with rows equalized where this lowers the misfit.
 

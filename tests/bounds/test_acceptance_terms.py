@@ -202,7 +202,8 @@ def test_scales_are_refined_where_the_misfit_has_a_valley_nearly_as_deep(depth, 
 
     tried, refined = [], []
 
-    def filters(engine, channel, scale):
+    def filters(engine, channel, scale, *, binned):
+        assert binned
         tried.append(round(math.log(scale) / 0.04))
         return lambda tile: np.array([misfit(tried[-1]), np.nan])
 
@@ -215,7 +216,8 @@ def test_scales_are_refined_where_the_misfit_has_a_valley_nearly_as_deep(depth, 
         ("_fits_equally", lambda *_: True),
     ):  # fmt: skip
         monkeypatch.setattr(defocus_verdict, name, made)
-    found = defocus_verdict._scale_minima(None, 0, [SimpleNamespace(variance=np.ones(4))])
+    tile = SimpleNamespace(variance=np.ones(4))
+    found = defocus_verdict._scale_minima(None, 0, tile, [tile])
     assert refined == [-4, 6] if several else refined == [6]
     assert [one.step for one in found] == refined[::-1]  # the best one first
     # Far from the valleys at the smallest scales the misfit is large, too: only larger ones are left out.

@@ -39,7 +39,9 @@ def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_an
     engine = SimpleNamespace(lens_derivatives=lambda at: slopes, lens_errors=lambda at, *_: 0.3 * at**2, binning=1)
     minima = [_Minimum(scale, error, 1.0, 0, 0.0), _Minimum(1.9, 0.1, 1.0, 8, 0.0)]
     weights = []
-    monkeypatch.setattr(defocus_verdict, "_tiles", lambda frames, valid, weight, *_: weights.append(weight) or [])
+    monkeypatch.setattr(
+        defocus_verdict, "_tiles", lambda frames, valid, weight, *_: weights.append(weight) or iter(())
+    )
     monkeypatch.setattr(defocus_verdict, "_judged_misfit", lambda *_: None if few else (1.25, 0.6))
     monkeypatch.setattr(defocus_verdict, "_scale_minima", lambda *_: minima)
     images = np.ones((1, 2, 2, 2))

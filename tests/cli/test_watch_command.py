@@ -293,7 +293,8 @@ def test_a_block_is_known_up_to_the_largest_misfit_and_a_pixel_below_saturation(
     frame = np.full((40, 3), 50.0)
     frame[20] = 109.9, 110.0, 10.0
     assert np.isnan(video_commands.equalize_rows(frame, frame, coding)[1][20]).tolist() == [False, True, False]
-    live = Mock(return_value=found, noise=lm.Noise(white=2.0, read=0.0, offset=10.0))  # 2 electrons for 1 stated
+    live = Mock(return_value=found, noise=lm.Noise(white=2.0, read=0.0, offset=10.0), binning=(2, 1))
+    live.verdict.return_value = SimpleNamespace(misfit=2.0)  # the noise has 2 electrons for 1 stated
     estimator = video_commands.Estimator(live, coding, 2.0, sharp=False)
     frame = np.full((4, 16), 50.0)
     result = estimator(SimpleNamespace(time=5.0, first=frame, second=frame))
@@ -301,6 +302,13 @@ def test_a_block_is_known_up_to_the_largest_misfit_and_a_pixel_below_saturation(
     np.testing.assert_array_equal(result.errors, [[0.1, 0.2, np.inf, np.inf]])
     assert result.unknown == {"compressed": 0.0, "misfit": 0.25, "border": 0.0, "flat": 0.25, "ambiguous": 0.0}
     assert result.numbers == pytest.approx((0.5, 0.25, 1.5, 0.15, 2.0))
+    # Without binning the misfit is 1.25: a median of 2 is that of right depth, where pixels are binned.
+    found.depth, found.errors = np.array([[1.0, 2.0, 3.0, 4.0]]), np.array([[0.1, 0.2, 0.3, np.inf]])
+    live.verdict.return_value = SimpleNamespace(misfit=1.25)
+    estimator = video_commands.Estimator(live, coding, 2.0, sharp=False)
+    result = estimator(SimpleNamespace(time=5.0, first=frame, second=frame))
+    np.testing.assert_array_equal(result.depth, [[1.0, 2.0, 3.0, np.nan]])
+    assert estimator.largest == 3.2
 
 
 def test_pairs_are_summarised():

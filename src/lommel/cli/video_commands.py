@@ -69,6 +69,7 @@ _COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "f
 
 _DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
 _TEST_ROWS = 16  # number of pairs after which it is tested again whether equalized rows lower the misfit
+_DOUBTFUL = 1.3  # median misfit from which it is tested whether binned pixels raise it
 _WORSE = 0.1  # increase of the mean logarithm of the misfit after which it is tested at once
 _RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
 _MAX_NEAREST = 1e9  # metres: largest nearest distance of filters, practically infinity
@@ -168,7 +169,8 @@ def watch(
         which are of noise alone. By default both are those of the calibration in the lens file, or 3 % of the
         f-number and 2 % of each focus distance.
     misfit
-        Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all.
+        Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all. Fine texture
+        raises the misfit of binned pixels, and the limit by as much.
     white
         Number of electrons at white, such as 5000; by default the full well of the camera. Without --white, --read
         and a camera that states them, the noise is estimated from the first pair.
@@ -232,7 +234,7 @@ def watch(
             **outputs.facts,
         }
         compression = video_faults.loss_note(pairs.loss, estimator.coding_in_use)
-        notes = [text for text in (guess, compression, tally.unknown(misfit, facts)) if text]
+        notes = [text for text in (guess, compression, tally.unknown(estimator.largest, facts)) if text]
         o, verdict = with_calibration(options, instrument), DefocusVerdict.of(math.nan)
         if tally.failed < tally.pairs:
             verdict = live.verdict(f_number_error=o.f_number_error, focus_error=o.focus_error)
@@ -288,7 +290,7 @@ class Estimator:
 
     live: LiveDepth
     coding: Coding
-    limit: float  # largest misfit of blocks whose depth is known
+    limit: float  # largest misfit of blocks whose depth is known, relative to that of right depth
     sharp: bool  # True to compute all-in-focus images
     alternating: bool = False  # True if the frames of a pair are not of the same time
     largest_error: float = math.inf  # largest standard error of 1 / depth where compression increases it, 1 / m
@@ -296,6 +298,7 @@ class Estimator:
     evens: bool = True  # True if rows are equalized
     age: int = 0  # number of pairs
     score: float = math.inf  # mean logarithm of the misfit when it was last tested whether equalized rows lower it
+    floor: float = math.nan  # misfit of right depth, more than 1 where binned pixels have aliases; NaN if not tested
     far: Values | None = None  # second frame of the previous pair of alternating frames
 
     def __call__(self, pair: videos.FramePair, loss: float | Values = 0.0) -> PairResult:
@@ -319,13 +322,16 @@ class Estimator:
         estimated = np.isfinite(errors)
         # Each block has the first cause that applies.
         causes = self._faults(pair, frames[1], estimate, loss, coding)
-        causes |= {"misfit": estimated & (misfit > self.limit), "border": np.isnan(misfit), "known": estimated}
+        median = _median(misfit[estimated])
+        if math.isnan(self.floor) and median > _DOUBTFUL and max(self.live.binning, default=1) > 1:
+            self.floor = max(1.0, median / max(1.0, self.live.verdict().misfit))  # the verdict is without binning
+        causes |= {"misfit": estimated & (misfit > self.largest), "border": np.isnan(misfit), "known": estimated}
         causes["flat"] = video_faults.is_flat(equal, coding)
         cause = np.select(list(causes.values()), range(len(causes)), default=len(causes))
         shares = np.bincount(cause.ravel(), minlength=len(causes) + 1) / cause.size
         unknown = dict(zip([*causes, "ambiguous"], shares.tolist(), strict=True))
         is_known = cause == list(causes).index("known")
-        medians = _median(depth[is_known]), _median(errors[is_known]), _median(misfit[estimated])
+        medians = _median(depth[is_known]), _median(errors[is_known]), median
         depth[~is_known], errors[~is_known] = np.nan, np.inf
         numbers = unknown.pop("known"), unknown["misfit"], *medians
         duration = time.perf_counter() - start
@@ -336,6 +342,11 @@ class Estimator:
         """The coding with the estimated noise, in whose electrons the frames then are; or as stated."""
         coding, noise = self.coding, self.live.noise or self.coding.noise
         return coding._replace(noise=noise, white=coding.white * _white(noise) / _white(coding.noise))
+
+    @property
+    def largest(self) -> float:
+        """Largest misfit of blocks whose depth is known."""
+        return self.limit * float(np.fmax(self.floor, 1.0))
 
     def _estimate(self, *frames: Values) -> tuple[LiveDepthMap, Sequence[Values]]:
         """Return the depth of frames, and the frames, with rows equalized where this lowers the misfit.

@@ -296,7 +296,8 @@ def judge_frames(
     weight = np.where(known, 1.0 / np.maximum(errors, 1e-6) ** 2, 0.0)
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     frames = partial(_tiles, images[brightest], valid, weight, engine)
-    median, judged = _judged_misfit(engine, brightest, frames(1), vergence) or (float(np.median(misfit[known])), 1.0)
+    tiles = list(frames(1))
+    median, judged = _judged_misfit(engine, brightest, tiles, vergence) or (float(np.median(misfit[known])), 1.0)
     ends = np.percentile(known_vergence, [95.0, 5.0])
     sizes = np.stack([1.0 / ends, engine.lens_errors(ends, *lens_errors) / ends**2], axis=1)
     lens_error = dict(zip(("nearest", "farthest"), sizes.tolist(), strict=True))
@@ -313,7 +314,7 @@ def judge_frames(
     )
     if any(map(is_compressed, images[brightest])):
         return make_verdict(compressed=True)
-    minima = _scale_minima(engine, brightest, list(frames(engine.binning)))
+    minima = _scale_minima(engine, brightest, next(frames(engine.binning), None), tiles)
     if not minima:
         return make_verdict()
     best, *others = minima
@@ -333,7 +334,7 @@ class _Minimum(NamedTuple):
 
 
 def _judged_misfit(
-    engine: FocalEngine, channel: int, tiles: Iterator[_Tile], vergence: Array
+    engine: FocalEngine, channel: int, tiles: list[_Tile], vergence: Array
 ) -> tuple[float, float] | None:
     """Return the median misfit of blocks in which depth varies little, and their fraction; None for few blocks."""
     variation = _depth_variation(engine, vergence)
@@ -382,25 +383,29 @@ def _depth_variation(engine: FocalEngine, vergence: Array) -> Array:
     return np.asarray(squares * (width**2 + _BLUR_SHARE * np.square(radii).mean(axis=0)))
 
 
-def _scale_minima(engine: FocalEngine, brightest: int, tiles: list[_Tile]) -> list[_Minimum]:
-    """Return the scales that fit equally well in the brightest channel, beginning with the best one."""
-    if not tiles or len(_cells(np.stack([tile.variance for tile in tiles])[None])[1]) < _MIN_CELLS:
+def _scale_minima(engine: FocalEngine, brightest: int, rough: _Tile | None, tiles: list[_Tile]) -> list[_Minimum]:
+    """Return the scales that fit equally well in the brightest channel, beginning with the best one.
+
+    They are found in the binned tile `rough`. Aliases due to binning shift them by up to 8 %, and raise the misfit:
+    they are refined in `tiles`, which are not binned.
+    """
+    if rough is None or len(_cells(np.stack([tile.variance for tile in tiles])[None])[1]) < _MIN_CELLS:
         return []
 
-    @cache
-    def filters(k: int) -> _Filters:
-        return _Filters(engine, brightest, math.exp(_LOG_STEP * k))
+    def filters(k: int, *, binned: bool) -> _Filters:
+        return _Filters(engine, brightest, math.exp(_LOG_STEP * k), binned=binned)
 
     @cache
     def misfits(k: int) -> Array:
-        return np.stack([filters(k)(tile) for tile in tiles])
+        filters_of_k = filters(k, binned=False)
+        return np.stack([filters_of_k(tile) for tile in tiles])
 
     # The misfit may have several minima: other scales can fit with other signs of defocus, or with other depths.
     medians = list[float]()
     for k in range(-_MAX_STEP, _MAX_STEP + 1, _COARSE_STEP):
         # Once the misfit is this large, it increases with the scale: larger scales need not be tried.
         stop = bool(medians) and medians[-1] > _MAX_MISFIT_RATIO * min(medians)
-        medians.append(math.inf if stop else _median(filters(k)(tiles[0])))
+        medians.append(math.inf if stop else _median(filters(k, binned=True)(rough)))
     limit = min(medians) + _EXCESS + _EXCESS_RATIO * abs(min(medians) - 1.0)
     minima = list[_Minimum]()
     for index in range(1, len(medians) - 1):
@@ -533,18 +538,26 @@ class _Filters:
     interpolation between few frequencies raise the misfit of exact lenses by up to 0.9.
     """
 
-    def __init__(self, engine: FocalEngine, channel: int, scale: float, vergence: Array | None = None) -> None:
-        task, count, self._steps, self._binning = engine.task, _MIN_COUNT, 1, engine.binning
+    def __init__(
+        self,
+        engine: FocalEngine,
+        channel: int,
+        scale: float,
+        vergence: Array | None = None,
+        *,
+        binned: bool = False,
+    ) -> None:
+        task, count, self._steps, self._binning = engine.task, _MIN_COUNT, 1, engine.binning if binned else 1
         lenses = [replace(lens, aperture_diameter=scale * lens.aperture_diameter) for lens in task.lenses]
         places, chunk = task.vergence, len(task.vergence)
         if vergence is not None:
             start, step = float(places[0]), float(places[1] - places[0])
             ends = (np.nanpercentile(vergence, [1.0, 99.0]) - start) / step + [-_REACH, _REACH]
             first, last = np.clip(np.rint(2.0 * ends), 0, 2 * len(places) - 2).astype(int).tolist()
-            places, chunk = start + 0.5 * step * np.arange(first, last + 1), _CHUNK
+            places, chunk, self._steps = start + 0.5 * step * np.arange(first, last + 1), _CHUNK, 2
+        if not binned:
             # Transfer functions oscillate with a period of 1 / (2 blur) in cycles per pixel.
             count = min(max(_MIN_COUNT, math.ceil(_COUNT_PER_PIXEL * task.blur)), _TILE_SIDE)
-            self._steps, self._binning = 2, 1
 
         def filters() -> Iterator[Array]:
             for k in range(0, len(places), chunk):

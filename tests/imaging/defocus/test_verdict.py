@@ -59,6 +59,20 @@ def test_a_wrong_f_number_is_told_with_its_size(pair, f_number, scale):
     assert found.findings.get("lens_scale").numbers == {"scale": found.scale, "error": found.scale_error}
 
 
+def test_aliases_of_binned_pixels_do_not_change_the_size_of_blur():
+    foci = (1.3325, 1.845)
+    made = [ThinLens(35e-3, 5.88, focus, 540e-9, PIXEL) for focus in foci]
+    images = record(plane(texture("text", 192, 3), made, 1.76, LIGHT), seed=3)
+    stated = lm.imaging.LiveDepth(
+        lenses(5.88, foci), PIXEL, between=(1.1, 2.2), noise=NOISE, shape=images[0].shape, light=LIGHT
+    )
+    assert stated.binning == (2,)
+    stated(*images)
+    found = stated.verdict()
+    assert abs(found.scale - 1.0) < 0.02  # 0.94 +- 0.06 of binned pixels
+    assert found.scale_error < 0.03
+
+
 def test_lenses_whose_spherical_aberration_is_stated_tell_exchanged_foci():
     images = taken(spherical=0.5)
     found = live(images, lenses(spherical=0.5)).verdict()

@@ -314,7 +314,7 @@ def judge_frames(
     )
     if any(map(is_compressed, images[brightest])):
         return make_verdict(compressed=True)
-    minima = _scale_minima(engine, brightest, next(frames(engine.binning), None), tiles)
+    minima = _scale_minima(engine, brightest, next(frames(engine.binning), None), tiles, median if noise else 1.0)
     if not minima:
         return make_verdict()
     best, *others = minima
@@ -383,7 +383,9 @@ def _depth_variation(engine: FocalEngine, vergence: Array) -> Array:
     return np.asarray(squares * (width**2 + _BLUR_SHARE * np.square(radii).mean(axis=0)))
 
 
-def _scale_minima(engine: FocalEngine, brightest: int, rough: _Tile | None, tiles: list[_Tile]) -> list[_Minimum]:
+def _scale_minima(
+    engine: FocalEngine, brightest: int, rough: _Tile | None, tiles: list[_Tile], level: float
+) -> list[_Minimum]:
     """Return the scales that fit equally well in the brightest channel, beginning with the best one.
 
     They are found in the binned tile `rough`. Aliases due to binning shift them by up to 8 %, and raise the misfit:
@@ -411,7 +413,7 @@ def _scale_minima(engine: FocalEngine, brightest: int, rough: _Tile | None, tile
     for index in range(1, len(medians) - 1):
         median = medians[index]
         if median <= min(medians[index - 1], medians[index + 1], limit):
-            minimum = _refine_minimum(misfits, _COARSE_STEP * index - _MAX_STEP)
+            minimum = _refine_minimum(misfits, _COARSE_STEP * index - _MAX_STEP, level)
             if minimum is not None and all(abs(minimum.scale - other.scale) > _LOG_STEP for other in minima):
                 minima.append(minimum)
     minima.sort(key=lambda minimum: minimum.misfit)
@@ -431,8 +433,11 @@ def _fits_equally(minimum: _Minimum, best: _Minimum, misfits: Callable[[int], Ar
     return mean <= max(_WRONG_DEVIATION * error, _MISFIT_ERROR + _MISFIT_ERROR_RATIO * abs(best.misfit - 1.0))
 
 
-def _refine_minimum(misfits: Callable[[int], Array], k: int) -> _Minimum | None:
-    """Return the local minimum of the misfit near step `k`; None if there is no minimum."""
+def _refine_minimum(misfits: Callable[[int], Array], k: int, level: float) -> _Minimum | None:
+    """Return the local minimum of the misfit near step `k`; None if there is no minimum.
+
+    `level` is the misfit of right lenses: 1, or as measured if the noise is estimated.
+    """
     visited = set[int]()
     offsets = np.arange(-2, 3)
     powers = np.vander(offsets, 4, increasing=True)
@@ -463,11 +468,13 @@ def _refine_minimum(misfits: Callable[[int], Array], k: int) -> _Minimum | None:
         min_misfit = float(np.array([minimum**n for n in range(4)]) @ cubics @ weights)
         # The standard error of the position of the minimum is (standard error of the slope) / curvature.
         cell_slopes = weights * (cubics[1] + minimum * (2.0 * cubics[2] + 3.0 * minimum * cubics[3]))
-        systematic = _LOG_STEP * _SLOPE_ERROR_RATIO * abs(min_misfit - 1.0)
+        systematic = _LOG_STEP * _SLOPE_ERROR_RATIO * abs(min_misfit - level)
         scale = math.exp(_LOG_STEP * (k + minimum))
         scatter = math.hypot(float(np.sqrt((cell_slopes**2).sum())), systematic)
         # d(scale) = scale d(log scale).
-        error = scale * math.hypot(_LOG_STEP * scatter / curvature, _MIN_SCALE_ERROR)
+        # Scales whose misfits differ by less than their systematic error are not told apart.
+        alike = math.sqrt(2.0 * (_MISFIT_ERROR + _MISFIT_ERROR_RATIO * abs(min_misfit - level)) / curvature)
+        error = scale * math.hypot(_LOG_STEP * scatter / curvature, _LOG_STEP * alike, _MIN_SCALE_ERROR)
         return _Minimum(scale, error, min_misfit, k, start - min_misfit)
     return None
 

@@ -178,8 +178,8 @@ def test_starts_end_where_one_is_sure_or_three_agree_on_what_is_plausible(rows, 
     monkeypatch.setattr(phase_retrieval, "_random_starts", lambda *_: None)
     monkeypatch.setattr(phase_retrieval, "search_rows", search)
     model = Made(unknowns=Made(pupil=()), nearest=lambda x: x)
-    x, _, found, extent = phase_retrieval._search(model, None, None, Made(starts=5, steps=9))
-    assert (x.item(), found, extent[1]) == (best, settled, tried)
+    fit, extent = phase_retrieval._search(model, None, None, Made(starts=5, steps=9))
+    assert (fit.x.item(), fit.settled, extent[1]) == (best, settled, tried)
 
 
 ROWS, IMAGES = 2000, Made(pupil=Made(shape=(2,)))

@@ -98,9 +98,7 @@ def test_the_share_of_excess_noise_is_a_weighted_mean_of_squares(dim):
 
 
 def outcome(**changes):
-    fit = SimpleNamespace(
-        scores=SimpleNamespace(chi2=[1.0], spread=[SPREAD]), model=SimpleNamespace(chosen=np.arange(30))
-    )
+    fit = SimpleNamespace(quality=(1.0, SPREAD), model=SimpleNamespace(chosen=np.arange(30)))
     given = {"fit": fit, "rejected": np.arange(0), "held_out": (1.0, 0.1), "bright_chi2": (1.0, SPREAD),
     "places": np.zeros((3, 2)),
              "blur_costs": {}, "notes": [], "tests": (), "grade": None, "rival": None}  # fmt: skip
@@ -123,9 +121,7 @@ def test_a_map_of_a_field_is_judged_by_stars_that_were_held_out_rejected_or_brig
 
 @pytest.mark.parametrize(("chi2", "severity"), [(0.89, "error"), (0.9, None), (0.91, None)])
 def test_images_that_are_much_too_quiet_are_an_error(chi2, severity):
-    fit = SimpleNamespace(
-        scores=SimpleNamespace(chi2=[chi2], spread=[0.01]), model=SimpleNamespace(chosen=np.arange(30))
-    )
+    fit = SimpleNamespace(quality=(chi2, 0.01), model=SimpleNamespace(chosen=np.arange(30)))
     assert told(outcome(fit=fit).findings) == ([("too_quiet", severity)] if severity else [])
 
 

@@ -14,8 +14,7 @@ from lommel.fit.score_tests import Grade, Marginal
 
 @pytest.mark.parametrize("rival", [None, Rival(2.0, 6.0)])
 def test_another_minimum_that_fits_as_well_is_a_doubt(rival):
-    scores = SimpleNamespace(chi2=np.array([1.0]), spread=np.array([0.01]))
-    found: Any = SimpleNamespace(scores=scores, model=SimpleNamespace(chosen=np.arange(9)))
+    found: Any = SimpleNamespace(quality=(1.0, 0.01), model=SimpleNamespace(chosen=np.arange(9)))
     nothing = Grade(Marginal(np.zeros(0), np.zeros((0, 0))), 0.0, 0.0, 0, 1.0, (0.9, 1.1))
     outcome = Outcome(found, np.arange(0), (1.0, 0.1), (1.0, 0.1), np.zeros((9, 2)), {}, [], (), nothing, rival)
     finding = outcome.findings.get("another_minimum")

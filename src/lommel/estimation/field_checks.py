@@ -16,7 +16,6 @@ from lommel.estimation.star_checks import BLURS, MissingEffect
 from lommel.estimation.star_images import Unknowns, label, next_terms, ripple_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
-from lommel.fit.model_error import ModelError, model_error
 from lommel.fit.score_tests import Candidate, Grade, ScoreTest, graded, score_tests, sigmas_of
 from lommel.fit.scoring import Scores
 
@@ -97,16 +96,6 @@ def missing_tests(
         stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, constant_columns, never
     )
     return tests, grade, untested
-
-
-def star_model_error(model: WholeField, x: Array, scores: Scores) -> ModelError | None:
-    """Return the model error of a single star, if standard errors can include it."""
-    nuisance, (values, derivatives) = model.parts(x)[2], model.images(x)
-    counted, _, read, valid = model.stars.pixel_data[:, model.chosen].reshape(4, *values.shape)
-    mean, light = model.stars.expected(values, nuisance).reshape(values.shape), nuisance[0, 2, :, None, None] * values
-    residual, variance = np.where(valid > 0.0, counted - mean, np.nan), np.maximum(mean + read, 0.25 * read)
-    error = model_error(residual, model.stars.columns([values, *derivatives], nuisance), variance, light)
-    return error if error is not None and error.holds(model.rms, *model.steps(scores, np.zeros(1))[0]) else None
 
 
 def _tested_degrees(degree: int) -> range:

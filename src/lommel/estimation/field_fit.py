@@ -30,11 +30,11 @@ from lommel.estimation.distortion import (
     places_of,
 )
 from lommel.estimation.field_checks import negated
-from lommel.estimation.field_search import Outcome, Search, Solution, trails_of
+from lommel.estimation.field_search import Outcome, Search, Solution, estimated_effects, trails_of
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.options import FieldFitOptions
-from lommel.estimation.star_checks import estimated_findings, missing_findings
+from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap, save_table
@@ -629,7 +629,7 @@ def _build_field_fit(
     mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()
     # The shift is linear in the parameters: where it is large, it means nothing.
     is_linear = outcome.model_error is not None or mean_square <= MAX_LINEAR_ERROR**2
-    coefficients, twin = polynomials + shift if is_linear else polynomials.copy(), None
+    coefficients, moved, twin = polynomials + shift if is_linear else polynomials.copy(), polynomials, None
     findings = list[Finding]()
     if first_star.sign_ambiguous:
         twin_coefficients, signs = search.twin(coefficients)
@@ -645,11 +645,7 @@ def _build_field_fit(
     labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
     grade = None if outcome.model_error else outcome.grade
     findings = [*outcome.findings, *missing_findings(tests, grade, labels), *findings]
-    if (freed := outcome.freed) is not None:
-        term_errors = np.sqrt(np.diag(covariance))[::m]
-        rows = [*zip(labels[::m], coefficients[:, 0].tolist(), term_errors.tolist(), strict=True)][freed.first_term :]
-        estimates = {name: (value, error, 0.0) for name, value, error in rows} | freed.constants
-        findings += estimated_findings(estimates, freed.move, freed.rivals)
+    findings += estimated_effects(outcome.rounds, moved, coefficients, np.sqrt(np.diag(covariance)).reshape(k, m))
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)
     blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, width_errors, outer_errors)

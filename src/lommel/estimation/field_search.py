@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -22,16 +22,18 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.blur.mixtures import OUTER, BlurProfile
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.field_checks import missing_tests, slope_findings, star_model_error
+from lommel.estimation.favoured_effects import Estimate, Fit, Round, estimated_findings, rounds_of
+from lommel.estimation.field_checks import missing_tests, slope_findings
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
-from lommel.estimation.star_checks import DRIFTS, ELLIPSE, TRAIL, changed, stated_value
+from lommel.estimation.star_checks import DRIFTS, ELLIPSE, TRAIL, changed, unit_of, value_of
+from lommel.estimation.star_images import label
 from lommel.estimation.star_readout import lines_of
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
 from lommel.fit.model_error import ModelError, with_errors_of_model
 from lommel.fit.score_tests import Grade, ScoreTest, causes_of_misfit, seen
-from lommel.fit.scoring import Progress, Scores, search_rows
+from lommel.fit.scoring import Progress, search_rows
 from lommel.methods.derivative_names import term_of
 
 _MAX_SINGLES = 60  # largest number of stars that are fitted individually
@@ -66,8 +68,6 @@ _MAX_NEGATED = 3  # largest number of searches with a negated sign
 _TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; further steps of the best search
 _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
-# Refits in turn with effects that the stars favour; distance of a constant, standard errors, that needs no more.
-_MAX_REFITS, _SETTLED = 4, 0.3
 # Measured part of the remaining time that each phase takes, and its typical number of steps.
 _PHASES = {
     "single stars": (0.18, 15), "starts": (0.05, 15), "joint": (0.15, 9), "signs": (0.25, 15), "profiles": (0.33, 17),
@@ -78,13 +78,13 @@ _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missin
 
 
 @dataclass
-class Solution:
+class Solution(Fit[WholeField]):
     """A fit of a field: the model of the used stars, the parameters `x`, and the quality of the fit."""
 
-    model: WholeField
-    x: Array
-    scores: Scores
-    settled: bool
+    @cached_property
+    def model_error(self) -> ModelError | None:
+        """The model error of a single star."""
+        return super().model_error if len(self.model.chosen) == 1 else None
 
     def nuisance(self) -> Array:
         """Return the nuisance parameters of the images of r stars in e exposures, shape (r, o, e)."""
@@ -106,15 +106,6 @@ class Rival(NamedTuple):
     sigmas: float  # largest distance between coefficients of the two minima, standard errors
 
 
-class Freed(NamedTuple):
-    """What a fit estimates because the stars favour it."""
-
-    constants: dict[str, tuple[float, float, float]]  # value, standard error, stated value
-    first_term: int  # index of the first of the terms that were added
-    move: float  # largest change of the other coefficients, standard errors
-    rivals: list[str]  # effects that explain the images as well
-
-
 @dataclass
 class Outcome:
     """A fit of all stars that were not rejected, with the results of its tests."""
@@ -130,12 +121,12 @@ class Outcome:
     grade: Grade  # of significant effects; shift and covariance of the coefficients, marginalized over effects
     rival: Rival | None = None
     model_error: ModelError | None = None  # of a single star
-    freed: Freed | None = None
+    rounds: Sequence[Round] = ()  # refits with effects that the stars favour
 
     @property
     def findings(self) -> Findings:
         """Findings on the fit."""
-        chi2, deviation = float(self.fit.scores.chi2[0]), float(self.fit.scores.spread[0])
+        chi2, deviation = self.fit.quality
         degree = "the degree is too low, " if len(self.places) > 1 else ""
         causes = causes_of_misfit(_CAUSES.format(degree), chi2, deviation, self.tests)
         findings = chi2_findings(chi2, deviation, causes)
@@ -654,41 +645,33 @@ class Search:
         if slope_notes := slope_findings(fit.model, fit.x):
             self.places = places
             fit, rejected = self.fit_all_stars(self._with_background_slopes(fit))
-        first_fit, freed, rivals = fit, dict[str, float](), list[str]()
-        arguments = self.places, self.degree, freed
-        tests, grade, untested = missing_tests(fit.model, fit.x, fit.scores, *arguments)
         self.report.begin(*_PHASES["tests"])
-        self.report(0, float(fit.scores.chi2[0]))
-        for _ in range(_MAX_REFITS):
-            refit = self._freeing(fit, tests, freed)
-            if refit is None:
-                break
-            fit, rivals = refit, [*rivals, *(test.name for test in seen(tests) if test.name not in freed)]
-            tests, grade, untested = missing_tests(fit.model, fit.x, fit.scores, *arguments, rivals)
+        self.report(0, fit.quality[0])
+        rounds = rounds_of(fit, self._tested, self._estimating, _without_drifts)
+        fit, (tests, grade, untested) = rounds[-1][:2]
+        self.stars = fit.model.stars
         chosen, nuisance = fit.model.chosen, fit.nuisance()
         psf = self.stars.images(chosen, *fit.model.parts(fit.x), fast=False, derivatives="none")[0]
         parameters = fit.model.common_count + len(chosen) * self.stars.parameters_per_image * self.stars.exposures
         bright_chi2 = self.stars.bright_pixel_chi2(chosen, psf, nuisance, float(parameters))
         held_out = self.held_out(fit)
         results = self.blur_costs, [*slope_notes, *untested], tests, grade, self.rival
-        outcome = Outcome(fit, rejected, held_out, bright_chi2, self.places, *results)
-        outcome.freed = _freed(first_fit, fit, tests, grade, freed, rivals)
+        outcome = Outcome(fit, rejected, held_out, bright_chi2, self.places, *results, rounds=rounds)
         if len(chosen) == 1 and "misfit" in outcome.findings.codes:
-            outcome.model_error = star_model_error(fit.model, fit.x, fit.scores)
+            outcome.model_error = fit.valid_model_error(outcome.findings.codes, tests)
         return outcome
 
-    def _freeing(self, fit: Solution, tests: Sequence[ScoreTest], freed: dict[str, float]) -> Solution | None:
-        """Return a fit that estimates the effect that the stars favour most; None if the model cannot estimate it.
+    def _tested(
+        self, fit: Solution, names: Sequence[str], rivals: Sequence[str]
+    ) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
+        return missing_tests(fit.model, fit.x, fit.scores, self.places, self.degree, names, rivals)
 
-        Constants change by the estimate of their score test. Their names are added to `freed`, with this estimate.
+    def _estimating(self, fit: Solution, test: ScoreTest) -> tuple[Solution, float] | None:
+        """Return a fit that estimates the effect of `test`, and its gain of lnL; None if the model cannot.
+
+        Constants change by the estimate of their score test.
         """
         stars = fit.model.stars
-        # The model has no changes from image to image; with two images, they are changes of the foci as well.
-        significant = [test for test in seen(tests) if not test.name.endswith(DRIFTS)]
-        moved = [test for test in tests if test.name in freed and abs(test.sigmas) > _SETTLED]
-        test = next(iter((*moved, *significant)), None)
-        if test is None:
-            return None
         if test.name == ELLIPSE:
             freed_stars = stars.with_trails(stars.trails + test.size.reshape(-1, 2))
         else:
@@ -701,11 +684,7 @@ class Search:
         nuisance[:, :2] *= self.stars.first_star.tilt_of_pixel / stars.first_star.tilt_of_pixel
         polynomials = np.pad(fit.polynomials(), ((0, added_count), (0, 0)))
         refit = self.refine(fit.model.chosen, polynomials, fit.squared_widths(), 20, nuisance, fast=False)
-        if refit is None or refit.scores.deviance[0] > fit.scores.deviance[0]:
-            self.stars = stars
-            return None
-        freed[test.name] = freed.get(test.name, 0.0) + float(test.size[0])
-        return refit
+        return (fit, -math.inf) if refit is None else (refit, fit.deviance - refit.deviance)
 
     def _with_background_slopes(self, fit: Solution) -> Solution:
         """Return the fit with a model that has a slope of each background, initially 0."""
@@ -748,23 +727,30 @@ def trails_of(fit: Solution, tests: Sequence[ScoreTest]) -> tuple[Array, Array, 
     return lengths, 12.0 * spread / np.maximum(lengths, np.sqrt(12.0 * spread)), angles
 
 
-def _freed(
-    first_fit: Solution, fit: Solution, tests: Sequence[ScoreTest], grade: Grade, changes: Mapping[str, float],
-    rivals: list[str],
-) -> Freed:  # fmt: skip
-    """Return what `fit` estimates and `first_fit` does not; `changes` are those of constants."""
-    constants: dict[str, tuple[float, float, float]] = {}
-    before = first_fit.polynomials()
-    if ELLIPSE in changes:
-        trails = zip(*trails_of(fit, tests), strict=True)
-        constants |= {f"{TRAIL} in exposure {i}": (x, error, 0.0) for i, (x, error, _) in enumerate(trails, 1)}
+def _without_drifts(tests: Sequence[ScoreTest]) -> list[ScoreTest]:
+    """Return significant effects; the model has no changes from image to image, which two foci resemble as well."""
+    return [test for test in seen(tests) if not test.name.endswith(DRIFTS)]
+
+
+def estimated_effects(rounds: Sequence[Round], moved: Array, coefficients: Array, errors: Array) -> list[Finding]:
+    """Return the finding on what the last fit estimates and the first does not.
+
+    `moved` are polynomials (k, m) of the last fit, and `coefficients` with `errors` those of the result.
+    """
+    (first, *_), (fit, (tests, *_), names, rivals, _) = rounds[0], rounds[-1]
+    star, first_star, before = fit.model.stars.first_star, first.model.stars.first_star, first.polynomials()
+    terms = [*zip(star.unknowns.terms, zip(coefficients, errors, strict=True), strict=True)][len(before) :]
+    estimates = [Estimate(label(term), float(row[0]), float(error[0]), 0.0, "rad") for term, (row, error) in terms]
+    if ELLIPSE in names:
+        trails = enumerate(zip(*trails_of(fit, tests), strict=True), 1)
+        estimates += [Estimate(f"{TRAIL} in exposure {i}", x, error, 0.0, "pixels") for i, (x, error, _) in trails]
     for test in tests:
-        if test.name in changes and test.name != ELLIPSE:
-            stated = stated_value(first_fit.model.stars.first_star, test.name)
-            constants[test.name] = stated + changes[test.name] + float(test.size[0]), float(test.errors[0]), stated
-    errors = np.sqrt(np.diag(grade.marginal.covariance))[: before.size]
-    moves = np.abs(fit.polynomials()[: len(before)] - before).ravel() / errors
-    return Freed(constants, len(before), float(moves.max()), rivals)
+        if test.name in names and test.name != ELLIPSE:
+            stated, value = (value_of(one, test.name, first_star) for one in (first_star, star))
+            pair = value + float(test.size[0]), float(test.errors[0])
+            estimates.append(Estimate(test.name, *pair, stated, unit_of(test.name)))
+    moves = np.abs(moved[: len(before)] - before) / errors[: len(before)]
+    return estimated_findings(estimates, float(moves.max()), rivals)
 
 
 def _no_progress(step: int, chi2: float) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -21,12 +22,12 @@ from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.core.answers import Declined, ToleranceError
 from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
+from lommel.estimation.favoured_effects import Estimate, Fit, Round, estimated_findings, rounds_of
 from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import FieldFitOptions, RetrieveOptions
 from lommel.estimation.star_checks import (
     OF_FIELDS,
     error_findings,
-    estimated_findings,
     freed,
     missing_findings,
     star_tests,
@@ -42,9 +43,9 @@ from lommel.estimation.star_images import (
     single,
 )
 from lommel.fit import goodness_of_fit
-from lommel.fit import model_error as model_errors
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
+from lommel.fit.model_error import ModelError, with_errors_of_model
 from lommel.fit.score_tests import Grade, Marginal, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -68,13 +69,8 @@ _MIN_AGREEING = 3
 _MIN_SIGNIFICANCE = 5.0  # smallest (flux) / (standard error of the flux) of a visible star
 _MIN_DISTANCE_RATIO = 2.0  # smallest ratio of the twins' distances from the initial wavefront that decides the sign
 _MAX_SUM_ERROR = 0.05  # images whose sums differ from 1 by less count as normalized
-# Effects that are estimated because the images favour them: number of refits in turn, and of rivals in each.
-_MAX_REFITS, _MAX_RIVALS, _REFIT_STEPS = 2, 3, 30
+_REFIT_STEPS = 30  # maximum number of steps of a refit that estimates another effect
 _GROSS_CHI2 = 100.0  # chi2 from which no effect is small
-# Largest log Bayes factor of an effect that is compared with a model error, which takes about as long as a refit.
-_CLEAR = 50.0
-_NEARLY = 0.5  # part of this logarithm that the gain of a model error exceeds if it explains the images as well
-_SAME_COST = 0.5  # difference of lnL up to which the first of two rivals is preferred
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
@@ -412,16 +408,14 @@ def fit_stars(
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid pixels"
         )
-    best_x, scores, settled, extent = _search(model, draw, Progress(options.progress), effort)
+    fit, extent = _search(model, draw, Progress(options.progress), effort)
     # Effects that only field fits estimate: from the answer, without restarts.
     blurred = None
     if {*unknowns.places} == {*SHIFTS} and not unknowns.pupil:
         fixed: dict[str, Any] = {"counts": counts, "noise": noise, "plan": plan, "pixel": pixel, "draw": draw}
         of_field = replace(options, progress=None)
         blurred = partial(_fit_blurred, options=of_field, effort=effort._replace(starts=1), **fixed)
-    return _build_retrieval(
-        model, best_x, scores, settled, counts, noise, extent, checks=options.checks, blurred=blurred
-    )
+    return _build_retrieval(fit, counts, noise, extent, checks=options.checks, blurred=blurred)
 
 
 def _fit_blurred(
@@ -440,8 +434,8 @@ def _fit_blurred(
 
 def _search(
     model: StarImages, draw: np.random.Generator, report: Report, effort: Effort
-) -> tuple[Array, Scores, bool, tuple[int, int]]:
-    """Return the best parameters (1, p), their scores, whether the fit settled, and the numbers of steps and starts.
+) -> tuple[Fit[StarImages], tuple[int, int]]:
+    """Return the best fit, and the numbers of steps and starts.
 
     The search ends when noise explains chi2, when three starts agree within the standard errors, or after the last
     start.
@@ -480,7 +474,8 @@ def _search(
             break
     max_steps = steps if best_settled else 0
     best_x, best_scores, settled, last_steps = search_rows(model, best_x, max_steps, lambda *_: None, fast=False)
-    return best_x, best_scores, best_settled and bool(settled[0]), (step_count + last_steps, tried_starts)
+    fit = Fit(model, best_x, best_scores, best_settled and bool(settled[0]))
+    return fit, (step_count + last_steps, tried_starts)
 
 
 def _checked_pupil(pupil: Pupil, unknowns: Unknowns) -> Pupil:
@@ -542,79 +537,15 @@ def _random_starts(model: StarImages, rows: Array, draw: np.random.Generator, co
     return x
 
 
-def _with_causes_freed(
-    model: StarImages, x: Array, scores: Scores, settled: bool
-) -> tuple[StarImages, Array, Scores, bool, tuple[tuple[ScoreTest, ...], Grade, list[Finding]], list[str]]:
-    """Return a fit and its tests; effects that the images favour are estimated, as far as the model can.
-
-    The last item lists rivals of these effects.
-    """
-
-    def tested() -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
-        return star_tests(model, x, (float(scores.chi2[0]), float(scores.spread[0])), rivals)
-
-    rivals: list[str] = []
-    checked = tested()
-    for _ in range(_MAX_REFITS):
-        refits, favoured = [], [(test, freed(model, test.name)) for test in seen(checked[0])]
-        # If rivals change terms by different amounts, the grade of all is more honest than an estimate of one.
-        if favoured and not rivals and (len(favoured) > 1 < checked[1].rest or _exceeds(model, x, favoured[0][0])):
-            break
-        for test, unknowns in favoured[:_MAX_RIVALS]:
-            if unknowns is None or favoured[0][1] is None:  # another effect explains the images at least as well
-                continue
-            with suppress(Declined, ToleranceError):
-                free, row = model.with_unknowns(unknowns, x)
-                row, *_ = search_rows(free, row, _REFIT_STEPS, _no_report, fast=True)
-                row, free_scores, ended, _ = search_rows(free, row, _REFIT_STEPS, _no_report, fast=False)
-                if ended[0] and free_scores.deviance[0] < scores.deviance[0] - 0.5 * test.log_bayes:
-                    refits.append((free, row, free_scores, test.name))
-        if not refits:
-            break
-        least = min(float(refit[2].deviance[0]) for refit in refits)
-        model, x, scores, name = next(refit for refit in refits if refit[2].deviance[0] < least + _SAME_COST)
-        rivals += [test.name for test, _ in favoured if test.name != name]
-        settled, checked = True, tested()
-    return model, x, scores, settled, checked, rivals
-
-
-def _residual_parts(model: StarImages, x: Array, mean: Array) -> tuple[Array, Array, Array]:
-    """Return residual (NaN where unknown), variance of noise, and light without background, each (n, h, w)."""
-    shape, light = (model.count, *model.shape), mean - model.per_image(x)[0, -1, :, None]
-    residual = np.where(model.valid > 0.0, model.counted - mean, np.nan)
-    return residual.reshape(shape), model.variance(mean).reshape(shape), light.reshape(shape)
-
-
-def _exceeds(model: StarImages, x: Array, test: ScoreTest) -> bool:
-    """Return whether a model error explains the images nearly as well as the effect of `test`.
-
-    An effect of known shape that is the cause explains them far better.
-    """
-    if test.log_bayes > _CLEAR:
-        return False
-    mean = model.mean(x, model.images(x)[0].reshape(1, model.count, -1))[0]
-    residual, variance, light = _residual_parts(model, x, mean)
-    error = model_errors.model_error(residual, model.columns(x), variance, light)
-    return error is not None and error.gain > _NEARLY * max(test.log_bayes, model_errors.MIN_GAIN)
-
-
-def _model_error(
-    model: StarImages, x: Array, mean: Array, step: Array, codes: tuple[str, ...], tests: Sequence[ScoreTest]
-) -> model_errors.ModelError | None:
-    """Return the model error, if no finding in `codes` explains it and standard errors can include it.
-
-    `step` (p,) is a further step of the fit.
-    """
-    is_misfit = "misfit" in codes
-    residual, variance, light = _residual_parts(model, x, mean)
-    is_clear = {"excess_noise", "hot_pixels", "too_quiet"}.isdisjoint(codes)
-    if not is_clear or not (is_misfit or model_errors.is_correlated(residual, variance, light)):
+def _estimating(fit: Fit[StarImages], test: ScoreTest) -> tuple[Fit[StarImages], float] | None:
+    """Return the fit that estimates the effect of `test`, and its gain of lnL; None if the model cannot."""
+    if (unknowns := freed(fit.model, test.name)) is None:
         return None
-    error = model_errors.model_error(residual, model.columns(x), variance, light)
-    # An effect of known shape that is the cause explains the images far better than a model error.
-    least = 0.0 if is_misfit else max([model_errors.MIN_GAIN, *(test.log_bayes for test in seen(tests))])
-    least *= _NEARLY if seen(tests) else 1.0
-    return error if error is not None and error.gain >= least and error.holds(model.rms, step) else None
+    model, x = fit.model.with_unknowns(unknowns, fit.x)
+    x, *_ = search_rows(model, x, _REFIT_STEPS, _no_report, fast=True)
+    x, scores, ended, _ = search_rows(model, x, _REFIT_STEPS, _no_report, fast=False)
+    refit = Fit(model, x, scores, settled=True)
+    return refit, fit.deviance - refit.deviance if ended[0] else -math.inf
 
 
 def _no_report(step: int, chi2: float) -> None:
@@ -627,84 +558,51 @@ def _is_term(name: Name) -> bool:
 
 
 def _build_retrieval(
-    model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, effort: tuple[int, int],
-    *, checks: bool, blurred: Callable[..., Retrieval] | None,
+    fit: Fit[StarImages], counts: Counts, noise: Noise, effort: tuple[int, int], *, checks: bool,
+    blurred: Callable[..., Retrieval] | None,
 ) -> Retrieval:  # fmt: skip
-    """Return the Retrieval for parameters `x`, (1, p); `effort` are the numbers of steps and starts.
+    """Return the Retrieval for a fit; `effort` are the numbers of steps and starts.
 
     `blurred` is the fit from a pupil by a model of fields, if the tests find what only that model estimates.
 
     Without `checks`, parameters are those of maximum likelihood, and errors the Cramer-Rao bound.
     """
-    steps, starts = effort
-    first_model, first_x = model, x  # before effects are freed
-    tests: tuple[ScoreTest, ...] = ()
-    rivals: list[str] = []
-    if checks:
-        model, x, scores, settled, (tests, grade, untested), rivals = _with_causes_freed(model, x, scores, settled)
-        marginal = grade.marginal
-    inverse = covariance(scores.information[0])
-    if not checks:
-        untested = [Finding("unchecked", "doubt", "the fit was not checked: checked() tests it")]
-        marginal = Marginal(np.zeros(model.common_count), inverse[: model.common_count, : model.common_count])
-    psf = model.plan(model.pupils(x[0]))
-    mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
-    valid = model.valid > 0.0
-    residual = np.where(valid, (model.counted - mean) / np.sqrt(model.variance(mean)), np.nan)
-    unknowns, common_count, image_parameters = model.unknowns, model.common_count, model.per_image(x)[0]
-    names, errors = model.names, np.sqrt(np.diag(inverse))
-    light_findings = _light_findings(image_parameters[-2], errors[-2 * model.count : -model.count])
-    chi2, deviation = float(scores.chi2[0]), float(scores.spread[0])
-    summary = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
-    effect_findings = missing_findings(tests, grade, [label(name) for name in names]) if checks else []
-    causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
-    findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
-    if effect_findings and grade.explained:
-        findings = [finding for finding in findings if finding.code == "too_quiet"]
-    variance = model.variance(mean)
-    difference = residual * np.sqrt(variance)
-    shape = counts.values.shape
-    findings += goodness_of_fit.outlier_findings(residual.reshape(shape))
-    if "misfit" in Findings(findings).codes and not effect_findings:
-        read = model.read.reshape(residual.shape)
-        findings[:0] = goodness_of_fit.excess_test(difference, mean, read).findings(noise.excess)
-    step = inverse @ scores.slope[0]
-    error = _model_error(model, x, mean, step, Findings(findings).codes, tests) if checks else None
+    unchecked = Finding("unchecked", "doubt", "the fit was not checked: checked() tests it")
+    rounds = rounds_of(fit, _tested, _estimating) if checks else [Round(fit, ((), None, [unchecked]))]
+    first, (last, (tests, grade, untested), *_) = fit, rounds[-1]
+    model, x, inverse, common = last.model, last.x, covariance(last.scores.information[0]), last.model.common_count
+    names, image_parameters, shape = model.names, model.per_image(x)[0], counts.values.shape
+    light_findings = _light_findings(image_parameters[-2], np.sqrt(np.diag(inverse))[-2 * model.count : -model.count])
+    findings, effect_findings, error = _fit_findings(last, tests, grade, noise)
+    marginal = Marginal(np.zeros(common), inverse[:common, :common]) if grade is None else grade.marginal
     if error is not None:
-        findings = model_errors.with_errors_of_model(findings, error.missed, causes)
-        effect_findings, inverse = missing_findings(tests, None, ()), error.covariance
-        errors = np.sqrt(np.diag(inverse))
-        marginal = Marginal(error.shift[:common_count], inverse[:common_count, :common_count])
-    shift = np.pad(marginal.shift, (0, model.size - common_count))[None]
+        inverse = error.covariance
+        marginal = Marginal(error.shift[:common], inverse[:common, :common])
+    errors, common_errors = np.sqrt(np.diag(inverse)), np.sqrt(np.diag(marginal.covariance))
+    shift = np.pad(marginal.shift, (0, model.size - common))[None]
     # The shift is linear in the parameters: it means nothing in a direction that the images do not determine.
     is_linear = error is not None or bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
     corrected_x = model.within(x + shift, x) if is_linear else x
     pupil_parameters: dict[str, Any] = model.pupil_parameters(corrected_x)
-    per_pixel = model.tilt_of_pixel
-    if "f_number" in pupil_parameters:  # the shift due to a tilt is proportional to the f-number
-        per_pixel /= pupil_parameters["f_number"] / cast("float", model.pupil.f_number)
-    image_names, standard_errors = (*unknowns.places, "flux", "background"), errors[model.image_columns]
-    image_errors: dict[Name, Numbers] = dict(zip(image_names, standard_errors.reshape(-1, model.count), strict=True))
-    center = np.tile([float(side // 2) for side in counts.values.shape[1:]], (model.count, 1))
-    for j, place in enumerate(unknowns.places):
-        center[:, j] += image_parameters[j] / per_pixel
-        image_errors[place] = image_errors[place] / per_pixel
-    image_errors |= {name: noise.excess * image_errors[name] for name in ("flux", "background")}
-    wavefront = model.wavefront(corrected_x[0])
-    common_errors = np.sqrt(np.diag(marginal.covariance))
-    estimates = {
-        label(name): (value, error, model.stated[name])
-        for name, value, error in zip(names, corrected_x[0].tolist(), common_errors.tolist(), strict=False)
-        if name not in first_model.names
-    }
-    waves = first_model.wave_columns
-    moves = np.abs(corrected_x[0, waves] - first_x[0, waves]) / common_errors[waves]
-    effect_findings += estimated_findings(estimates, float(moves.max(initial=0.0)), rivals)
+    waves = first.model.wave_columns
+    moves = np.abs(corrected_x[0, waves] - first.x[0, waves]) / common_errors[waves]
+    effect_findings += estimated_findings(
+        [
+            Estimate(label(name), value, error_of_value, model.stated[name], unit_of(name))
+            for name, value, error_of_value in zip(
+                names, corrected_x[0].tolist(), common_errors.tolist(), strict=False
+            )
+            if name not in first.model.names
+        ],
+        float(moves.max(initial=0.0)),
+        rounds[-1].rivals,
+    )
+    residual, variance, light = last.residual_parts
     if checks:
-        findings += goodness_of_fit.stripe_findings(difference.reshape(shape), variance.reshape(shape), noise.excess)
+        findings += goodness_of_fit.stripe_findings(residual, variance, noise.excess)
     findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
-    if not settled and error is None:
-        text = f"the steps have not settled after {steps}: estimate fewer terms, or start nearer to the wavefront"
+    if not last.settled and error is None:
+        text = f"the steps have not settled after {effort[0]}: estimate fewer terms, or start nearer to the wavefront"
         findings.append(Finding("not_settled", "error", text))
     sums = counts.filled().sum(axis=(1, 2))
     if not Findings(findings).converged and np.all(np.abs(sums - 1.0) < _MAX_SUM_ERROR):
@@ -719,51 +617,98 @@ def _build_retrieval(
         text = f"the images do not determine {undetermined or 'all of their places, fluxes and backgrounds'}"
         findings.append(Finding("undetermined", "note", text))
     findings += recording_findings([counts[k] for k in range(model.count)], noise, "image")
+    per_pixel = model.tilt_of_pixel
+    if "f_number" in pupil_parameters:  # the shift due to a tilt is proportional to the f-number
+        per_pixel /= pupil_parameters["f_number"] / cast("float", model.pupil.f_number)
+    units = dict.fromkeys(model.unknowns.places, 1.0 / per_pixel) | dict.fromkeys(
+        ("flux", "background"), noise.excess
+    )
+    standard_errors = errors[model.image_columns].reshape(-1, model.count)
+    image_errors = {name: units[name] * row for name, row in zip(units, standard_errors, strict=True)}
+    center = np.tile([float(side // 2) for side in shape[1:]], (model.count, 1))
+    for j, _ in enumerate(model.unknowns.places):
+        center[:, j] += image_parameters[j] / per_pixel
+    wavefront, (steps, starts) = model.wavefront(corrected_x[0]), effort
+    chi2 = last.quality[0]
     result = Retrieval(
         wavefront=wavefront,
         twin=model.wavefront(model.even_part_negated(corrected_x)[0]) if model.sign_ambiguous else None,
         pupil=replace(model.pupil.carrying(wavefront, None), **pupil_parameters),
-        coefficients=dict(zip(names, corrected_x[0, :common_count].tolist(), strict=True)),
+        coefficients=dict(zip(names, corrected_x[0, :common].tolist(), strict=True)),
         errors=dict(zip(names, common_errors.tolist(), strict=True)) | image_errors,
         covariance=marginal.covariance,
         units={name: unit_of(name) for name in (*names, *image_errors)},
         chi2=chi2,
         findings=Findings(findings),
-        summary=summary,
+        summary=f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}",
         flux=noise.excess * image_parameters[-2],
         background=noise.excess * image_parameters[-1],
         center=center,
-        psf=psf,
+        psf=model.plan(model.pupils(x[0])),
         blurs=((),) * model.count,
         blur_errors=((),) * model.count,
         images=np.where(counts.known, counts.values, np.nan),
-        model=noise.poisson.image(mean.reshape(counts.values.shape)),
-        residual=residual.reshape(counts.values.shape),
+        model=noise.poisson.image(light + image_parameters[-1][:, None, None]),
+        residual=residual / np.sqrt(variance),
         steps=steps,
         starts=starts,
         _checked=None
         if checks
-        else partial(
-            _build_retrieval, model, x, scores, settled, counts, noise, effort, checks=True, blurred=blurred
-        ),
+        else partial(_build_retrieval, fit, counts, noise, effort, checks=True, blurred=blurred),
     )
     named = next((test.name for test in seen(tests)), "")
-    is_near = model is first_model and chi2 < _GROSS_CHI2
-    if blurred is None or result.reliable or not is_near or named not in OF_FIELDS:
+    if blurred is None or result.reliable or last is not first or chi2 >= _GROSS_CHI2 or named not in OF_FIELDS:
         return result
+    return _refit_by_fields(first, result, partial(blurred, blur=OF_FIELDS[named])) or result
+
+
+def _tested(fit: Fit[StarImages], _: Sequence[str], rivals: Sequence[str]) -> Any:
+    """Return the checks of a fit for effects that it lacks."""
+    return star_tests(fit.model, fit.x, fit.quality, rivals)
+
+
+def _fit_findings(
+    fit: Fit[StarImages], tests: Sequence[ScoreTest], grade: Grade | None, noise: Noise
+) -> tuple[list[Finding], list[Finding], ModelError | None]:
+    """Return findings on chi2 and on missing effects, and the model error if it explains a misfit.
+
+    Without a `grade`, there are no tests, and no model error.
+    """
+    chi2, deviation = fit.quality
+    causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
+    findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
+    effects = missing_findings(tests, grade, [label(name) for name in fit.model.names])
+    residual, variance, _ = fit.residual_parts
+    if effects and grade is not None and grade.explained:
+        findings = [finding for finding in findings if finding.code == "too_quiet"]
+    findings += goodness_of_fit.outlier_findings(residual / np.sqrt(variance))
+    if "misfit" in Findings(findings).codes and not effects:
+        read = fit.model.read.reshape(residual.shape)
+        mean = fit.model.counted.reshape(residual.shape) - residual
+        findings[:0] = goodness_of_fit.excess_test(residual, mean, read).findings(noise.excess)
+    error = None if grade is None else fit.valid_model_error(Findings(findings).codes, tests)
+    if error is None:
+        return findings, effects, None
+    return with_errors_of_model(findings, error.missed, causes), missing_findings(tests, None, ()), error
+
+
+def _refit_by_fields(
+    first: Fit[StarImages], result: Retrieval, blurred: Callable[[Pupil], Retrieval]
+) -> Retrieval | None:
+    """Return the fit by the model of fields, from `result`, if it explains more; the note of what it estimates."""
     refit = result
     with suppress(Declined, ToleranceError, ValueError):  # windows that are too small for the model of fields
-        refit = blurred(result.pupil, blur=OF_FIELDS[named])
-    if not refit.converged or refit.chi2 >= chi2:
-        return result
-    widths = dict[str, tuple[float, float, float]]()
+        refit = blurred(result.pupil)
+    if not refit.converged or refit.chi2 >= result.chi2:
+        return None
+    widths, pixel = list[Estimate](), first.model.pixel
     for k, image in enumerate(zip(refit.blurs, refit.blur_errors, strict=True), 1):
-        for width, width_error in zip(*image, strict=True):
-            if isinstance(width, Jitter) and width_error > 0.0:  # not NaN
-                widths[f"blur of image {k}"] = width.sigma / model.pixel, width_error / model.pixel, 0.0
+        for width, error in zip(*image, strict=True):
+            if isinstance(width, Jitter) and error > 0.0:  # not NaN
+                widths.append(Estimate(f"blur of image {k}", width.sigma / pixel, error / pixel, 0.0, "pixels"))
             elif isinstance(width, Seeing):
-                widths[f"r0 of seeing of image {k}"] = width.r0, width_error, np.inf
-    terms = zip(first_model.unknowns.terms, first_x[0].tolist(), strict=False)
+                widths.append(Estimate(f"r0 of seeing of image {k}", width.r0, error, np.inf, "m"))
+    terms = zip(first.model.unknowns.terms, first.x[0].tolist(), strict=False)
     move = max((abs(refit.coefficients[name] - value) / refit.errors[name] for name, value in terms), default=0.0)
     return replace(refit, findings=Findings([*refit.findings, *estimated_findings(widths, move)]))
 

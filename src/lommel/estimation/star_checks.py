@@ -300,11 +300,13 @@ def changed(model: StarImages, name: str, size: float) -> tuple[Unknowns, Pupil,
     return None
 
 
-def stated_value(model: StarImages, name: str) -> float:
-    """Return the stated value of a constant that `changed` supports."""
+def value_of(model: StarImages, name: str, stated: StarImages) -> float:
+    """Return the value of a constant that `changed` supports; the scale of defoci is relative to `stated`."""
     if name.startswith(_ONE_DEFOCUS):
         return float(model.known_defoci[_image_of(name)])
-    return 1.0 if name == _DEFOCI else float(getattr(model.pupil, name))
+    if name == _DEFOCI:
+        return float(np.ptp(model.known_defoci) / np.ptp(stated.known_defoci))
+    return float(getattr(model.pupil, name))
 
 
 def _image_of(name: str) -> int:
@@ -315,25 +317,6 @@ def unit_of(name: Name) -> str:
     """Return the unit of an estimate."""
     text = str(name).split(" of image")[0]
     return "pixels" if text.startswith(TRAIL) else _UNITS.get(text, "rad")
-
-
-def estimated_findings(
-    estimates: Mapping[str, tuple[float, float, float]], move: float, rivals: Sequence[str] = ()
-) -> list[Finding]:
-    """Return the finding on estimates that the images favour: value, standard error and stated value of each.
-
-    `move` is the largest change of another estimate, in standard errors; `rivals` explain the images as well.
-    Estimates that the images do not determine are left out.
-    """
-    words, keys = [], ("value", "error", "stated")
-    estimates = {name: numbers for name, numbers in estimates.items() if abs(numbers[0]) > numbers[1]}
-    for name, (value, error, stated) in estimates.items():
-        note = f" (stated {stated:.6g}{', with this pixel and wavelength' * (name == 'f_number')})"
-        words.append(f"{name} {' +- '.join(with_error(value, error))} {unit_of(name)}".rstrip() + note)
-    words += [f"or as well {' or '.join(rivals[:3])}"] if rivals else []
-    numbers: dict[str, Any] = {name: dict(zip(keys, values, strict=True)) for name, values in estimates.items()}
-    text = f"estimated besides: {', '.join(words)}: terms allow for it (it moves them by {move:.2g} standard errors)"
-    return [Finding("estimated", "note", text, numbers | {"move": move})] if estimates else []
 
 
 def candidates_of(effects: Sequence[MissingEffect], first_column: int) -> list[Candidate]:

@@ -1,0 +1,206 @@
+"""Effects that the images favour and a model lacks: refits estimate them besides what was asked for.
+
+An estimator states its score tests, and how a candidate becomes a parameter of its model. Here are the rules: which
+candidates are estimated, what a refit must gain, which effects are rivals, and what the result notes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.base.units import with_error
+from lommel.core.answers import Declined, ToleranceError
+from lommel.fit.findings import Finding
+from lommel.fit.model_error import MIN_GAIN, ModelError, is_correlated, model_error
+from lommel.fit.score_tests import RIVAL, ScoreTest, seen
+from lommel.fit.scoring import RowModel, Scores
+
+# Effects that are added, refits in turn, and candidates of which each refit is the best.
+_MAX_EFFECTS, _MAX_ROUNDS, _MAX_CANDIDATES = 2, 4, 4
+_MIN_GAIN = 0.5  # smallest gain of lnL, divided by the logarithm of the Bayes factor
+_SAME_GAIN = 0.5  # difference of lnL up to which the first of two candidates is preferred
+_SETTLED = 0.3  # distance of an estimated effect from its best value, standard errors, that needs no more refits
+# Largest log Bayes factor of an effect that is compared with a model error, which takes about as long as a refit.
+_CLEAR = 50.0
+_NEARLY = 0.5  # part of this logarithm that the gain of a model error exceeds if it explains the images as well
+_MAX_ESTIMATES = 3  # largest number of estimates, or of rivals, in a message
+
+
+class ModelOfImages(RowModel, Protocol):
+    """A model of images whose residuals may show a model error."""
+
+    def residual_parts(self, x: Array) -> tuple[Array, Array, Array]:
+        """Return residual (NaN where unknown), variance of noise, and light without background, each (n, h, w)."""
+
+    def columns(self, x: Array) -> Array:
+        """Return the derivatives of electrons by the parameters `x` (1, p), shape (p, n, h, w)."""
+
+
+M = TypeVar("M", bound=ModelOfImages)
+
+
+@dataclass
+class Fit(Generic[M]):
+    """A fit: the model, the parameters `x` (1, p), their scores, and whether the search settled."""
+
+    model: M
+    x: Array
+    scores: Scores
+    settled: bool
+
+    @property
+    def deviance(self) -> float:
+        """Minus the log-likelihood."""
+        return float(self.scores.deviance[0])
+
+    @property
+    def quality(self) -> tuple[float, float]:
+        """Chi2 and its standard deviation."""
+        return float(self.scores.chi2[0]), float(self.scores.spread[0])
+
+    @cached_property
+    def residual_parts(self) -> tuple[Array, Array, Array]:
+        """Residual, variance and light of all pixels."""
+        return self.model.residual_parts(self.x)
+
+    @cached_property
+    def model_error(self) -> ModelError | None:
+        """The model error, whether significant or not; None if there are too few pixels."""
+        residual, variance, light = self.residual_parts
+        return model_error(residual, self.model.columns(self.x), variance, light)
+
+    def valid_model_error(self, codes: Sequence[str], tests: Sequence[ScoreTest]) -> ModelError | None:
+        """Return the model error, if no finding in `codes` explains it and standard errors can include it."""
+        is_misfit = "misfit" in codes
+        if not {"excess_noise", "hot_pixels", "too_quiet"}.isdisjoint(codes):
+            return None
+        if not is_misfit and not is_correlated(*self.residual_parts):
+            return None
+        error, (step,) = self.model_error, self.model.steps(self.scores, np.full(1, 1e-9))[0]
+        if error is None or not error.holds(self.model.rms, step):
+            return None
+        return error if is_misfit or error.gain >= _gain_of_error(seen(tests)) else None
+
+
+def _gain_of_error(favoured: Sequence[ScoreTest]) -> float:
+    """Return the gain of lnL of a model error that explains the images as well as the favoured effects."""
+    # An effect of known shape that is the cause explains the images far better than a model error.
+    return _NEARLY * max(favoured[0].log_bayes, MIN_GAIN) if favoured else MIN_GAIN
+
+
+class Round(NamedTuple):
+    """A fit with its checks, of which the score tests are the first, and the effects that it estimates besides.
+
+    `rivals` explain the images as well as these effects. `tried` are the candidates of a further refit, the best
+    first: each with its refit (None if the model cannot estimate it) and the gain of lnL.
+    """
+
+    fit: Any
+    checks: Any
+    names: tuple[str, ...] = ()
+    rivals: tuple[str, ...] = ()
+    tried: Sequence[tuple[ScoreTest, Any, float]] = ()
+
+
+def rounds_of(
+    fit: Any,
+    tested: Callable[[Any, Sequence[str], Sequence[str]], Any],
+    refit: Callable[[Any, ScoreTest], tuple[Any, float] | None],
+    favoured: Callable[[Sequence[ScoreTest]], Sequence[ScoreTest]] = seen,
+    jointly: Callable[[Any, Sequence[str]], Any] | None = None,
+) -> list[Round]:
+    """Return the round of a fit, and rounds in which refits estimate one more of the effects that the images favour.
+
+    ``tested(fit, names, rivals)`` returns the checks of a fit that estimates effects `names`. ``refit(fit, test)``
+    returns the fit that estimates the effect of `test`, and its gain of lnL. If rivals can be estimated together with
+    the best effect, ``jointly(fit, names)`` does so, or returns None. Otherwise an effect is estimated only if it
+    stands out: its rivals change the estimates alike, and no model error explains the images nearly as well.
+    """
+    rounds = [Round(fit, tested(fit, (), ()))]
+    while len(rounds) <= _MAX_ROUNDS:
+        fit, checks, names, rivals, _ = rounds[-1]
+        moved = [test for test in checks[0] if test.name in names and abs(test.sigmas) > _SETTLED]
+        candidates = moved[:1] or (favoured(checks[0])[:_MAX_CANDIDATES] if len(names) < _MAX_EFFECTS else ())
+        if not candidates or not (names or jointly or _stands_out(fit, candidates, checks[1].rest)):
+            break
+        tried = [(test, *_attempt(refit, fit, test)) for test in candidates]
+        best = max(gain for *_, gain in tried)
+        if jointly is not None:
+            tried.sort(key=lambda one: -one[2])
+            added = tuple(test.name for test, _, gain in tried if gain >= best - RIVAL)
+            rounds[-1] = rounds[-1]._replace(tried=tried[: len(added)])
+            if (new := jointly(fit, added)) is None:
+                break
+        else:
+            good = [one for one in tried if one[2] > max(_MIN_GAIN * one[0].log_bayes, 0.0)]
+            if tried[0][1] is None or not good:  # another effect explains the images at least as well
+                break
+            test, new, _ = next(one for one in good if one[2] > best - _SAME_GAIN)
+            added = (test.name,) if test.name not in names else ()
+            rivals += tuple(other.name for other in candidates if other is not test)
+        names += added
+        rounds.append(Round(new, tested(new, names, rivals), names, rivals))
+    return rounds
+
+
+def _attempt(refit: Callable[..., tuple[Any, float] | None], fit: Any, test: ScoreTest) -> tuple[Any, float]:
+    """Return the refit with an effect (None if the model has no such parameter) and its gain, -inf if it fails."""
+    with suppress(Declined, ToleranceError):
+        return refit(fit, test) or (None, test.log_bayes)
+    return fit, -math.inf
+
+
+def _stands_out(fit: Fit[Any], candidates: Sequence[ScoreTest], rest: float) -> bool:
+    """Return whether the first candidate may be estimated."""
+    # If rivals change terms by different amounts, the grade of all is more honest than an estimate of one.
+    if len(candidates) > 1 < rest:
+        return False
+    if candidates[0].log_bayes > _CLEAR or fit.model_error is None:
+        return True
+    return fit.model_error.gain <= _gain_of_error(candidates)
+
+
+class Estimate(NamedTuple):
+    """An effect that was estimated besides: value, standard error, and the value in the model without it.
+
+    Messages show them multiplied by `factor`, in `unit`.
+    """
+
+    name: str
+    value: float
+    error: float
+    stated: float
+    unit: str = ""
+    factor: float = 1.0
+
+    def __str__(self) -> str:
+        """Return the estimate as text, for example "f_number 10.3 +- 0.01 (stated 10)"."""
+        numbers = " +- ".join(with_error(self.factor * self.value, self.factor * self.error))
+        note = f"stated {self.factor * self.stated:.6g}" + ", with this pixel and wavelength" * (
+            self.name == "f_number"
+        )
+        return f"{self.name} {numbers} {self.unit.strip()}".rstrip() + f" ({note})"
+
+
+def estimated_findings(estimates: Sequence[Estimate], move: float, rivals: Sequence[str] = ()) -> list[Finding]:
+    """Return the finding on effects that were estimated because the images favour them.
+
+    `move` is the largest change of another estimate, in standard errors; `rivals` explain the images as well.
+    Estimates that the images do not determine are left out.
+    """
+    shown = [one for one in estimates if abs(one.value) > one.error]
+    words = [*map(str, shown[:_MAX_ESTIMATES]), *["..."][: len(shown) - _MAX_ESTIMATES]]
+    words += [f"or as well {' or '.join(rivals[:_MAX_ESTIMATES])}"] if rivals else []
+    numbers: dict[str, Any] = {
+        one.name: {"value": one.value, "error": one.error, "stated": one.stated} for one in shown
+    }
+    text = f"estimated besides: {', '.join(words)}: terms allow for it (it moves them by {move:.2g} standard errors)"
+    return [Finding("estimated", "note", text, numbers | {"move": move})] if shown else []

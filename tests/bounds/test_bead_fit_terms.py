@@ -90,7 +90,7 @@ def test_standard_errors_of_beads_are_those_of_all_unknowns_together():
 @pytest.mark.parametrize(("excess", "steps", "wave", "told"), [(1.0, 20, 0.0, []), (2.0, 20, 0.0, ["excess_noise",
     "misfit"]), (1.0, 1, 0.6, ["not_settled"])])  # fmt: skip
 def test_a_fit_of_beads_is_judged_by_its_noise_and_its_steps(excess, steps, wave, told, monkeypatch):
-    nothing = {"missing_tests": ((), None, []), "missing_findings": ([], 0.0, []), "reversed_findings": []}
+    nothing = {"missing_tests": ((), None, []), "missing_findings": ([], 0.0), "reversed_findings": []}
     for name, found in (nothing | {"model_error": 0.0}).items():
         monkeypatch.setattr(bead_checks, name, lambda *_, found=found: found)
     place = OIL.pupil(depth=80e-9, wavelength=WAVE).focus
@@ -232,26 +232,31 @@ def test_effects_are_fitted_that_are_nearly_as_likely_as_the_best(evidence, coun
     """At least 0.4 of the largest evidence, or within 5 of it; the brightest beads suffice for a misfit."""
     asked, fewer = [], []
     fit = Made(quality=(1.0, 0.1), log_posterior=0.0, fits=lambda _: fits)
-    monkeypatch.setattr(bead_checks, "_refit_with_free", lambda *one: asked.extend(one[2]) or one[:2])
+    tests = [score(str(k), one) for k, one in enumerate(evidence)]
+    monkeypatch.setattr(bead_checks, "missing_tests", lambda *_: (tests, None, []))
+    free = lambda model, fit, names, *_: asked.append([*names]) or (model, Made(log_posterior=2.0))  # noqa: E731
+    monkeypatch.setattr(bead_checks, "_refit_with_free", lambda *a: free(*a) if len(a) == 5 else None)
     monkeypatch.setattr(bead_checks, "brightest_beads", lambda *pair: fewer.append(pair) or pair)
     monkeypatch.setattr(bead_checks, "_in_words", lambda *_: "")
-    bead_checks.missing_findings(None, fit, [score(str(k), one) for k, one in enumerate(evidence)], None, None)
-    assert asked == [str(k) for k in range(count)]
-    assert len(fewer) == (not fits)
+    (only,) = bead_checks.rounds(None, fit, None, None)
+    assert asked == [[str(k)] for k in range(count)]
+    assert len(fewer) == count * (not fits)
+    findings, gain = bead_checks.missing_findings(only, None)
+    assert ([*findings[0].numbers], gain) == ([str(k) for k in range(count)], 2.0)
 
 
 @pytest.mark.parametrize(
     ("fits", "names"), [((0, 1), ["a"]), ((0, 0, 1, 1), ["a", "b"]), ((0, 0, 0, 1), []), ((0,), [])]
 )
 def test_effects_are_added_in_at_most_two_rounds_and_only_if_the_fit_is_then_good(fits, names, monkeypatch):
-    chain = [Made(index=k, fits=lambda _, good=good: bool(good)) for k, good in enumerate(fits)]
-    monkeypatch.setattr(bead_checks, "missing_tests", lambda _, fit: ("tests", fit.index, []))
-    monkeypatch.setattr(bead_checks, "missing_findings", lambda _, fit, *__: ([], 1.0, [chr(97 + fit.index)]))
-    more = lambda _, fit, *__: None if fit.index + 1 == len(chain) else ("model", chain[fit.index + 1])  # noqa: E731
-    monkeypatch.setattr(bead_checks, "estimated_besides", more)
-    search = Made(setup=None, report=None)
-    _, fit, _, marginal, *_, added = beads._checked("model", chain[0], search, bead_checks.ROUNDS)
-    assert (added, fit.index, marginal) == (names, len(names), len(names))
+    place = {"settled": True, "state": Made(places=(), setup=None), "log_posterior": 1.0}
+    chain = [Made(index=k, fits=lambda _, good=good: bool(good), **place) for k, good in enumerate(fits)]
+    monkeypatch.setattr(bead_checks, "missing_tests", lambda _, fit: ([score(chr(97 + fit.index), 9.0)], None, []))
+    more = lambda model, fit, *_: None if fit.index + 1 == len(chain) else (model, chain[fit.index + 1])  # noqa: E731
+    monkeypatch.setattr(bead_checks, "_refit_with_free", more)
+    monkeypatch.setattr(bead_checks, "brightest_beads", lambda *pair: pair)
+    last = bead_checks.rounds(Made(priors={}), chain[0], None, None)[-1]
+    assert ([*last.names], last.fit[1].index) == (names, len(names))
 
 
 def test_priors_are_told_that_beads_do_not_test_better(monkeypatch):

@@ -11,6 +11,8 @@ import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
+from typing import TypeAlias
 
 import numpy as np
 
@@ -29,12 +31,12 @@ from lommel.estimation.bead_search import (
     climb,
     start_of,
 )
+from lommel.estimation.favoured_effects import Estimate, Round, estimated_findings, rounds_of
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding
 from lommel.fit.model_error import jackknife
 from lommel.fit.score_tests import (
-    RIVAL,
     Candidate,
     Marginal,
     ScoreTest,
@@ -52,6 +54,8 @@ from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
+Pair: TypeAlias = tuple[BeadModel, Evaluation]
+
 _REVERSED_GAIN = 12.0  # smallest increase of the log-posterior at which planes are reported as reversed
 _REVERSED_CHI2 = 0.25  # largest ratio of chi2 - 1 of a reversed stack that fits badly to chi2 - 1 of the original
 _GRADIENT = "background gradient"
@@ -60,9 +64,6 @@ _STEPS = 20  # maximum number of steps of a search that starts at a fit
 _TERM = 0.1  # expected size of a missing term, radians rms
 _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
 _MISFIT_BEADS = 2  # largest number of beads in further searches after a misfit
-_MAX_REFITS = 4  # maximum number of candidates that are estimated in a new fit
-ROUNDS = 2
-"""Maximum number of times that favoured candidates are estimated besides."""
 _MAX_SIZES = 6.0  # largest plausible error of a stated constant, in expected sizes (`Constant.size`)
 _RIVAL_SIZES = 3.0  # standard error of the priors of constants that the data do not tell apart, in expected sizes
 _ISOTROPIC = emitter_of("isotropic")
@@ -255,35 +256,47 @@ def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
     return tests
 
 
-def missing_findings(
-    model: BeadModel, fit: Evaluation, tests: Sequence[ScoreTest], stated: Setup, report: Report
-) -> tuple[list[Finding], float, list[str]]:
-    """Return the finding on significant effects, and the gain of log-posterior of a fit that estimates the best one.
+def rounds(model: BeadModel, fit: Evaluation, stated: Setup, report: Report) -> list[Round]:
+    """Return the round of a fit with its checks, and rounds with further effects, up to the last that fits well."""
 
-    Score tests are linear approximations: each of the most likely effects is estimated by a new fit, which ranks it.
-    The third result are the names of the effects that explain the data equally well.
-    """
-    likely_tests = seen(tests)
-    if not likely_tests:
+    def refit(pair: Pair, test: ScoreTest) -> tuple[Pair, float] | None:
+        few = pair if pair[1].fits(goodness_of_fit.BY_CHANCE) else brightest_beads(*pair)
+        freed = _refit_with_free(*few, [test.name], stated, report)
+        return freed and (freed, freed[1].log_posterior - few[1].log_posterior)
+
+    def jointly(pair: Pair, names: Sequence[str]) -> Pair | None:
+        freed = _refit_with_free(*pair, names, stated, report, 3 * _STEPS)
+        if freed is None or not freed[1].settled:
+            return None
+        state = freed[1].state
+        values = [("depth", place.depth) for place in state.places if "depth" in names]
+        values += [(name, state.setup.value(name)) for name in names if name in freed[0].priors]
+        return freed if all(_is_plausible(pair[0], stated, *value) for value in values) else None
+
+    found = rounds_of(
+        (model, fit), lambda pair, *_: missing_tests(*pair), refit, partial(likely_tests, model), jointly
+    )
+    good = [k for k, one in enumerate(found) if one.fit[1].fits(goodness_of_fit.BY_CHANCE)]
+    return found[: max(good, default=0) + 1]
+
+
+def likely_tests(model: BeadModel, tests: Sequence[ScoreTest]) -> Sequence[ScoreTest]:
+    """Return tests of effects that may be the cause; score tests are linear approximations, which refits rank."""
+    if not (significant := seen(tests)):
         # There are few priors: a contradiction is significant even if it is not among all candidates.
-        contradictions = [test for test in tests if test.name in model.priors and abs(test.sigmas) > _CONTRADICTED]
-        descriptions = [f"{_in_words(test, model, stated, None)}, against its prior" for test in contradictions]
-        names = [test.name for test in contradictions]
-        return [other_explanation(contradictions, descriptions)] if contradictions else [], 0.0, names
-    limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely_tests[-1].log_bayes)
-    likely_tests = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= limit)
-    is_misfit = not fit.fits(goodness_of_fit.BY_CHANCE)
-    few_model, few_fit = brightest_beads(model, fit) if is_misfit else (model, fit)
-    refits = [_refit_with_free(few_model, few_fit, [test.name], stated, report) for test in likely_tests]
-    fits = [refit and refit[1] for refit in refits]
-    gains = [
-        test.log_bayes if refit is None else refit.log_posterior - few_fit.log_posterior
-        for test, refit in zip(likely_tests, fits, strict=True)
-    ]
-    order = [k for k in np.argsort(-np.array(gains), kind="stable") if gains[k] >= max(gains) - RIVAL]
-    descriptions = [_in_words(likely_tests[k], model, stated, fits[k]) for k in order]
-    finding = other_explanation([likely_tests[k] for k in order], descriptions)
-    return [finding], max(gains), [likely_tests[k].name for k in order]
+        return [test for test in tests if test.name in model.priors and abs(test.sigmas) > _CONTRADICTED]
+    limit = min(_MIN_BAYES_RATIO * tests[0].log_bayes, significant[-1].log_bayes)
+    return [test for test in tests if test.log_bayes >= limit]
+
+
+def missing_findings(last: Round, stated: Setup) -> tuple[list[Finding], float]:
+    """Return the finding on significant effects, and the gain of log-posterior by the best one."""
+    (model, _), (tests, *_), *_, tried = last
+    tried = tried or [(test, None, test.log_bayes) for test in likely_tests(model, tests)]
+    suffix = "" if seen(tests) else ", against its prior"
+    words = [_in_words(test, model, stated, refit and refit[1]) + suffix for test, refit, _ in tried]
+    finding = [other_explanation([test for test, *_ in tried], words)] if tried else []
+    return finding, max((gain for *_, gain in tried), default=0.0)
 
 
 def brightest_beads(model: BeadModel, fit: Evaluation) -> tuple[BeadModel, Evaluation]:
@@ -381,36 +394,28 @@ def _refit_with_free(
     return None
 
 
-def estimated_besides(
-    model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report
-) -> tuple[BeadModel, Evaluation] | None:
-    """Return model and fit with the effects `names` estimated; None if not possible, or implausible."""
-    refit = _refit_with_free(model, fit, names, stated, report, 3 * _STEPS) if names else None
-    if refit is None or not refit[1].settled:
-        return None
-    state = refit[1].state
-    values = [("depth", place.depth) for place in state.places if "depth" in names]
-    values += [(name, state.setup.value(name)) for name in names if name in refit[0].priors]
-    return refit if all(_is_plausible(model, stated, *pair) for pair in values) else None
-
-
-def estimated_finding(
-    names: Sequence[str], model: BeadModel, fit: Evaluation, first: Evaluation, stated: Setup
-) -> Finding:
-    """Return the finding on the effects `names` that were estimated besides; `first` is the fit without them."""
-    errors, first_errors = (np.sqrt(np.diag(covariance(one.scores.information[0]))) for one in (fit, first))
-    in_beads = [getattr(place, key) for place in fit.state.places for key in model.bead_parameters]
-    values = np.array([*fit.state.waves, *map(fit.state.setup.value, model.priors), *in_beads])
-    keys, texts = [name if isinstance(name, str) else label(name) for name in model.names], []
-    for name in names:
-        columns = [*_bead_columns(model, _BEAD_EFFECTS.get(name, ()), len(keys))]
-        columns = columns or [keys.index(name if name in keys else "jump")]
-        texts.append(_estimate(name, values[columns], errors[columns], model, stated))
-    count = len(first.state.waves)
-    moves = np.abs(fit.state.waves[:count] - first.state.waves) / first_errors[:count]
-    moved = "".join(f" ({keys[k]} moves by {moves[k]:.2g} se)" for k in np.argsort(-moves)[:1])
-    text = f"estimated besides: {'; '.join(texts)}: terms allow for it{moved}"
-    return Finding("estimated", "note", text, {"names": [*names], "moves": moves})
+def estimates_of(first: Round, last: Round, stated: Setup) -> list[Finding]:
+    """Return the finding on effects that the last round estimates besides."""
+    (model, fit), before = last.fit, first.fit[1]
+    errors, first_errors = (np.sqrt(np.diag(covariance(one.scores.information[0]))) for one in (fit, before))
+    values = [*fit.state.waves, *map(fit.state.setup.value, model.priors)]
+    keys, estimates = [name if isinstance(name, str) else label(name) for name in model.names], list[Estimate]()
+    for name in last.names:
+        factor, unit = _unit(name)
+        for j, place in enumerate(fit.state.places):
+            for key in _BEAD_EFFECTS.get(name, ()):
+                column, known = model.columns(j, len(keys))[model.bead_parameters.index(key)], model.depths[j].value
+                pair, zero = (getattr(place, key), float(errors[column])), known if name == "depth" else 0.0
+                estimates.append(Estimate(f"{key} of bead {j}", *pair, zero, unit, factor))
+        if name not in _BEAD_EFFECTS:
+            column, known = (
+                keys.index(name if name in keys else "jump"),
+                stated.value(name) if name in CONSTANTS else 0.0,
+            )
+            estimates.append(Estimate(name, float(values[column]), float(errors[column]), known, unit, factor))
+    count = len(before.state.waves)
+    moves = np.abs(fit.state.waves[:count] - before.state.waves) / first_errors[:count]
+    return estimated_findings(estimates, float(moves.max(initial=0.0)))
 
 
 def reversed_findings(

@@ -38,6 +38,7 @@ from lommel.estimation.bead_search import (
     brightest,
     start_of,
 )
+from lommel.estimation.favoured_effects import Round
 from lommel.estimation.options import BeadOptions
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, checked_terms, label
 from lommel.fit import goodness_of_fit
@@ -618,13 +619,12 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     fit, is_used = search.fit_all()
     has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
     model = search.model.with_beads(np.flatnonzero(is_used).tolist())
-    checked: tuple[Any, ...] = (model, fit, (), None, [], [], 0.0, [])
-    first_fit = fit
+    rounds = [Round((model, fit), ((), None, []))]
     if has_light:
-        checked = _checked(model, fit, search, bead_checks.ROUNDS)
-    model, fit, tests, marginal, untested, missing_findings, gain, estimated_names = checked
-    if estimated_names:
-        notes = [bead_checks.estimated_finding(estimated_names, model, fit, first_fit, search.setup), *notes]
+        rounds = bead_checks.rounds(model, fit, search.setup, search.report)
+    (model, fit), (tests, marginal, untested), estimated_names, *_ = rounds[-1]
+    missing_findings, gain = bead_checks.missing_findings(rounds[-1], search.setup)
+    notes = [*bead_checks.estimates_of(rounds[0], rounds[-1], search.setup), *notes]
     state = fit.state
     full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
     covariance = full_covariance[:common_count, :common_count]
@@ -711,21 +711,6 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         _state=state,
         _images=model.images,
     )
-
-
-def _checked(model: BeadModel, fit: Evaluation, search: Search, rounds: int) -> tuple[Any, ...]:
-    """Return a model, its fit, the results of the checks for effects that it lacks, and the names of added effects.
-
-    At most `rounds` times, effects that the data favour are added to the model, if they explain a misfit.
-    """
-    checks, stated = bead_checks.missing_tests(model, fit), search.setup
-    findings, gain, names = bead_checks.missing_findings(model, fit, checks[0], stated, search.report)
-    refit = bead_checks.estimated_besides(model, fit, names, stated, search.report) if rounds else None
-    if refit is not None:
-        *results, later_names = _checked(*refit, search, rounds - 1)
-        if results[1].fits(goodness_of_fit.BY_CHANCE):
-            return (*results, [*names, *later_names])
-    return model, fit, *checks, findings, gain, []
 
 
 def _height_jacobian(model: BeadModel, state: State) -> Array:

@@ -127,8 +127,9 @@ def rounds_of(
     rounds = [Round(fit, tested(fit, (), ()))]
     while len(rounds) <= _MAX_ROUNDS:
         fit, checks, names, rivals, _ = rounds[-1]
-        moved = [test for test in checks[0] if test.name in names and abs(test.sigmas) > _SETTLED]
-        candidates = moved[:1] or (favoured(checks[0])[:_MAX_CANDIDATES] if len(names) < _MAX_EFFECTS else ())
+        moved = [] if jointly else [t for t in checks[0] if t.name in names and abs(t.sigmas) > _SETTLED]
+        is_last = len({one.names for one in rounds}) > _MAX_EFFECTS
+        candidates = moved[:1] or (() if is_last else favoured(checks[0])[:_MAX_CANDIDATES])
         if not candidates or not (names or jointly or _stands_out(fit, candidates, checks[1].rest)):
             break
         tried = [(test, *_attempt(refit, fit, test)) for test in candidates]

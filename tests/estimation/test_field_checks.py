@@ -9,11 +9,7 @@ import lommel as lm
 import searches
 from lommel.blur.mixtures import BlurProfile
 from lommel.estimation import field_fit
-from lommel.estimation.field_checks import negated
-from lommel.estimation.sampled_pupil import FOLDS, SHIFT, SLANT
-from lommel.estimation.star_images import Unknowns
 from lommel.estimation.star_readout import OTHER_BLURS, StarReadout
-from lommel.fit.score_tests import ScoreTest
 from tests.world.camera import Camera
 from tests.world.optics import Telescope
 from tests.world.scenarios import through
@@ -95,21 +91,6 @@ def test_the_sign_of_what_is_missing_is_that_of_the_map_that_is_given(seed):
     fit = fitted(images(waves=(*WAVES, (5, 0.1))), seed)
     assert fit.coefficients[0, 0] > 0.0
     assert fit.findings.get("estimated").numbers["noll 5 astigmatism 45"]["value"] == pytest.approx(0.1, abs=0.02)
-
-
-def test_half_a_turn_negates_even_terms_and_odd_light():
-    kept = [
-        "noll 8 coma x",
-        "noll 8 coma x of degree 1",
-        FOLDS[0],
-        FOLDS[2],
-        "charge that arrives late in higher rows",
-    ]
-    turned = ["noll 6 astigmatism 0", "noll 4 defocus of degree 1", "noll 4 defocus more at the top left"]
-    turned += [SLANT, FOLDS[1], SHIFT]
-    tests = [ScoreTest(name, np.ones(1), np.ones(1), 1.0, 1.0) for name in (*kept, *turned)]
-    sizes = [float(test.size[0]) for test in negated(tests, Unknowns(["noll 4", "noll 8"], ()))]
-    assert sizes == [1.0] * len(kept) + [-1.0] * len(turned)
 
 
 def test_a_wrong_obscuration_is_estimated():

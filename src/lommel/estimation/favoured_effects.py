@@ -82,18 +82,15 @@ class Fit(Generic[M]):
         is_misfit = "misfit" in codes
         if not {"excess_noise", "hot_pixels", "too_quiet"}.isdisjoint(codes):
             return None
-        if not is_misfit and not is_correlated(*self.residual_parts):
+        if not is_misfit and (not is_correlated(*self.residual_parts) or self.stands_out(seen(tests))):
             return None
         error, (step,) = self.model_error, self.model.steps(self.scores, np.full(1, 1e-9))[0]
-        if error is None or not error.holds(self.model.rms, step):
-            return None
-        return error if is_misfit or error.gain >= _gain_of_error(seen(tests)) else None
+        return error if error is not None and error.holds(self.model.rms, step) else None
 
-
-def _gain_of_error(favoured: Sequence[ScoreTest]) -> float:
-    """Return the gain of lnL of a model error that explains the images as well as the favoured effects."""
-    # An effect of known shape that is the cause explains the images far better than a model error.
-    return _NEARLY * max(favoured[0].log_bayes, MIN_GAIN) if favoured else MIN_GAIN
+    def stands_out(self, favoured: Sequence[ScoreTest]) -> bool:
+        """Return whether the first of the effects explains the images far better than a model error."""
+        least = _NEARLY * max(favoured[0].log_bayes, MIN_GAIN) if favoured else MIN_GAIN
+        return self.model_error is None or self.model_error.gain < least
 
 
 class Round(NamedTuple):
@@ -122,7 +119,7 @@ def rounds_of(
     ``tested(fit, names, rivals)`` returns the checks of a fit that estimates effects `names`. ``refit(fit, test)``
     returns the fit that estimates the effect of `test`, and its gain of lnL. If rivals can be estimated together with
     the best effect, ``jointly(fit, names)`` does so, or returns None. Otherwise an effect is estimated only if it
-    stands out: its rivals change the estimates alike, and no model error explains the images nearly as well.
+    stands out: no model error explains the images nearly as well.
     """
     rounds = [Round(fit, tested(fit, (), ()))]
     while len(rounds) <= _MAX_ROUNDS:
@@ -130,7 +127,9 @@ def rounds_of(
         moved = [] if jointly else [t for t in checks[0] if t.name in names and abs(t.sigmas) > _SETTLED]
         is_last = len({one.names for one in rounds}) > _MAX_EFFECTS
         candidates = moved[:1] or (() if is_last else favoured(checks[0])[:_MAX_CANDIDATES])
-        if not candidates or not (names or jointly or _stands_out(fit, candidates, checks[1].rest)):
+        if not candidates:
+            break
+        if not (names or jointly or candidates[0].log_bayes > _CLEAR or fit.stands_out(candidates)):
             break
         tried = [(test, *_attempt(refit, fit, test)) for test in candidates]
         best = max(gain for *_, gain in tried)
@@ -157,16 +156,6 @@ def _attempt(refit: Callable[..., tuple[Any, float] | None], fit: Any, test: Sco
     with suppress(Declined, ToleranceError):
         return refit(fit, test) or (None, test.log_bayes)
     return fit, -math.inf
-
-
-def _stands_out(fit: Fit[Any], candidates: Sequence[ScoreTest], rest: float) -> bool:
-    """Return whether the first candidate may be estimated."""
-    # If rivals change terms by different amounts, the grade of all is more honest than an estimate of one.
-    if len(candidates) > 1 < rest:
-        return False
-    if candidates[0].log_bayes > _CLEAR or fit.model_error is None:
-        return True
-    return fit.model_error.gain <= _gain_of_error(candidates)
 
 
 class Estimate(NamedTuple):

@@ -11,9 +11,9 @@ from lommel.base.arrays import Array
 from lommel.estimation import star_checks
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
-from lommel.estimation.sampled_pupil import FOLDS, SHIFT, SLANT, changes_of
+from lommel.estimation.sampled_pupil import changes_of
 from lommel.estimation.star_checks import BLURS, MissingEffect
-from lommel.estimation.star_images import Unknowns, label, next_terms, ripple_terms
+from lommel.estimation.star_images import label, next_terms, ripple_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Grade, ScoreTest, graded, score_tests, sigmas_of
@@ -101,18 +101,6 @@ def missing_tests(
 def _tested_degrees(degree: int) -> range:
     """Return the degrees of polynomials that are tested."""
     return range(degree + 1, degree + 1 + _DEGREES)
-
-
-def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, ...]:
-    """Return the tests for the wavefront with negated even part, whose pupil is rotated by 180 degrees."""
-    even_labels = {label(term) for term in (*unknowns.edge, *next_terms(unknowns.edge, ())) if term[0] % 2 == 0}
-    odd_labels = {SLANT, FOLDS[1], SHIFT}  # changes of the illumination that change sign by the rotation
-    even_prefixes = tuple(f"{name} " for name in even_labels)
-
-    def changes_sign(name: str) -> bool:
-        return name in even_labels | odd_labels or name.startswith(even_prefixes)
-
-    return tuple(replace(test, size=-test.size) if changes_sign(test.name) else test for test in tests)
 
 
 def _missing_effects(model: WholeField, x: Array, places: Array) -> list[MissingEffect]:

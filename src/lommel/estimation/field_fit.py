@@ -29,7 +29,6 @@ from lommel.estimation.distortion import (
     fit_distortion,
     places_of,
 )
-from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Outcome, Search, Solution, estimated_effects, trails_of
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
@@ -629,23 +628,15 @@ def _build_field_fit(
     mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()
     # The shift is linear in the parameters: where it is large, it means nothing.
     is_linear = outcome.model_error is not None or mean_square <= MAX_LINEAR_ERROR**2
-    coefficients, moved, twin = polynomials + shift if is_linear else polynomials.copy(), polynomials, None
+    coefficients, twin = polynomials + shift if is_linear else polynomials, None
     findings = list[Finding]()
     if first_star.sign_ambiguous:
-        twin_coefficients, signs = search.twin(coefficients)
-        if _twin_is_nearer(search, fit, coefficients, twin_coefficients):
-            polynomials, _ = search.twin(polynomials)
-            coefficients, twin_coefficients = twin_coefficients, coefficients
-            sign_matrix = np.kron(signs, np.eye(m))
-            covariance = sign_matrix @ covariance @ sign_matrix.T
-            tests = negated(tests, first_star.unknowns)
-            fit.x[0, : k * m] = polynomials.ravel()
-        twin = field_of(twin_coefficients)
+        twin = field_of(search.twin(coefficients))
         findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
     labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
     grade = None if outcome.model_error else outcome.grade
     findings = [*outcome.findings, *missing_findings(tests, grade, labels), *findings]
-    findings += estimated_effects(outcome.rounds, moved, coefficients, np.sqrt(np.diag(covariance)).reshape(k, m))
+    findings += estimated_effects(outcome.rounds, coefficients, np.sqrt(np.diag(covariance)).reshape(k, m))
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)
     blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, width_errors, outer_errors)
@@ -847,16 +838,3 @@ def _estimated_distortion(
     fitted_places = fit.nuisance()[:, :2].swapaxes(1, 2) / tilt + places[used][:, None]
     blocks = fit.scores.information[0]
     return fit_distortion(ideal, used, places_of(blocks, fitted_places, tilt), degree=degree, sensor=chip)
-
-
-def _twin_is_nearer(search: Search, fit: Solution, polynomials: Array, twin: Array) -> bool:
-    """Return whether the polynomials `twin` are nearer to the initial wavefronts than `polynomials`."""
-    basis, stars = fit.model.basis, search.stars
-    start_waves = stars.start[fit.model.chosen]
-    changes = (basis @ p.T - start_waves for p in (polynomials, twin))
-    distances = [float(np.einsum("ni,ij,nj->", change, search.metric, change)) for change in changes]
-    # At equal distances, choose the field whose first even term has the larger mean.
-    if not math.isclose(distances[0], distances[1], rel_tol=1e-6):
-        return distances[1] < distances[0]
-    term = next(j for j, row in enumerate(stars.first_star.directions) if row[stars.first_star.even].any())
-    return bool((basis @ twin[term]).mean() > (basis @ polynomials[term]).mean())

@@ -495,18 +495,37 @@ class Search:
         refits = [other_fit.polynomials()]
         # The twin (all even parts negated) has the same images: use the smaller distance of `other_fit` and its twin.
         if first_star.sign_ambiguous:
-            refits.append(self.twin(refits[0])[0])
+            refits.append(self.twin(refits[0]))
         sigmas = min(float((np.abs(refit - best_fit.polynomials()) / errors).max()) for refit in refits)
         return Rival(cost, sigmas) if cost < _MAX_RIVAL_COST and sigmas > _MIN_RIVAL_DISTANCE else None
 
-    def twin(self, polynomials: Array) -> tuple[Array, Array]:
-        """Return polynomials (k, m) with all even parts negated, and the matrix (k, k) that negates them."""
+    def twin(self, polynomials: Array) -> Array:
+        """Return polynomials (k, m) with all even parts negated."""
         first_star = self.stars.first_star
         # The matrix 1 - flip negates the even part: flip is twice the projection onto the even part.
         flip = 2.0 * ((first_star.directions * first_star.even) @ first_star.inverse).T
         negated = polynomials - flip @ polynomials
         negated[:, 0] -= 2.0 * ((first_star.fixed_of_images[0] * first_star.even) @ first_star.inverse)
-        return negated, np.eye(len(flip)) - flip
+        return np.asarray(negated)
+
+    def nearest_twin(self, fit: Solution) -> Solution:
+        """Return a fit or its twin, whichever is nearer to the initial wavefronts."""
+        star, basis, model = self.stars.first_star, fit.model.basis, fit.model
+        if not star.sign_ambiguous:
+            return fit
+        polynomials, twin, start_waves = (
+            fit.polynomials(),
+            self.twin(fit.polynomials()),
+            self.stars.start[model.chosen],
+        )
+        changes = (basis @ p.T - start_waves for p in (polynomials, twin))
+        distance, other = (float(np.einsum("ni,ij,nj->", change, self.metric, change)) for change in changes)
+        is_nearer = other < distance
+        if math.isclose(distance, other, rel_tol=1e-6):  # choose the field whose first even term has the larger mean
+            term = next(j for j, row in enumerate(star.directions) if row[star.even].any())
+            is_nearer = bool((basis @ twin[term]).mean() > (basis @ polynomials[term]).mean())
+        x = model.row(twin, fit.squared_widths(), fit.nuisance())
+        return replace(fit, x=x, scores=model.scores(x)) if is_nearer else fit
 
     def best_profile(self, fit: Solution) -> Solution:
         """Return the fit with the most likely profile of blur; a single width is preferred to two of similar lnL."""
@@ -647,7 +666,7 @@ class Search:
             fit, rejected = self.fit_all_stars(self._with_background_slopes(fit))
         self.report.begin(*_PHASES["tests"])
         self.report(0, fit.quality[0])
-        rounds = rounds_of(fit, self._tested, self._estimating, _without_drifts)
+        rounds = rounds_of(self.nearest_twin(fit), self._tested, self._estimating, _without_drifts)
         fit, (tests, grade, untested) = rounds[-1][:2]
         self.stars = fit.model.stars
         chosen, nuisance = fit.model.chosen, fit.nuisance()
@@ -732,11 +751,8 @@ def _without_drifts(tests: Sequence[ScoreTest]) -> list[ScoreTest]:
     return [test for test in seen(tests) if not test.name.endswith(DRIFTS)]
 
 
-def estimated_effects(rounds: Sequence[Round], moved: Array, coefficients: Array, errors: Array) -> list[Finding]:
-    """Return the finding on what the last fit estimates and the first does not.
-
-    `moved` are polynomials (k, m) of the last fit, and `coefficients` with `errors` those of the result.
-    """
+def estimated_effects(rounds: Sequence[Round], coefficients: Array, errors: Array) -> list[Finding]:
+    """Return the finding on what the last fit estimates besides; `coefficients` (k, m) have the standard `errors`."""
     (first, *_), (fit, (tests, *_), names, rivals, _) = rounds[0], rounds[-1]
     star, first_star, before = fit.model.stars.first_star, first.model.stars.first_star, first.polynomials()
     terms = [*zip(star.unknowns.terms, zip(coefficients, errors, strict=True), strict=True)][len(before) :]
@@ -749,7 +765,7 @@ def estimated_effects(rounds: Sequence[Round], moved: Array, coefficients: Array
             stated, value = (value_of(one, test.name, first_star) for one in (first_star, star))
             pair = value + float(test.size[0]), float(test.errors[0])
             estimates.append(Estimate(test.name, *pair, stated, unit_of(test.name)))
-    moves = np.abs(moved[: len(before)] - before) / errors[: len(before)]
+    moves = np.abs(fit.polynomials()[: len(before)] - before) / errors[: len(before)]
     return estimated_findings(estimates, float(moves.max()), rivals)
 
 

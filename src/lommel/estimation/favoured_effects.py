@@ -7,6 +7,7 @@ candidates are estimated, what a refit must gain, which effects are rivals, and 
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -35,10 +36,7 @@ _MAX_ESTIMATES = 3  # largest number of estimates, or of rivals, in a message
 
 
 class ModelOfImages(RowModel, Protocol):
-    """A model of images whose residuals may show a model error."""
-
-    def residual_parts(self, x: Array) -> tuple[Array, Array, Array]:
-        """Return residual (NaN where unknown), variance of noise, and light without background, each (n, h, w)."""
+    """A model of images with derivatives."""
 
     def columns(self, x: Array) -> Array:
         """Return the derivatives of electrons by the parameters `x` (1, p), shape (p, n, h, w)."""
@@ -48,7 +46,7 @@ M = TypeVar("M", bound=ModelOfImages)
 
 
 @dataclass
-class Fit(Generic[M]):
+class Fit(ABC, Generic[M]):
     """A fit: the model, the parameters `x` (1, p), their scores, and whether the search settled."""
 
     model: M
@@ -66,10 +64,10 @@ class Fit(Generic[M]):
         """Chi2 and its standard deviation."""
         return float(self.scores.chi2[0]), float(self.scores.spread[0])
 
-    @cached_property
+    @property
+    @abstractmethod
     def residual_parts(self) -> tuple[Array, Array, Array]:
-        """Residual, variance and light of all pixels."""
-        return self.model.residual_parts(self.x)
+        """Residual (NaN where unknown), variance of noise, and light without background, each (n, h, w)."""
 
     @cached_property
     def model_error(self) -> ModelError | None:

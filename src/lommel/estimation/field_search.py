@@ -82,6 +82,15 @@ class Solution(Fit[WholeField]):
     """A fit of a field: the model of the used stars, the parameters `x`, and the quality of the fit."""
 
     @cached_property
+    def residual_parts(self) -> tuple[Array, Array, Array]:
+        """Residual, variance and light of all pixels of a single star."""
+        stars, nuisance, values = self.model.stars, self.nuisance(), self.model.images(self.x)[0]
+        counted, _, read, valid = stars.pixel_data[:, self.model.chosen].reshape(4, *values.shape)
+        mean = stars.expected(values, nuisance).reshape(values.shape)
+        residual, light = np.where(valid > 0.0, counted - mean, np.nan), nuisance[0, 2, :, None, None] * values
+        return residual, np.maximum(mean + read, 0.25 * read), light
+
+    @cached_property
     def model_error(self) -> ModelError | None:
         """The model error of a single star."""
         return super().model_error if len(self.model.chosen) == 1 else None

@@ -659,16 +659,6 @@ class WholeField(_StarModel):
         arrays = (np.array([value]) for value in quality)
         return Scores(np.array([deviance.sum()]), gradient[None], information_rows, *arrays)
 
-    def residual_parts(self, x: Array) -> tuple[Array, Array, Array]:
-        """Return residual (NaN where unknown), variance of noise, and light without background, each (n, h, w)."""
-        nuisance, values = self.parts(x)[2], self.images(x)[0]
-        counted, _, read, valid = self.stars.pixel_data[:, self.chosen].reshape(4, *values.shape)
-        mean, light = (
-            self.stars.expected(values, nuisance).reshape(values.shape),
-            nuisance[0, 2, :, None, None] * values,
-        )
-        return np.where(valid > 0.0, counted - mean, np.nan), np.maximum(mean + read, 0.25 * read), light
-
     def columns(self, x: Array) -> Array:
         """Return the derivatives of electrons by the parameters `x` (1, p), shape (p, n, h, w)."""
         values, derivatives = self.images(x)

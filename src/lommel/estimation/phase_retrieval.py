@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
 
@@ -434,7 +434,7 @@ def _fit_blurred(
 
 def _search(
     model: StarImages, draw: np.random.Generator, report: Report, effort: Effort
-) -> tuple[Fit[StarImages], tuple[int, int]]:
+) -> tuple[_StarFit, tuple[int, int]]:
     """Return the best fit, and the numbers of steps and starts.
 
     The search ends when noise explains chi2, when three starts agree within the standard errors, or after the last
@@ -474,7 +474,7 @@ def _search(
             break
     max_steps = steps if best_settled else 0
     best_x, best_scores, settled, last_steps = search_rows(model, best_x, max_steps, lambda *_: None, fast=False)
-    fit = Fit(model, best_x, best_scores, best_settled and bool(settled[0]))
+    fit = _StarFit(model, best_x, best_scores, best_settled and bool(settled[0]))
     return fit, (step_count + last_steps, tried_starts)
 
 
@@ -537,14 +537,32 @@ def _random_starts(model: StarImages, rows: Array, draw: np.random.Generator, co
     return x
 
 
-def _estimating(fit: Fit[StarImages], test: ScoreTest) -> tuple[Fit[StarImages], float] | None:
+class _StarFit(Fit[StarImages]):
+    """A fit of images of a star."""
+
+    @cached_property
+    def psf(self) -> PSF:
+        """PSFs of the images."""
+        return self.model.plan(self.model.pupils(self.x[0]))
+
+    @cached_property
+    def residual_parts(self) -> tuple[Array, Array, Array]:
+        """Residual, variance and light of all pixels."""
+        model, shape = self.model, self.psf.values.shape
+        mean = model.mean(self.x, self.psf.values.reshape(1, model.count, -1))[0]
+        residual, variance = np.where(model.valid > 0.0, model.counted - mean, np.nan), model.variance(mean)
+        light = mean - model.per_image(self.x)[0, -1, :, None]
+        return residual.reshape(shape), variance.reshape(shape), light.reshape(shape)
+
+
+def _estimating(fit: _StarFit, test: ScoreTest) -> tuple[_StarFit, float] | None:
     """Return the fit that estimates the effect of `test`, and its gain of lnL; None if the model cannot."""
     if (unknowns := freed(fit.model, test.name)) is None:
         return None
     model, x = fit.model.with_unknowns(unknowns, fit.x)
     x, *_ = search_rows(model, x, _REFIT_STEPS, _no_report, fast=True)
     x, scores, ended, _ = search_rows(model, x, _REFIT_STEPS, _no_report, fast=False)
-    refit = Fit(model, x, scores, settled=True)
+    refit = _StarFit(model, x, scores, settled=True)
     return refit, fit.deviance - refit.deviance if ended[0] else -math.inf
 
 
@@ -558,7 +576,7 @@ def _is_term(name: Name) -> bool:
 
 
 def _build_retrieval(
-    fit: Fit[StarImages], counts: Counts, noise: Noise, effort: tuple[int, int], *, checks: bool,
+    fit: _StarFit, counts: Counts, noise: Noise, effort: tuple[int, int], *, checks: bool,
     blurred: Callable[..., Retrieval] | None,
 ) -> Retrieval:  # fmt: skip
     """Return the Retrieval for a fit; `effort` are the numbers of steps and starts.
@@ -644,7 +662,7 @@ def _build_retrieval(
         flux=noise.excess * image_parameters[-2],
         background=noise.excess * image_parameters[-1],
         center=center,
-        psf=model.plan(model.pupils(x[0])),
+        psf=last.psf,
         blurs=((),) * model.count,
         blur_errors=((),) * model.count,
         images=np.where(counts.known, counts.values, np.nan),
@@ -662,13 +680,13 @@ def _build_retrieval(
     return _refit_by_fields(first, result, partial(blurred, blur=OF_FIELDS[named])) or result
 
 
-def _tested(fit: Fit[StarImages], _: Sequence[str], rivals: Sequence[str]) -> Any:
+def _tested(fit: _StarFit, _: Sequence[str], rivals: Sequence[str]) -> Any:
     """Return the checks of a fit for effects that it lacks."""
     return star_tests(fit.model, fit.x, fit.quality, rivals)
 
 
 def _fit_findings(
-    fit: Fit[StarImages], tests: Sequence[ScoreTest], grade: Grade | None, noise: Noise
+    fit: _StarFit, tests: Sequence[ScoreTest], grade: Grade | None, noise: Noise
 ) -> tuple[list[Finding], list[Finding], ModelError | None]:
     """Return findings on chi2 and on missing effects, and the model error if it explains a misfit.
 
@@ -692,9 +710,7 @@ def _fit_findings(
     return with_errors_of_model(findings, error.missed, causes), missing_findings(tests, None, ()), error
 
 
-def _refit_by_fields(
-    first: Fit[StarImages], result: Retrieval, blurred: Callable[[Pupil], Retrieval]
-) -> Retrieval | None:
+def _refit_by_fields(first: _StarFit, result: Retrieval, blurred: Callable[[Pupil], Retrieval]) -> Retrieval | None:
     """Return the fit by the model of fields, from `result`, if it explains more; the note of what it estimates."""
     refit = result
     with suppress(Declined, ToleranceError, ValueError):  # windows that are too small for the model of fields

@@ -493,18 +493,6 @@ class StarImages(RowModel):
             factors[..., : self._phases] *= self.wavelength_ratio(self.pupil_parameters(x))
         return np.asarray(self._chain * factors)
 
-    def residual_parts(self, x: Array) -> tuple[Array, Array, Array]:
-        """Return residual (NaN where unknown), variance of noise, and light without background, each (n, h, w)."""
-        shape, mean = (
-            (self.count, *self.shape),
-            self.mean(x, self.images(x, names=())[0].reshape(1, self.count, -1))[0],
-        )
-        residual, light = (
-            np.where(self.valid > 0.0, self.counted - mean, np.nan),
-            mean - self.per_image(x)[0, -1, :, None],
-        )
-        return residual.reshape(shape), self.variance(mean).reshape(shape), light.reshape(shape)
-
     def columns(self, x: Array) -> Array:
         """Return the derivatives of electrons by the parameters `x` (1, p), shape (p, n, height, width)."""
         values, slopes = self.images(x)

@@ -143,7 +143,7 @@ def rounds_of(
                 break
             test, new, _ = next(one for one in good if one[2] > best - _SAME_GAIN)
             added = (test.name,) if test.name not in names else ()
-            rivals += tuple(other.name for other in candidates if other is not test)
+            rivals += tuple(one.name for one in seen(checks[0]) if one.name not in (test.name, *names))
         names += added
         rounds.append(Round(new, tested(new, names, rivals), names, rivals))
     return rounds

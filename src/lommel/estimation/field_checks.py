@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+import itertools
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,7 @@ from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
 from lommel.estimation.sampled_pupil import changes_of
 from lommel.estimation.star_checks import BLURS, MissingEffect
-from lommel.estimation.star_images import label, next_terms, ripple_terms
+from lommel.estimation.star_images import label, pixel_coordinates
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Grade, ScoreTest, graded, score_tests, sigmas_of
@@ -49,10 +50,7 @@ def missing_tests(
     stars, chosen, k, m = model.stars, model.chosen, model.wave_count, model.basis.shape[1]
     values, derivatives = model.images(x)
     flux = model.parts(x)[2][:, 2].reshape(-1, 1, 1)
-    edge_terms = stars.first_star.unknowns.edge
-    electron_derivatives = (flux * derivative for derivative in derivatives)
-    effects = [*star_checks.missing_drifts(edge_terms, electron_derivatives, stars.exposures)]
-    effects += _missing_effects(model, x, places)
+    effects = _missing_effects(model, x, places, (flux * derivative for derivative in derivatives))
     images = [image for effect in effects for image in effect.images]
     matrices = stars.likelihood(chosen, [values, *derivatives], model.parts(x)[2], images)[1]
     widths = stars.exposures * stars.width_count
@@ -103,37 +101,26 @@ def _tested_degrees(degree: int) -> range:
     return range(degree + 1, degree + 1 + _DEGREES)
 
 
-def _missing_effects(model: WholeField, x: Array, places: Array) -> list[MissingEffect]:
+def _missing_effects(model: WholeField, x: Array, places: Array, term_slopes: Iterable[Array]) -> list[MissingEffect]:
     """Return effects that the model of the stars lacks, except polynomials of higher degree."""
-    stars, parts, r, e = model.stars, model.parts(x), len(model.chosen), model.stars.exposures
-    unknowns = stars.first_star.unknowns
-    terms, ripples = next_terms(unknowns.stated, unknowns.edge), ripple_terms(unknowns.stated)
-    constants = star_checks.constants_to_test(stars.first_star.pupil, stars.defocus, ())
-    names = *terms, *constants, *ripples
+    stars, parts, e = model.stars, model.parts(x), model.stars.exposures
+    names = tuple(itertools.chain(*star_checks.tested_names(stars.first_star)))
     images = stars.copy_with(extra_terms=names).images(model.chosen, *parts, fast=True, derivatives="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
     image, *derivatives = [flux * psf for psf in images]
-    term_count = len(names) - len(ripples)
-    term_derivatives, pupil = derivatives[:term_count], stars.first_star.pupil
-    effects = [*star_checks.missing_terms(terms, constants, term_derivatives, pupil, stars.defocus)]
-    effects += star_checks.missing_ripples(ripples, derivatives[term_count : len(names)])
-    pupil_changes = changes_of(stars.pupil)
-    first_blur = len(names) + sum(pupil_changes.values())
-    blur_derivatives = derivatives[first_blur:]
-    effects += star_checks.missing_illumination(pupil_changes, derivatives[len(names) : first_blur])
-    effects += star_checks.missing_charge_transfer(image)
+    first_blur = len(names) + sum(changes_of(stars.pupil).values())
+    apodized_image = None
     if (apodized := star_checks.apodized(stars.pupil)) is not None:
-        apodized_image = stars.copy_with(pupil=apodized).images(model.chosen, *parts, fast=True, derivatives="none")[
-            0
-        ]
-        effects.append(star_checks.missing_apodization(image, flux * apodized_image))
-    if blur_derivatives:
-        blurs = dict(zip(OTHER_BLURS, blur_derivatives, strict=True))
-        effects += star_checks.missing_blurs(blurs, e, gaussian="Gaussian" not in stars.blur.names)
+        copy = stars.copy_with(pupil=apodized)
+        apodized_image = flux * copy.images(model.chosen, *parts, fast=True, derivatives="none")[0]
+    blurs = dict(zip(OTHER_BLURS, derivatives[first_blur:], strict=False))
+    mean, is_sharp = stars.expected(images[0], parts[2]).reshape(images[0].shape), "Gaussian" not in stars.blur.names
+    effects = star_checks.missing_effects(
+        stars.first_star, image, mean, derivatives[: len(names)], term_slopes, derivatives[len(names) : first_blur],
+        apodized_image, blurs, e, gaussian=is_sharp, gradients=not stars.has_slopes and not stars.has_corners,
+    )  # fmt: skip
+    if blurs:
         effects.append(star_checks.uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
-    if not stars.has_slopes and not stars.has_corners:
-        effects.append(star_checks.missing_gradients(r * e, stars.shape, e))
-    effects.append(star_checks.missing_nonlinearity(stars.expected(images[0], parts[2]).reshape(images[0].shape)))
     return effects
 
 
@@ -144,7 +131,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
         return []
     values, derivatives = model.images(x)
     r, e = len(chosen), stars.exposures
-    gradients = star_checks.missing_gradients(r * e, stars.shape, e).images
+    gradients = star_checks.of_each_exposure(e, *pixel_coordinates(r * e, stars.shape))
     matrices = stars.likelihood(chosen, [values, *derivatives], model.parts(x)[2], gradients)[1]
     first_column = model.wave_count + e * stars.width_count
     slope_columns = np.arange(first_column, first_column + 2 * e)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
@@ -136,56 +136,6 @@ class MissingEffect(NamedTuple):
     images: tuple[Array, ...]
 
 
-def constants_to_test(pupil: Pupil, known_defoci: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
-    """Return the constants to test: "f_number", and the scale of the known defoci (named (2, 0)) if these differ."""
-    scaled = pupil.circular and pupil.mask is None and pupil.wavelength is not None
-    f_number = ("f_number",) if scaled and not {"f_number", "wavelength"} & {*estimated} else ()
-    return (*f_number, *([(2, 0)] if np.ptp(known_defoci) > 0.0 else []))
-
-
-def missing_terms(
-    terms: Sequence[Term], constants: Sequence[Name], derivatives: Sequence[Array], pupil: Pupil, known_defoci: Array
-) -> Iterator[MissingEffect]:
-    """Yield the effects of Zernike terms and of wrong constants, given derivatives of electrons.
-
-    `derivatives` are with respect to the terms (radians at the pupil edge), followed by the constants. For
-    the constant (2, 0), the scale of the known defoci, the derivative is with respect to the defocus.
-    """
-    for term, derivative in zip(terms, derivatives, strict=False):
-        yield MissingEffect(label(term), _TERM, (derivative * zernike.rms_factor(*term),))
-    for name, derivative in zip(constants, derivatives[len(terms) :], strict=True):
-        if name != (2, 0):
-            scale = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
-            yield MissingEffect(str(name), scale, (derivative,))
-            continue
-        defoci = np.tile(known_defoci, len(derivative) // len(known_defoci))[:, None, None]
-        yield MissingEffect(_DEFOCI, _CONSTANTS[_DEFOCI], (derivative * defoci,))
-        # Of two images, the scale and single defoci differ only in the common defocus.
-        if len(known_defoci) <= _MAX_FOCI:
-            for k, image in enumerate(_of_each_exposure(len(known_defoci), derivative)):
-                yield MissingEffect(f"{_ONE_DEFOCUS}{k + 1}", _DEFOCUS, (image,))
-
-
-def missing_ripples(terms: Sequence[Term], derivatives: Sequence[Array]) -> Iterator[MissingEffect]:
-    """Yield the effects of zones (m = 0) and ripples, given derivatives of electrons by terms (1 at the edge)."""
-    for name, is_symmetric in ((_ZONE_NAME, True), (_RIPPLE_NAME, False)):
-        pairs = zip(terms, derivatives, strict=True)
-        images = tuple(d * zernike.rms_factor(*term) for term, d in pairs if (term[1] == 0) == is_symmetric)
-        if images:
-            yield MissingEffect(name, _RIPPLES / len(images) ** 0.5, images)
-
-
-def missing_drifts(terms: Sequence[Term], derivatives: Iterable[Array], exposures: int) -> Iterator[MissingEffect]:
-    """Yield the effects of linear changes of terms over the images, given derivatives of electrons by the terms.
-
-    The coefficient is half the difference between the last and the first image, radians rms.
-    """
-    if exposures > 1:
-        for term, derivative in zip(terms, derivatives, strict=False):
-            time = np.tile(_time(exposures), len(derivative) // exposures)[:, None, None]
-            yield MissingEffect(label(term) + DRIFTS, _DRIFT, (derivative * time * zernike.rms_factor(*term),))
-
-
 def _time(exposures: int) -> Array:
     """Return the times of exposures, -1 to 1."""
     return np.linspace(-1.0, 1.0, exposures)
@@ -198,46 +148,78 @@ def apodized(pupil: Pupil) -> Pupil | None:
     return None
 
 
-def missing_apodization(image: Array, apodized_image: Array) -> MissingEffect:
-    """Return the effect of apodization: images are electrons with the pupil, and with the apodized pupil."""
-    return MissingEffect("apodization", APODIZED, ((apodized_image - image) / APODIZED,))
+def tested_names(star: StarImages) -> tuple[tuple[Term, ...], tuple[Name, ...], tuple[Term, ...]]:
+    """Return the terms, constants and ripples to test; the scale of known defoci that differ is named (2, 0)."""
+    unknowns, pupil = star.unknowns, star.pupil
+    scaled = pupil.circular and pupil.mask is None and pupil.wavelength is not None
+    constants: tuple[Name, ...] = ((2, 0),) if np.ptp(star.known_defoci) > 0.0 else ()
+    if scaled and not {"f_number", "wavelength"} & {*unknowns.pupil}:
+        constants = ("f_number", *constants)
+    return next_terms(unknowns.stated, unknowns.edge), constants, ripple_terms(unknowns.stated)
 
 
-def missing_illumination(
-    changes: Mapping[str, int], images: Iterable[Array], estimated: Sequence[Name] = ()
-) -> Iterator[MissingEffect]:
-    """Yield the effects of uneven illumination and changed edges of the pupil, without the `estimated` ones.
+def missing_effects(
+    star: StarImages, electrons: Array, mean: Array, slopes: Sequence[Array], term_slopes: Iterable[Array],
+    illumination: Iterable[Array], apodized_electrons: Array | None, blurs: Mapping[str, Array], blurred: int, *,
+    gaussian: bool, gradients: bool = True,
+) -> list[MissingEffect]:  # fmt: skip
+    """Return the effects that the model of r stars in e exposures may lack; images have the shape (r * e, ...).
 
-    `changes` is the result of `changes_of`; `images` are derivatives of electrons with respect to all its parameters.
+    `electrons` are those of the stars alone, and `mean` all expected electrons. `slopes` are derivatives of electrons
+    by `tested_names`, `term_slopes` by the Zernike terms of the fit (both radians at the pupil edge),
+    `illumination` by `changes_of` the pupil, and `blurs` by additional blurs of `blurred` groups of exposures.
+    `apodized_electrons` are those with the pupil `apodized`.
     """
-    remaining, scales = iter(images), {**_UNEVEN_LIGHT, **_CONSTANTS}
-    for name, count in changes.items():
-        derivatives = tuple(itertools.islice(remaining, count))
-        if name not in estimated:
-            yield MissingEffect(name, scales[name], derivatives)
+    effects, unknowns, defoci, (terms, constants, ripples) = [], star.unknowns, star.known_defoci, tested_names(star)
+    exposures, first_ripple = len(defoci), len(terms) + len(constants)
 
+    def add(name: str, scale: float, *images: Array) -> None:
+        effects.append(MissingEffect(name, scale, images))
 
-def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
-    """Yield the effect of deferred charge in each direction, given the electrons of stars without background.
-
-    `image` has the shape (r * e, height, width), for r stars in e exposures.
-    """
+    for term, slope in zip(terms, slopes, strict=False):
+        add(label(term), _TERM, slope * zernike.rms_factor(*term))
+    for name, slope in zip(constants, slopes[len(terms) : first_ripple], strict=True):
+        if name == "f_number":
+            add(name, _CONSTANTS[name] * float(star.pupil.f_number or 1.0), slope)
+            continue
+        # The scale of the known defoci; the derivative is by the defocus.
+        add(_DEFOCI, _CONSTANTS[_DEFOCI], slope * np.tile(defoci, len(slope) // exposures)[:, None, None])
+        # Of two images, the scale and single defoci differ only in the common defocus.
+        if exposures <= _MAX_FOCI:
+            for k, image in enumerate(of_each_exposure(exposures, slope)):
+                add(f"{_ONE_DEFOCUS}{k + 1}", _DEFOCUS, image)
+    for name, is_symmetric in ((_ZONE_NAME, True), (_RIPPLE_NAME, False)):
+        pairs = zip(ripples, slopes[first_ripple:], strict=True)
+        images = [slope * zernike.rms_factor(*term) for term, slope in pairs if (term[1] == 0) == is_symmetric]
+        if images:
+            add(name, _RIPPLES / len(images) ** 0.5, *images)
+    if exposures > 1:  # the coefficient is half the difference between the last and the first image, radians rms
+        time = np.tile(_time(exposures), len(electrons) // exposures)[:, None, None]
+        for term, slope in zip(unknowns.edge, term_slopes, strict=False):
+            add(label(term) + DRIFTS, _DRIFT, slope * time * zernike.rms_factor(*term))
+    remaining, scales = iter(illumination), {**_UNEVEN_LIGHT, **_CONSTANTS}
+    for name, count in changes_of(star.pupil).items():
+        images = [*itertools.islice(remaining, count)]
+        if name not in unknowns.pupil:
+            add(name, scales[name], *images)
     trail = np.exp(-np.arange(_TRAIL_LENGTH) / _TRAIL_DECAY)
     for name, axis, step in zip(_TRAILS.values(), (1, 1, 2, 2), (1, -1, 1, -1), strict=True):
         kernel = np.concatenate([np.zeros(_TRAIL_LENGTH + 1), trail / trail.sum()])[::step]
         # The deferred charge moves to pixels read out later: the sum is conserved.
-        yield MissingEffect(
-            name, _TRAIL, (scipy.ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,)
-        )
-
-
-def missing_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[MissingEffect]:
-    """Yield the effects of additional blurs of each exposure, given derivatives of electrons (r * e, ...)."""
-    if gaussian:
-        yield MissingEffect(_GAUSSIAN, _WIDTH, _of_each_exposure(exposures, blurs["Gaussian"]))
-    yield MissingEffect(ELLIPSE, _WIDTH, _of_each_exposure(exposures, blurs["along rows"], blurs["oblique"]))
-    yield MissingEffect(_WINGS, _WING_LIGHT, _of_each_exposure(exposures, blurs["wings"]))
-    yield MissingEffect(_HALO, _WING_LIGHT, _of_each_exposure(exposures, blurs["halo"]))
+        add(name, _TRAIL, scipy.ndimage.correlate1d(electrons, kernel[::-1], axis, mode="constant") - electrons)
+    if apodized_electrons is not None:
+        add("apodization", APODIZED, (apodized_electrons - electrons) / APODIZED)
+    if blurs:
+        if gaussian:
+            add(_GAUSSIAN, _WIDTH, *of_each_exposure(blurred, blurs["Gaussian"]))
+        add(ELLIPSE, _WIDTH, *of_each_exposure(blurred, blurs["along rows"], blurs["oblique"]))
+        add(_WINGS, _WING_LIGHT, *of_each_exposure(blurred, blurs["wings"]))
+        add(_HALO, _WING_LIGHT, *of_each_exposure(blurred, blurs["halo"]))
+    if gradients:
+        add(GRADIENT, _SLOPE, *of_each_exposure(exposures, *pixel_coordinates(len(mean), mean.shape[1:])))
+    # A pixel of m electrons loses the fraction s m / 10^4; derivative with respect to s.
+    add(_GAIN, _NONLINEAR, -(mean**2) / 1e4)
+    return [effect for effect in effects if effect.name not in unknowns.phases]
 
 
 def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect:
@@ -246,21 +228,10 @@ def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect
     `image` is the derivative of electrons with respect to the variance of the blur.
     """
     along_axes = (image * coordinate[:, None, None] for coordinate in positions.T)
-    return MissingEffect(_UNEVEN, _WIDTH_CHANGE, _of_each_exposure(exposures, *along_axes))
+    return MissingEffect(_UNEVEN, _WIDTH_CHANGE, of_each_exposure(exposures, *along_axes))
 
 
-def missing_gradients(images: int, shape: tuple[int, int], exposures: int) -> MissingEffect:
-    """Return the effect of background gradients of each exposure, along rows and columns; `images` is a number."""
-    return MissingEffect(GRADIENT, _SLOPE, _of_each_exposure(exposures, *pixel_coordinates(images, shape)))
-
-
-def missing_nonlinearity(mean: Array) -> MissingEffect:
-    """Return the effect of a non-linear gain, given the expected electrons `mean`."""
-    # A pixel of m electrons loses the fraction s m / 10^4; derivative with respect to s.
-    return MissingEffect(_GAIN, _NONLINEAR, (-(mean**2) / 1e4,))
-
-
-def _of_each_exposure(exposures: int, *images: Array) -> tuple[Array, ...]:
+def of_each_exposure(exposures: int, *images: Array) -> tuple[Array, ...]:
     """Return, for each exposure, the images (r * e, height, width) set to 0 in all other exposures."""
     exposure = np.arange(len(images[0])) % exposures
     return tuple(image * (exposure == i)[:, None, None] for i in range(exposures) for image in images)
@@ -422,40 +393,36 @@ def star_tests(
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     image_parameters = model.per_image(x)[0]
     flux = image_parameters[-2][:, None, None]
-    defoci = model.known_defoci
-    terms, ripples = next_terms(unknowns.stated, unknowns.edge), ripple_terms(unknowns.stated)
-    constants = constants_to_test(pupil, defoci, unknowns.pupil)
-    values, pixel_derivatives = model.images(x)
-    _, extra_derivatives = model.images(x, fast=True, names=(*terms, *constants, *ripples))
-    first_ripple = len(terms) + len(constants)
-    derivatives = [flux * derivative.values for derivative in extra_derivatives]
-    effects = [*missing_terms(terms, constants, derivatives[:first_ripple], pupil, defoci)]
-    effects += missing_ripples(ripples, derivatives[first_ripple:])
-    term_derivatives = (flux * derivative.values for derivative in pixel_derivatives)
-    effects += missing_drifts(unknowns.edge, term_derivatives, model.count)
-    changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
-    if changes:
+    names, (values, pixel_derivatives) = tested_names(model), model.images(x)
+    _, extra_derivatives = model.images(x, fast=True, names=tuple(itertools.chain(*names)))
+    illumination, edge = list[Array](), pupil.wavefront.edge_terms()
+    if changes_of(model.pupil):
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
         illumination = PupilChanges(pupil[0], plan.grid(pupil), model.terms, phases).images()
-        effects += missing_illumination(changes, [flux * image for image in illumination], unknowns.pupil)
-    effects += missing_charge_transfer(flux * values)
+    apodized_image = None
     if (apodized_pupil := apodized(pupil)) is not None and plan.method is None:
-        effects.append(missing_apodization(flux * values, flux * np.asarray(plan(apodized_pupil).values)))
+        apodized_image = flux * np.asarray(plan(apodized_pupil).values)
     grid, scale = plan.grid(pupil), float(pupil.scale)
     reader = _sharp_reader(grid.shape, model.pixel / scale, grid.integrate)
     pitch, threads = reader.step * scale, plan.threads or None
     fine_plan = cached_plan(reader.shape, pitch, tol=model.search_tol, integrate=False, threads=threads)
-    notes = []
+    notes, blurs = list[Finding](), dict[str, Array]()
     try:
         samples = np.asarray(fine_plan(pupil).values, np.float32)
     except (Declined, ToleranceError) as error:  # blur needs finer samples than pixels do, which may not be possible
         notes.append(Finding("untested", "note", f"blur was not tested: {error}"))
     else:
         blurs = reader.other_blurs(samples, np.empty((1, 0)))
-        effects += missing_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
-    effects = [effect for effect in effects if effect.name not in unknowns.phases]
+    extra, of_terms, light, blurs = (
+        [flux * slope.values for slope in extra_derivatives],
+        (flux * slope.values for slope in pixel_derivatives),
+        [flux * image for image in illumination],
+        {name: flux * image for name, image in blurs.items()},
+    )
     mean = flux * values + image_parameters[-1][:, None, None]
-    effects += [missing_gradients(model.count, grid.shape, model.count), missing_nonlinearity(mean)]
+    effects = missing_effects(
+        model, flux * values, mean, extra, of_terms, light, apodized_image, blurs, 1, gaussian=True
+    )
     # Products of all derivatives and the residuals: the information matrix, and in the last column the gradient.
     _, products = model.products(
         x, values, pixel_derivatives, [image for effect in effects for image in effect.images]
@@ -464,7 +431,7 @@ def star_tests(
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
     grade = graded(*scores, to_marginalize(candidates, tests, rivals), model.common_count, tests, quality)
-    fit = matrix[:-1, :-1], range(model.size)
+    fit, defoci = (matrix[:-1, :-1], range(model.size)), model.known_defoci
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
     is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)
     spectrum = ("spectrum of the star within the filter",) if is_spectral else ()

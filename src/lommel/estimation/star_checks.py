@@ -237,18 +237,21 @@ def of_each_exposure(exposures: int, *images: Array) -> tuple[Array, ...]:
     return tuple(image * (exposure == i)[:, None, None] for i in range(exposures) for image in images)
 
 
+def _foci(star: StarImages) -> dict[str, Phase]:
+    """Return the errors of known defoci, their common scale first, as changes of phases."""
+    rows = zip(np.eye(star.count), star.known_defoci.tolist(), strict=True)
+    single = {f"{_ONE_DEFOCUS}{k}": Phase((2, 0), row, c_d) for k, (row, c_d) in enumerate(rows, 1)}
+    return {_DEFOCI: Phase((2, 0), star.known_defoci, 1.0), **single}
+
+
 def freed(model: StarImages, name: str) -> Unknowns | None:
     """Return the unknowns of `model` and the candidate `name`; None if the model cannot estimate it."""
-    unknowns, defoci = model.unknowns, model.known_defoci
+    unknowns = model.unknowns
     terms: dict[str, Term] = {label(term): term for term in next_terms(unknowns.stated, unknowns.edge)}
     if name in terms or name in OF_PUPIL:
         return unknowns.freeing(terms.get(name, name))
-    drifts = {term: _time(model.count) * zernike.rms_factor(*term) for term in unknowns.stated}
-    phases = {label(term) + DRIFTS: Phase(term, weights, 0.0) for term, weights in drifts.items()}
-    if (2, 0) in drifts:
-        phases[_DEFOCI] = Phase((2, 0), defoci, 1.0)
-        for k, row in enumerate(np.eye(model.count)):
-            phases[f"{_ONE_DEFOCUS}{k + 1}"] = Phase((2, 0), row, defoci[k])
+    time, phases = _time(model.count), _foci(model) if (2, 0) in unknowns.stated else {}
+    phases |= {label(t) + DRIFTS: Phase(t, time * zernike.rms_factor(*t), 0.0) for t in unknowns.stated}
     return None if name not in phases or model.one_focus else unknowns.freeing(name, phases[name])
 
 
@@ -258,30 +261,22 @@ def changed(model: StarImages, name: str, size: float) -> tuple[Unknowns, Pupil,
     None if `name` is another effect.
     """
     unknowns, pupil, defoci = model.unknowns, model.pupil, model.known_defoci
-    terms = {label(term): term for term in next_terms(unknowns.stated, unknowns.edge)}
-    if name in terms:
-        return unknowns.freeing(terms[name]), pupil, defoci
-    if name == _DEFOCI:
-        return unknowns, pupil, defoci * (1.0 + size)
-    if name.startswith(_ONE_DEFOCUS):
-        return unknowns, pupil, defoci + size * (np.arange(model.count) == _image_of(name))
     with suppress(ValueError):  # a value that no pupil has
         if name in (*OF_PUPIL, "apodization"):
             return unknowns, replace(pupil, **cast("Any", {name: getattr(pupil, name) + size})), defoci
+        if (focus := _foci(model).get(name)) is not None:
+            return unknowns, pupil, defoci + size * focus.weights
+        if not name.endswith(DRIFTS) and (free := freed(model, name)) is not None:
+            return free, pupil, defoci
     return None
 
 
 def value_of(model: StarImages, name: str, stated: StarImages) -> float:
     """Return the value of a constant that `changed` supports; the scale of defoci is relative to `stated`."""
-    if name.startswith(_ONE_DEFOCUS):
-        return float(model.known_defoci[_image_of(name)])
-    if name == _DEFOCI:
-        return float(np.ptp(model.known_defoci) / np.ptp(stated.known_defoci))
-    return float(getattr(model.pupil, name))
-
-
-def _image_of(name: str) -> int:
-    return int(name.removeprefix(_ONE_DEFOCUS)) - 1
+    if (focus := _foci(stated).get(name)) is None:
+        return float(getattr(model.pupil, name))
+    change = (model.known_defoci - stated.known_defoci) @ focus.weights
+    return float(focus.stated + change / (focus.weights @ focus.weights))
 
 
 def unit_of(name: Name) -> str:

@@ -130,21 +130,22 @@ def rounds_of(
         if not (names or jointly or candidates[0].log_bayes > _CLEAR or fit.stands_out(candidates)):
             break
         tried = [(test, *_attempt(refit, fit, test)) for test in candidates]
-        best = max(gain for *_, gain in tried)
         if jointly is not None:
             tried.sort(key=lambda one: -one[2])
-            added = tuple(test.name for test, _, gain in tried if gain >= best - RIVAL)
+            added = tuple(test.name for test, _, gain in tried if gain >= tried[0][2] - RIVAL)
             rounds[-1] = rounds[-1]._replace(tried=tried[: len(added)])
             if (new := jointly(fit, added)) is None:
                 break
         else:
-            good = [one for one in tried if one[2] > max(_MIN_GAIN * one[0].log_bayes, 0.0)]
+            good = [one for one in tried if one[1] and one[2] > max(_MIN_GAIN * one[0].log_bayes, 0.0)]
             if tried[0][1] is None or not good:  # another effect explains the images at least as well
                 break
+            best = max(gain for *_, gain in good)
             test, new, _ = next(one for one in good if one[2] > best - _SAME_GAIN)
             added = (test.name,) if test.name not in names else ()
-            rivals += tuple(one.name for one in seen(checks[0]) if one.name not in (test.name, *names))
+            rivals = tuple(dict.fromkeys((*rivals, *(one.name for one in seen(checks[0])))))
         names += added
+        rivals = tuple(name for name in rivals if name not in names)
         rounds.append(Round(new, tested(new, names, rivals), names, rivals))
     return rounds
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.estimation import star_checks
+from lommel.estimation.favoured_effects import Fit
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
 from lommel.estimation.sampled_pupil import changes_of
@@ -18,7 +19,6 @@ from lommel.estimation.star_images import label, pixel_coordinates
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Grade, ScoreTest, graded, score_tests, sigmas_of
-from lommel.fit.scoring import Scores
 
 _EXPECTED_SIZE = 0.05  # radians rms: expected size of a polynomial of higher degree, or of a deviation in a part
 _DEGREES = 2  # number of tested degrees above the degree of the fit
@@ -33,12 +33,11 @@ _SURE = 5.0  # smallest significance of slopes (standard deviations) at which th
 
 
 def missing_tests(
-    model: WholeField, x: Array, scores: Scores, places: Array, degree: int, freed: Collection[str] = (),
-    rivals: Sequence[str] = (),
-) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:  # fmt: skip
+    places: Array, degree: int, fit: Fit[WholeField], freed: Collection[str] = (), rivals: Sequence[str] = ()
+) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
     """Return tests of effects that a fit lacks, a marginalized correction, and findings on untested constants.
 
-    1. Score tests at the parameters `x`, the most likely effect first. 2. Shift and covariance of the coefficients,
+    1. Score tests at the estimate, the most likely effect first. 2. Shift and covariance of the coefficients,
     marginalized over effects, with the grade of significant effects. 3. Findings on input constants (f-number,
     obscuration, defocus) that the stars do not test. `freed` constants are estimated, and effects
     named `rivals` are marginalized in full.
@@ -47,6 +46,7 @@ def missing_tests(
     uneven pupil illumination, charge transfer, other blurs, slopes of the background, and a nonlinear gain. Effects
     other than wavefronts are marginalized, because they bias the coefficients even if they are not significant.
     """
+    model, x = fit.model, fit.x
     stars, chosen, k, m = model.stars, model.chosen, model.wave_count, model.basis.shape[1]
     values, derivatives = model.images(x)
     flux = model.parts(x)[2][:, 2].reshape(-1, 1, 1)
@@ -82,16 +82,15 @@ def missing_tests(
     # A known blur is assumed to be exact: other blurs are marginalized only if the blur is estimated.
     kept_names = (*freed, *rivals, *(BLURS if stars.width_count else ()))
     to_marginalize = star_checks.to_marginalize([*candidates, *effect_candidates], tests, kept_names)
-    quality = float(scores.chi2[0]), float(scores.spread[0])
-    grade = graded(matrix, gradient, estimated, to_marginalize, k * m, tests, quality)
-    unknowns, fit = stars.first_star.unknowns, (matrix, estimated)
+    grade = graded(matrix, gradient, estimated, to_marginalize, k * m, tests, fit.quality)
+    unknowns, solved = stars.first_star.unknowns, (matrix, estimated)
     constant_columns = [j * m for j in range(k)]
     # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
     spectrum = ("spectrum of the stars within the filter",) if stars.width_count and stars.pupil.wavelength else ()
     drift = (_DRIFT,) if stars.width_count and stars.target is None else ()
     never = (*star_checks.untestable(stars.first_star), *drift, *spectrum)
     untested = star_checks.untested_constants(
-        stars.pupil, stars.defocus, effect_candidates, tests, fit, unknowns, constant_columns, never
+        stars.pupil, stars.defocus, effect_candidates, tests, solved, unknowns, constant_columns, never
     )
     return tests, grade, untested
 

@@ -675,7 +675,8 @@ class Search:
             fit, rejected = self.fit_all_stars(self._with_background_slopes(fit))
         self.report.begin(*_PHASES["tests"])
         self.report(0, fit.quality[0])
-        rounds = rounds_of(self.nearest_twin(fit), self._tested, self._estimating, _without_drifts)
+        tested = partial(missing_tests, self.places, self.degree)
+        rounds = rounds_of(self.nearest_twin(fit), tested, self._estimating, _without_drifts)
         fit, (tests, grade, untested) = rounds[-1][:2]
         self.stars = fit.model.stars
         chosen, nuisance = fit.model.chosen, fit.nuisance()
@@ -688,11 +689,6 @@ class Search:
         if len(chosen) == 1 and "misfit" in outcome.findings.codes:
             outcome.model_error = fit.valid_model_error(outcome.findings.codes, tests)
         return outcome
-
-    def _tested(
-        self, fit: Solution, names: Sequence[str], rivals: Sequence[str]
-    ) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
-        return missing_tests(fit.model, fit.x, fit.scores, self.places, self.degree, names, rivals)
 
     def _estimating(self, fit: Solution, test: ScoreTest) -> tuple[Solution, float] | None:
         """Return a fit that estimates the effect of `test`, and its gain of lnL; None if the model cannot.

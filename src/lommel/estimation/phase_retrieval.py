@@ -588,7 +588,7 @@ def _build_retrieval(
     Without `checks`, parameters are those of maximum likelihood, and errors the Cramer-Rao bound.
     """
     unchecked = Finding("unchecked", "doubt", "the fit was not checked: checked() tests it")
-    rounds = rounds_of(fit, _tested, _estimating) if checks else [Round(fit, ((), None, [unchecked]))]
+    rounds = rounds_of(fit, star_tests, _estimating) if checks else [Round(fit, ((), None, [unchecked]))]
     first, (last, (tests, grade, untested), *_) = fit, rounds[-1]
     model, x, inverse, common = last.model, last.x, covariance(last.scores.information[0]), last.model.common_count
     names, image_parameters, shape = model.names, model.per_image(x)[0], counts.values.shape
@@ -680,11 +680,6 @@ def _build_retrieval(
     if blurred is None or result.reliable or last is not first or chi2 >= _GROSS_CHI2 or named not in OF_FIELDS:
         return result
     return _refit_by_fields(first, result, partial(blurred, blur=OF_FIELDS[named])) or result
-
-
-def _tested(fit: _StarFit, _: Sequence[str], rivals: Sequence[str]) -> Any:
-    """Return the checks of a fit for effects that it lacks."""
-    return star_tests(fit.model, fit.x, fit.quality, rivals)
 
 
 def _fit_findings(

@@ -16,6 +16,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.blur.mixtures import BlurProfile
 from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation.favoured_effects import Fit
 from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OBSCURATION, OVAL, SHIFT, SLANT, PupilChanges, changes_of
 from lommel.estimation.star_images import (
     OF_PUPIL,
@@ -377,14 +378,15 @@ def _in_words(test: ScoreTest) -> str:
 
 
 def star_tests(
-    model: StarImages, x: Array, quality: tuple[float, float], rivals: Sequence[str] = ()
+    fit: Fit[StarImages], _: Sequence[str] = (), rivals: Sequence[str] = ()
 ) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
     """Return tests of effects that the model of one star lacks, a marginalized correction, and findings.
 
-    1. Score tests at the estimate `x` (1, p), in the order of falling Bayes factors. 2. Shift and covariance of the
+    1. Score tests at the estimate, in the order of falling Bayes factors. 2. Shift and covariance of the
     common parameters, marginalized over effects, with the grade of significant effects. 3. Findings on effects that
-    were not tested. `quality` is chi2 and its standard deviation; effects named `rivals` are marginalized in full.
+    were not tested. Effects named `rivals` are marginalized in full.
     """
+    model, x = fit.model, fit.x
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     image_parameters = model.per_image(x)[0]
     flux = image_parameters[-2][:, None, None]
@@ -425,13 +427,13 @@ def star_tests(
     matrix = products[0]
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
-    grade = graded(*scores, to_marginalize(candidates, tests, rivals), model.common_count, tests, quality)
-    fit, defoci = (matrix[:-1, :-1], range(model.size)), model.known_defoci
+    grade = graded(*scores, to_marginalize(candidates, tests, rivals), model.common_count, tests, fit.quality)
+    defoci = model.known_defoci
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
     is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)
     spectrum = ("spectrum of the star within the filter",) if is_spectral else ()
     columns, never = range(len(unknowns.terms)), (*untestable(model), *spectrum)
-    notes += untested_constants(pupil[0], defoci, candidates, tests, fit, unknowns, columns, never)
+    notes += untested_constants(pupil[0], defoci, candidates, tests, (scores[0], scores[2]), unknowns, columns, never)
     return tests, grade, notes
 
 

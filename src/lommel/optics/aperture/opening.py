@@ -233,9 +233,14 @@ class Opening:
         x, y = validation.real_array("x", x), validation.real_array("y", y)
         half = validation.real("half", half, above=0.0)
         if self.circular:
+            margin = self._margin(x, y)
+            at_edge = np.abs(margin) < 1.5 * half  # half a diagonal is sqrt(2) half
+            clear = np.asarray(np.heaviside(margin, 0.0))
+            x, y = (part[at_edge] for part in np.broadcast_arrays(x, y))
             cell = (x - half, x + half, y - half, y + half)
             inner = disk_overlap(self.obscuration, *cell) if self.obscuration > 0.0 else 0.0
-            return np.asarray((disk_overlap(1.0, *cell) - inner) / (4.0 * half * half))
+            clear[at_edge] = (disk_overlap(1.0, *cell) - inner) / (4.0 * half * half)
+            return clear
         x_cells, y_cells = np.broadcast_arrays(x, y)
         parts = (covered(region, x_cells.ravel(), y_cells.ravel(), half) for region in self.regions)
         return np.asarray(sum(parts)).reshape(x_cells.shape)

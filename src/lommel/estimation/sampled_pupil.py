@@ -106,31 +106,37 @@ class SampledPupil:
         derivative_terms, terms = self._terms[list(term_indices)], self._terms[: edge.shape[1]]
         if not len(images):
             return []
+        side = len(self._amplitude)
+        # All wavefronts share this memory: new memory for each would take as long as the transforms.
+        buffer = np.empty((1 + len(derivative_terms), *2 * (self._length or side,)), np.complex64)
+        planes = buffer[:, :side, :side]
         for k, coefficients in enumerate(edge.astype(np.float32)):
             phase = np.einsum("k,kyx->yx", coefficients, terms)  # several threads of BLAS would mostly wait
-            planes = self._amplitude * np.cos(phase), self._amplitude * np.sin(phase)
-            pupil = np.stack([planes[0].real - planes[1].imag, planes[0].imag + planes[1].real])[None]
-            real, imaginary = self._fields(np.concatenate([pupil, derivative_terms[:, None] * pupil]))
+            planes[0].real, planes[0].imag = np.cos(phase), np.sin(phase)
+            planes[0] *= self._amplitude
+            np.multiply(derivative_terms, planes[0], out=planes[1:])
+            field, *fields = self._fields(buffer, side)
             if values:
-                images[0, k] = real[0] ** 2 + imaginary[0] ** 2
+                images[0, k] = field.real**2 + field.imag**2
             # The derivative of the field is U' = i G, where G is the field of Z P; that of the image is 2 Re(U* U').
-            images[int(values) :, k] = (2.0 * imaginary[0]) * real[1:] - (2.0 * real[0]) * imaginary[1:]
+            for image, field_of_term in zip(images[int(values) :, k], fields, strict=True):
+                np.multiply(-2.0, (field.conj() * field_of_term).imag, out=image)
         return list(images)
 
-    def _fields(self, planes: Values) -> tuple[Values, Values]:
-        """Return the real and imaginary parts of fields (n, h, w) of pupils, shape (n, real and imaginary, y, x)."""
+    def _fields(self, buffer: Values, side: int) -> Values:
+        """Return fields (n, h, w) of pupils, which are the first `side` rows and columns of `buffer` (n, :, :)."""
         if self._length:
             # The origin of the transform is the first cell: this multiplies all fields by the same phase factor.
             # The first transform omits rows beyond the aperture, where the pupil function is 0.
-            rows = scipy.fft.fft(planes[:, 0] + np.complex64(1j) * planes[:, 1], self._length)
-            field = scipy.fft.fft(rows[..., : self._shape[1]], self._length, axis=-2)[:, : self._shape[0]]
-            return field.real, field.imag
+            buffer[:, :side, side:] = buffer[:, side:] = 0.0
+            buffer[:, :side] = scipy.fft.fft(buffer[:, :side], overwrite_x=True)
+            return scipy.fft.fft(buffer[..., : self._shape[1]], axis=-2, overwrite_x=True)[:, : self._shape[0]]
         # Transforms with a cosine (c) or sine (s): the first letter is for rows (y), the second for columns (x).
-        (cc, sc), (cs, ss) = self._transforms(planes)
+        (cc, sc), (cs, ss) = self._transforms(np.stack([buffer.real, buffer.imag], axis=1))
         # exp(-i a) = cos a - i sin a: multiplication by -i exchanges real and imaginary parts.
         odd_across, odd_down = (np.stack([part[:, 1], -part[:, 0]], axis=1) for part in (cs, sc))
         field = unfolded([[cc, odd_across], [odd_down, -ss]], self._shape)
-        return field[:, 0], field[:, 1]
+        return field[:, 0] + np.complex64(1j) * field[:, 1]
 
     def _transforms(self, planes: Values) -> list[list[Values]]:
         """Return cosine and sine transforms along both axes of pupils, shape (n, real and imaginary, y, x).

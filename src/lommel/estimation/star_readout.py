@@ -33,7 +33,7 @@ _BANDS = np.linspace(0.02, 1.0, 50)  # candidates for F
 ROOM = 0.25  # increase of the blur width, pixels, up to which the sample lattice is kept
 _MARGIN = 3.0  # lambda*N by which the samples extend beyond the outer pixels
 _BLUR_MARGIN = 3.7  # standard deviations of the blur by which the samples extend farther
-_BATCH = 6  # number of images computed together, so that their samples stay in the cache
+_BATCH = 3  # number of images computed together, so that their samples stay in the cache
 # Additional variances of wings and halo, divided by the geometric mean variance of the blur.
 _WIDER_VARIANCES = (3.0, 15.0)
 _MIN_VARIANCE = 0.05  # pixels^2: added to the variances of the blur before that mean
@@ -112,7 +112,7 @@ class StarReadout:
         return np.cos(angle), np.sin(angle)
 
     def _matrices(self, variances: Array, *, derivatives: bool) -> Iterator[list[list[Values]]]:
-        """Yield matrices [rows, columns][even, odd part] (r, pixels, samples) for variances (r,).
+        """Yield matrices [rows, columns][even, odd part] (r, g, pixels, samples) for variances (r, g).
 
         If `derivatives`, also yield the derivatives of the matrices by the variance. The kernel k is even: the even
         and odd parts of an image are computed from samples and pixels on one side of the axis.
@@ -122,7 +122,7 @@ class StarReadout:
         blurred = self._f_weights * np.exp(np.multiply.outer(variances, rate))
         for weights in (blurred, blurred * rate) if derivatives else (blurred,):
             yield [
-                [products(pixels * weights[:, None], samples).astype(np.float32) for pixels, samples in axis]
+                [products(pixels * weights[:, :, None], samples).astype(np.float32) for pixels, samples in axis]
                 for axis in self._axis_waves
             ]
 
@@ -137,37 +137,35 @@ class StarReadout:
         variances = variances.reshape(-1, len(self.blur.weights))
         period, count = len(variances), len(samples[0])  # the blurs repeat after `period` images
         width_count = self.blur.unknown if derivatives else 0
-        matrices = [list(self._matrices(variance, derivatives=width_count > 0)) for variance in variances.T]
+        matrices = list(self._matrices(variances, derivatives=width_count > 0))
         images = np.empty((len(samples) + width_count, count, *self._window), np.float32)
         batch_size = _BATCH if period == count else period * max(1, _BATCH // period)
         for rows in (slice(start, start + batch_size) for start in range(0, count, batch_size)):
             variance_rows = rows if period == count else slice(None)
-            batch = [
-                [[[part[variance_rows] for part in axis] for axis in axes] for axes in gaussian]
-                for gaussian in matrices
-            ]
+            batch = [[[part[variance_rows] for part in axis] for axis in axes] for axes in matrices]
             batch_samples = np.stack([values[rows] for values in samples]).astype(np.float32, copy=False)
             images[:, rows] = self._read_batch(batch_samples, batch, width_count)
         return list(images)
 
-    def _read_batch(self, samples: Values, matrices: list[list[list[list[Values]]]], derivative_count: int) -> Values:
+    def _read_batch(self, samples: Values, matrices: list[list[list[Values]]], derivative_count: int) -> Values:
         """Return images from samples (n, r, h, w), and then derivatives of the first image by squared blur widths.
 
-        `derivative_count` is their number; `matrices` has the matrices of each Gaussian of the mixture.
+        `derivative_count` is their number; `matrices` are those of all Gaussians of the mixture.
         """
-        parts = _even_odd_parts(samples.reshape(len(samples), -1, len(matrices[0][0][0][0]), *self.shape))
+        (by_row, by_column), *derivative_matrices = matrices
+        parts = _even_odd_parts(samples.reshape(len(samples), -1, len(by_row[0]), *self.shape))
         size = len(samples) + derivative_count, *parts[0][0].shape[1:3], *(side // 2 + 1 for side in self._window)
-        images = [[np.zeros(size, np.float32) for _ in range(2)] for _ in range(2)]
-        mixture = zip(self.blur.weights, self.blur.rates, matrices, strict=True)
-        for weight, rates, ((by_row, by_column), *derivative_matrices) in mixture:
-            for y, x in product(range(2), range(2)):
-                part, image = parts[y][x], images[y][x]
-                row_images = np.float32(weight) * products(part, by_column[x])
-                image[: len(samples)] += column_products(row_images, by_row[y])
-                for by_rows, by_columns in derivative_matrices:
-                    derivative = column_products(row_images[0], by_rows[y])
-                    derivative += np.float32(weight) * column_products(products(part[0], by_columns[x]), by_row[y])
-                    image[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * derivative
+        images = [[np.empty(size, np.float32) for _ in range(2)] for _ in range(2)]
+        for y, x in product(range(2), range(2)):
+            part, image = parts[y][x], images[y][x]
+            row_images = _row_images(part, by_column[x])
+            image[: len(samples)] = _weighted_sums(row_images, by_row[y], self.blur.weights)
+            for by_rows, by_columns in derivative_matrices:
+                changed_rows = _row_images(part[0], by_columns[x])
+                for derivative, rates in zip(image[len(samples) :], self.blur.rates.T, strict=True):
+                    weights = self.blur.weights * rates
+                    derivative[...] = _weighted_sums(row_images[0], by_rows[y], weights)
+                    derivative += _weighted_sums(changed_rows, by_row[y], weights)
         return unfolded(images, self._window).reshape(len(images[0][0]), -1, *self._window)
 
     def trailed(self, samples: Sequence[Values], trails: Array) -> list[Values]:
@@ -253,6 +251,21 @@ def lines_of(trails: Array) -> tuple[Array, Array]:
     the covariance of a line of length L is L^2 / 12 along it, and 0 across.
     """
     return np.sqrt(24.0 * np.hypot(trails[..., 0], trails[..., 1])), 0.5 * np.arctan2(trails[..., 1], -trails[..., 0])
+
+
+def _row_images(part: Values, matrices: Values) -> Values:
+    """Return products (..., g, h, m) of rows of images (..., r, h, n) with matrices (r, g, m, n) of g Gaussians."""
+    r, g, _, n = matrices.shape
+    rows = products(part, matrices.reshape(r, -1, n))  # all Gaussians in one product: short ones are slow
+    return rows.reshape(*part.shape[:-1], g, -1).swapaxes(-2, -3)
+
+
+def _weighted_sums(row_images: Values, matrices: Values, weights: Array) -> Values:
+    """Return weighted sums over Gaussians of column products, from results of :func:`_row_images`."""
+    r, _, m, _ = matrices.shape
+    weighted = (weights.astype(np.float32)[:, None, None] * matrices).swapaxes(1, 2).reshape(r, m, -1)
+    stacked = row_images.reshape(*row_images.shape[:-3], -1, row_images.shape[-1])
+    return column_products(stacked, weighted)
 
 
 def _even_odd_parts(images: Values) -> list[list[Values]]:

@@ -33,13 +33,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.threads import side_by_side
+from lommel.base.threads import product, side_by_side
 from lommel.recorded.counts import Counts, counts_of
 from lommel.recorded.noise import Noise
 
 _MIN_MEAN = 1e-3  # smallest mean of a pixel, electrons
 _TRUNCATION = 4.0  # half-width of kernels, standard deviations
 _MIN_KNOWN = 1e-3  # fraction of the kernel's weight on known pixels, below which a pixel has no known neighbours
+_BLOCK = 32  # columns of an image that are smoothed together
 APART = 1.0 - 1e-9  # smallest distance of boxes that do not overlap, in sides of a box
 _NEIGHBOR, _ISOLATED = 4.0, 0.75  # smallest score of a neighbour, and its largest distance in boxes
 DEFECT = 1e3  # smallest read noise of a defective pixel, electrons
@@ -312,6 +313,20 @@ def reach(sigma: float) -> int:
 
 def smoothed(light: Array, sigma: float) -> Array:
     """Return an image convolved with a Gaussian of this standard deviation, with reflection at the edges."""
+    if light.dtype == np.float32:  # products of blocks with a band matrix then take a third of the time
+        margin = reach(sigma)
+        offset = np.subtract.outer(np.arange(_BLOCK + 2 * margin), np.arange(_BLOCK)) - margin
+        band = np.where(np.abs(offset) <= margin, np.exp(-0.5 * (offset / sigma) ** 2), 0.0)
+        band = (band / band[:, 0].sum()).astype(np.float32)
+        for _ in range(2):  # along rows, then along columns
+            padded = np.pad(light, ((0, 0), (margin, margin)), "symmetric")
+            light = np.empty_like(light)
+            for first in range(0, light.shape[1], _BLOCK):
+                part = light[:, first : first + _BLOCK]
+                width = part.shape[1]
+                part[...] = product(padded[:, first : first + width + 2 * margin], band[: width + 2 * margin, :width])
+            light = light.T
+        return light
     return np.asarray(scipy.ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_TRUNCATION))
 
 

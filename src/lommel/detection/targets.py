@@ -336,23 +336,25 @@ def unusable(middle: NDArray[np.int64], counts: Counts, box: tuple[int, int]) ->
 
 
 class _Signal:
-    """Sum of the electrons of all images, with hidden pixels filled: parts of it are computed when they are needed.
+    """Sum of the electrons of all images, with hidden pixels filled by a Gaussian of `width`.
 
-    `width` is that of the Gaussian by which pixels are filled.
+    Parts of it are views of one array in single precision.
     """
 
     def __init__(self, counts: Counts, camera: Noise, width: float) -> None:
-        self.counts, self.camera, self.width, self.shape = counts, camera, width, counts.shape[1:]
+        self.width, self.shape = width, counts.shape[1:]
         self.read: Array = np.broadcast_to(len(counts) * np.square(camera.read), self.shape)  # variance
-        self._level = cache(lambda k: float(np.median(counts.values[k][~counts.hidden[k]])))
+        self._light, margin = np.empty(self.shape, np.float32), reach(width)
+        values, hidden = counts.values, counts.hidden
+        level = cache(lambda k: float(np.median(values[k][~hidden[k]])))
+        for first in range(0, self.shape[0], _STRIP):
+            rows, start = slice(first, first + _STRIP), max(first - margin, 0)
+            wider = np.s_[:, start : rows.stop + margin]
+            image = filled(values[wider], hidden[wider], width, level=level)[:, first - start :][:, :_STRIP]
+            self._light[rows] = camera.part(rows, slice(None)).electrons(image).sum(axis=0)
 
-    def __getitem__(self, part: tuple[slice, slice]) -> Array:
-        margin = reach(self.width)
-        wider = tuple(slice(max(axis.start - margin, 0), axis.stop + margin) for axis in part)
-        inner = tuple(slice(a.start - b.start, a.stop - b.start) for a, b in zip(part, wider, strict=True))
-        values, hidden = (array[:, *wider] for array in (self.counts.values, self.counts.hidden))
-        image = filled(values, hidden, self.width, level=self._level)[:, *inner]
-        return np.asarray(self.camera.part(*part).electrons(image).sum(axis=0))
+    def __getitem__(self, part: tuple[slice, slice]) -> Values:
+        return self._light[part]
 
 
 def _maxima(signal: _Signal, wide: float, level: float) -> tuple[Values, Values, Array]:

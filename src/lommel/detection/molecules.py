@@ -315,16 +315,15 @@ def smoothed(light: Array, sigma: float) -> Array:
     """Return an image convolved with a Gaussian of this standard deviation, with reflection at the edges."""
     if light.dtype == np.float32:  # products of blocks with a band matrix then take a third of the time
         margin = reach(sigma)
-        offset = np.subtract.outer(np.arange(_BLOCK + 2 * margin), np.arange(_BLOCK)) - margin
-        band = np.where(np.abs(offset) <= margin, np.exp(-0.5 * (offset / sigma) ** 2), 0.0)
-        band = (band / band[:, 0].sum()).astype(np.float32)
+        offset = np.subtract.outer(np.arange(_BLOCK + 2 * margin), np.arange(_BLOCK) + margin)
+        band = np.where(np.abs(offset) <= margin, np.exp(-0.5 * (offset / sigma) ** 2), 0.0).astype(np.float32)
+        band /= band[:, 0].sum()
         for _ in range(2):  # along rows, then along columns
-            padded = np.pad(light, ((0, 0), (margin, margin)), "symmetric")
+            padded = np.pad(light, ((0, 0), (margin, margin + _BLOCK)), "symmetric")
             light = np.empty_like(light)
             for first in range(0, light.shape[1], _BLOCK):
                 part = light[:, first : first + _BLOCK]
-                width = part.shape[1]
-                part[...] = product(padded[:, first : first + width + 2 * margin], band[: width + 2 * margin, :width])
+                part[...] = product(padded[:, first : first + len(band)], band)[:, : part.shape[1]]
             light = light.T
         return light
     return np.asarray(scipy.ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_TRUNCATION))

@@ -626,24 +626,23 @@ class WholeField(_StarModel):
         self.pixel_count = int(stars.pixel_data[3][chosen].sum())
         self.degrees_of_freedom = max(self.pixel_count - fitted_count, 1)
         self._fitted_per_star = fitted_count / len(chosen)
-        self._kept: tuple[Array, Any] | None = None  # parameters and derivatives of the last full computation
+        self._kept = (
+            np.zeros((1, self.size)),
+            list[Array](),
+        )  # parameters and derivatives of the last full computation
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return the PSFs of all stars, and their derivatives: earlier ones by wavefronts that hardly differ."""
-        if self._kept is None or self.held or not self._is_near(x, self._kept[0]):
-            values, derivatives = super().images(x, fast=fast)
-            self._kept = x.copy(), derivatives
-            return values, derivatives
+        old, kept = self._kept
+        change, widths = x - old, self.squared_widths(old).sum()
+        is_near = self.rms(change)[0] < _MAX_CHANGE and np.abs(self.parts(change)[2][:, :2]).max() < 2.0 * _MAX_CHANGE
+        if not kept or not is_near or np.abs(self.squared_widths(change)).sum() > _MAX_WIDTH_CHANGE * widths:
+            values, kept = super().images(x, fast=fast)
+            if not self.held and self.stars.target is None:
+                self._kept = x.copy(), kept
+            return values, kept
         values, *by_widths = self.stars.images(self.chosen, *self.parts(x), fast=fast, derivatives="widths")
-        by_waves = self._kept[1][: len(self._kept[1]) - len(by_widths)]
-        return values, [*by_waves, *by_widths]
-
-    def _is_near(self, x: Array, other: Array) -> bool:
-        """Return whether derivatives by wavefronts at the parameters `other` are accurate enough for steps at `x`."""
-        change, widths = np.abs(x - other), self.squared_widths(other).sum(axis=-1)
-        is_near = self.rms(x - other)[0] < _MAX_CHANGE and self.parts(change)[2][:, :2].max() < 2.0 * _MAX_CHANGE
-        width_changes = self.squared_widths(change).sum(axis=-1)
-        return bool(is_near and (width_changes <= _MAX_WIDTH_CHANGE * widths).all()) and self.stars.target is None
+        return values, [*kept[: len(kept) - len(by_widths)], *by_widths]
 
     def polynomials(self, x: Array) -> Array:
         """Return a view of the coefficients of the polynomials (k, m)."""

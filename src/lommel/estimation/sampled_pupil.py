@@ -115,12 +115,11 @@ class SampledPupil:
             planes[0].real, planes[0].imag = np.cos(phase), np.sin(phase)
             planes[0] *= self._amplitude
             np.multiply(derivative_terms, planes[0], out=planes[1:])
-            field, *fields = self._fields(buffer, side)
+            field = self._fields(buffer, side)
             if values:
-                images[0, k] = field.real**2 + field.imag**2
+                images[0, k] = field[0].real ** 2 + field[0].imag ** 2
             # The derivative of the field is U' = i G, where G is the field of Z P; that of the image is 2 Re(U* U').
-            for image, field_of_term in zip(images[int(values) :, k], fields, strict=True):
-                np.multiply(-2.0, (field.conj() * field_of_term).imag, out=image)
+            images[int(values) :, k] = -2.0 * (field[0].conj() * field[1:]).imag
         return list(images)
 
     def _fields(self, buffer: Values, side: int) -> Values:

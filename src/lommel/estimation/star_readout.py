@@ -164,8 +164,8 @@ class StarReadout:
                 changed_rows = _row_images(part[0], by_columns[x])
                 for derivative, rates in zip(image[len(samples) :], self.blur.rates.T, strict=True):
                     weights = self.blur.weights * rates
-                    derivative[...] = _weighted_sums(row_images[0], by_rows[y], weights)
-                    derivative += _weighted_sums(changed_rows, by_row[y], weights)
+                    derivative[...] = _weighted_sums(changed_rows, by_row[y], weights)
+                    derivative += _weighted_sums(row_images[0], by_rows[y], weights)
         return unfolded(images, self._window).reshape(len(images[0][0]), -1, *self._window)
 
     def trailed(self, samples: Sequence[Values], trails: Array) -> list[Values]:
@@ -196,15 +196,16 @@ class StarReadout:
             # Kernels of the last blur are kept: without blur, those of all images are the same.
             if self._kernels[0] != (key := variances.tobytes()):
                 self._kernels = key, self._other_kernels(variances)
-            pairs = (self._mixture_images(samples[k::exposures], *pair) for pair in self._kernels[1])
-            image, along, across, oblique, *wider = pairs
+            parts = ((_row_images(samples[k::exposures, None], x), y) for y, x in self._kernels[1])
+            blurred = (_weighted_sums(rows, y, self.blur.weights)[:, 0] for rows, y in parts)
+            image, along, across, oblique, *wider = blurred
             blur_derivatives = [along + across, along - across, oblique, *(wide - image for wide in wider)]
             for images, values in zip(derivatives.values(), blur_derivatives, strict=True):
                 images[k::exposures] = values
         return derivatives
 
     def _other_kernels(self, variances: Array) -> list[list[Array]]:
-        """Return kernels [rows, columns] (c, pixels, samples) of an image, and of its changes by other blurs."""
+        """Return kernels [rows, columns] (1, c, pixels, samples) of an image, and of its changes by other blurs."""
         phases = [
             [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
             for side in zip(
@@ -217,11 +218,10 @@ class StarReadout:
             """Return the kernel k of rows and columns; if `odd`, the integral with sines."""
             first, second, sign = (np.sin, np.cos, -1.0) if odd else (np.cos, np.sin, 1.0)
             return [
-                np.asarray(
+                np.float32(
                     products(np.cos(x) * weights[:, None], first(y))
-                    + sign * products(np.sin(x) * weights[:, None], second(y)),
-                    np.float32,
-                )
+                    + sign * products(np.sin(x) * weights[:, None], second(y))
+                )[None]
                 for x, y in phases
             ]
 
@@ -236,12 +236,6 @@ class StarReadout:
         )
         mixed = [derivative[0], kernel[1]], [kernel[0], derivative[1]], odd_kernels
         return [kernel, *mixed, *map(kernels, wide_weights)]
-
-    def _mixture_images(self, samples: Values, rows: Array, columns: Array) -> Values:
-        """Return images blurred by the mixture of Gaussians; `rows` and `columns` have a matrix for each Gaussian."""
-        mixture = zip(self.blur.weights, rows, columns, strict=True)
-        parts = (np.float32(w) * column_products(products(samples, column), row) for w, row, column in mixture)
-        return np.asarray(sum(parts))
 
 
 def lines_of(trails: Array) -> tuple[Array, Array]:

@@ -234,8 +234,8 @@ class Opening:
         half = validation.real("half", half, above=0.0)
         if self.circular:
             margin = self._margin(x, y)
-            at_edge = np.abs(margin) < 1.5 * half  # half a diagonal is sqrt(2) half
-            clear = np.asarray(np.heaviside(margin, 0.0))
+            # Half a diagonal is sqrt(2) half.
+            at_edge, clear = np.abs(margin) < 1.5 * half, np.asarray(np.heaviside(margin, 0.0))
             x, y = (part[at_edge] for part in np.broadcast_arrays(x, y))
             cell = (x - half, x + half, y - half, y + half)
             inner = disk_overlap(self.obscuration, *cell) if self.obscuration > 0.0 else 0.0

@@ -70,8 +70,8 @@ _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
 # Measured part of the remaining time that each phase takes, and its typical number of steps.
 _PHASES = {
-    "single stars": (0.18, 15), "starts": (0.05, 15), "joint": (0.15, 9), "signs": (0.25, 15), "profiles": (0.33, 17),
-    "tests": (0.9, 2),
+    "single stars": (0.16, 15), "starts": (0.05, 15), "joint": (0.16, 11), "signs": (0.27, 15),
+    "profiles": (0.31, 18), "refit": (0.3, 10), "end": (0.9, 7),
 }  # fmt: skip
 _TOO_STRONG = "aberrations are too strong for the tolerance; pass a design as pupil"
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missing"
@@ -191,7 +191,7 @@ class Search:
         report: Progress,
     ) -> None:
         self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
-        self.initial_stars = stars
+        self.initial_stars, stars.report = stars, report
         self.blur_costs: dict[str, float] = {}
         self.rival: Rival | None = None
         #: Indices of double stars and defects, which no wavefront fits: they are not fitted individually again.
@@ -673,12 +673,11 @@ class Search:
         if slope_notes := slope_findings(fit.model, fit.x):
             self.places = places
             fit, rejected = self.fit_all_stars(self._with_background_slopes(fit))
-        self.report.begin(*_PHASES["tests"])
-        self.report(0, fit.quality[0])
         tested = partial(missing_tests, self.places, self.degree)
         rounds = rounds_of(self.nearest_twin(fit), tested, self._estimating, _without_drifts)
         fit, (tests, grade, untested) = rounds[-1][:2]
         self.stars = fit.model.stars
+        self.report.begin(*_PHASES["end"])
         chosen, nuisance = fit.model.chosen, fit.nuisance()
         psf = self.stars.images(chosen, *fit.model.parts(fit.x), fast=False, derivatives="none")[0]
         parameters = fit.model.common_count + len(chosen) * self.stars.parameters_per_image * self.stars.exposures
@@ -707,6 +706,7 @@ class Search:
         nuisance, added_count = fit.nuisance(), len(freed_stars.first_star.directions) - fit.model.wave_count
         nuisance[:, :2] *= self.stars.first_star.tilt_of_pixel / stars.first_star.tilt_of_pixel
         polynomials = np.pad(fit.polynomials(), ((0, added_count), (0, 0)))
+        self.report.begin(*_PHASES["refit"])
         refit = self.refine(fit.model.chosen, polynomials, fit.squared_widths(), 20, nuisance, fast=False)
         return (fit, -math.inf) if refit is None else (refit, fit.deviance - refit.deviance)
 

@@ -27,7 +27,7 @@ from lommel.estimation.star_images import (
 )
 from lommel.estimation.star_readout import ROOM, StarReadout, lines_of
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
-from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
+from lommel.fit.scoring import Progress, RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -35,6 +35,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 
 _BLOCK_VALUES = 3e6  # number of samples of PSFs and of derivatives that are computed together
+_OTHERS_SHARE = 0.6  # measured part of a fit's remaining time that the derivatives "others" take
 _ZERO_LIMIT = 0.02  # squared width of blur, pixels^2, below which a step may set it to 0
 _MIN_BRIGHT = 50.0  # chi2 of bright pixels requires this many more of them than twice the number of parameters
 _FIRST_ANGLE = 4  # number of parameters of each image (row, column, flux, background) before the angles
@@ -85,7 +86,7 @@ class FieldStars:
         self.angle_count = 0 if target is None else target.angle_count
         self.parameters_per_image = _FIRST_ANGLE + self.angle_count
         self.has_corners = self.angle_count > 0
-        self.has_slopes = False
+        self.has_slopes, self.report = False, Progress(None)
         #: Lines by which each exposure is blurred besides, see `lines_of`.
         self.trails: Array = np.zeros((self.exposures, 2))
         #: Terms and constants by which `images` differentiates if `derivatives` is "others".
@@ -178,8 +179,13 @@ class FieldStars:
         edge = self.fixed_of_images[stars] + (waves @ self.first_star.directions)[:, None]
         for j, column in enumerate(self.first_star.tilts):
             edge[:, :, column] += nuisance[:, j]
-        rows = (slice(start, start + block) for start in range(0, len(stars), block))
-        parts = [self._block(reader, edge[r], squared_widths[r], nuisance[r], fast, derivatives) for r in rows]
+        rows, parts = [slice(start, start + block) for start in range(0, len(stars), block)], []
+        if derivatives == "others":
+            self.report.begin(_OTHERS_SHARE, len(rows))
+        for number, r in enumerate(rows):
+            parts.append(self._block(reader, edge[r], squared_widths[r], nuisance[r], fast, derivatives))
+            if derivatives == "others":
+                self.report(number)
         return [np.concatenate(arrays) for arrays in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
     def _readout(self, squared_widths: Array, *, always: bool) -> Readout | None:

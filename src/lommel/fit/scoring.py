@@ -44,19 +44,19 @@ class Progress:
     """
 
     def __init__(self, function: Callable[[float, float], object] | None) -> None:
-        self.function, self.done, self.end, self.left = function, 0.0, 1.0, math.inf
+        self.function, self.done, self.end, self.left, self.chi2 = function, 0.0, 1.0, math.inf, math.nan
 
     def begin(self, share: float, steps: int) -> None:
         """Begin a phase of about `steps` steps, which takes a part `share` of the remaining time."""
         self.done = self.done if self.left == math.inf else self.end  # a phase may have had fewer steps
         self.end, self.left = self.done + share * (1.0 - self.done), steps
 
-    def __call__(self, step: int, chi2: float) -> None:
-        """Report a step of any of the searches."""
+    def __call__(self, step: int, chi2: float | None = None) -> None:
+        """Report a step of any of the searches; chi2 is by default that of the step before."""
         self.done += (self.end - self.done) * max(_STEP_SHARE, 1.0 / max(self.left, 2.0))
-        self.left -= 1
+        self.left, self.chi2 = self.left - 1, self.chi2 if chi2 is None else chi2
         if self.function is not None:
-            self.function(self.done, chi2)
+            self.function(self.done, self.chi2)
 
 
 class Scores(NamedTuple):

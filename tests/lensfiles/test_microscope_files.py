@@ -258,7 +258,7 @@ def test_terms_of_too_high_a_degree_are_told(load):
 
 def test_errors_of_fitted_terms_are_in_waves_and_written_beside_the_others(load, tmp_path):
     plain = load()
-    names = "objective", "wavelength", "pixel", "aberrations"
+    names = "objective", "wavelength", "emitter", "pixel", "aberrations"
     found = SimpleNamespace(
         **{name: getattr(plain, name) for name in names}, errors={(3, 1): 0.2 * math.pi, "depth": 1e-7}
     )

@@ -216,6 +216,13 @@ def test_full_pixels_are_left_out_and_told(table, mean):
     assert found.converged
 
 
+def test_clipping_that_is_not_stated_comes_before_crowding_and_the_optics(table, mean):
+    found = localize_movie(np.minimum(CAMERA.record(10.0 * mean, 1), 700.0), table, noise=CAMERA)
+    doubts = [each.code for each in found.findings if each.severity == "doubt"]
+    assert doubts[0] == "flat_top"
+    assert found.message.split(": ")[1].endswith("pixels have exactly the largest value, 700")
+
+
 def test_a_wavefront_that_leaves_the_sign_of_z_open_is_told(mean):
     plain = table_of(aberrations=lm.Wavefront.zernike({8: 0.1}, order="noll", unit="waves"))
     assert localize_movie(mean[:1], plain).findings.get("sign_open").severity == "doubt"

@@ -672,7 +672,7 @@ def _movies() -> list[Scenario]:
     register = SCMOS.but(gain=10 / 300, read=0.2, register=300.0)
     run = partial(movie, recorder=register, noise=excess(white=10 / 300, read=0.2, offset=100.0))
     add("34", "EMCCD, stated", run, limits=bias)
-    add("35", "clipped emitters", partial(movie, photons=3e4, recorder=SCMOS.but(bits=12)), "RT", ("crowded",))
+    add("35", "clipped emitters", partial(movie, photons=6e4, recorder=SCMOS.but(bits=12)), "RT", ("flat_top",))
     add("36", "0.09 molecules per square micrometre", partial(movie, dense=True), "RT")
     wrong = ("astigmatism_reversed", "opposite_astigmatism", "misfit", "psf_doubtful", *OTHER)
     add("37a", "astigmatism of the other sign", partial(movie, sign=-1.0), "T", wrong)

@@ -32,7 +32,7 @@ from lommel.localize.table import Table, Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
-from lommel.recorded.counts import Counts, flat_tops, scale_findings
+from lommel.recorded.counts import Counts, flat_top, flat_tops, scale_findings
 from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
@@ -133,7 +133,8 @@ class Checks:
             text = f"{percent(dark_fraction)} of the counts of the first frames are below the offset: check `offset`"
             self._add_once("below_offset", "doubt", text, share=dark_fraction)
         if remark := flat_tops([counts], self._noise, "movie"):
-            self._add_once("flat_top", "note", remark)
+            is_clipped = flat_top(counts.values, counts.known, self._noise)[1] > 0
+            self._add_once("flat_top", "doubt" if is_clipped else "note", remark)
         for found in scale_findings([counts[:1]], self._noise):
             self._add_once(found.code, found.severity, found.text)
         if counts.assumed:
@@ -265,7 +266,8 @@ class Checks:
         excess = [] if self._is_dense else self._excess
         groups = excess, self._rival_findings(), changes, of_fits, self._surface(), self._once.values()
         first = {"crowded"} if self._is_dense else {"misfit", "crowded"} if self._is_structured else set()
-        return Findings(sorted(chain(*groups, self._spot_findings()), key=lambda one: one.code not in first))
+        found = sorted(chain(*groups, self._spot_findings()), key=lambda one: one.code not in first)
+        return Findings(sorted(found, key=lambda one: one.code != "flat_top"))  # clipping explains the others
 
     @property
     def _is_explained(self) -> bool:

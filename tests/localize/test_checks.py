@@ -188,6 +188,32 @@ def test_a_focal_surface_that_is_tilted_or_curved_is_told(surface, size, table):
         assert found.findings[0] is told
 
 
+def test_a_focal_surface_that_was_named_is_stated_and_taken_off(table):
+    """As of beads on the glass, whose finding is the section of the file; then of another movie."""
+    tilted = light(
+        table, 8, 2000.0, surface=lambda row, column: 1.5e-7 * (column - 50) / 50 + 5e-8 * (row / 50 - 1) ** 2
+    )
+    told = localize_movie(CAMERA.record(tilted, 3), table, noise=CAMERA).findings.get("not_flat")
+    terms = told.numbers["surface"]
+    assert [terms[name] for name in ("x", "y", "xx", "xy", "yy")] == pytest.approx([1.5e-7, 0, 0, 0, 5e-8], abs=3e-8)
+    assert f'[focal_surface] frame = [100, 100], x = "{1e9 * terms["x"]:.3g} nm", y = ' in told.text
+    surface = lm.localize.FocalSurface((100, 100), **terms)
+    found = localize_movie(CAMERA.record(tilted, 4), table, noise=CAMERA, surface=surface)
+    assert found.findings.codes == ("untested",)
+    assert "focal surface" not in found.message
+    pulls = found.table["z"][found.kept] / np.hypot(2e-8, found.table["z_error"][found.kept])
+    assert np.sqrt(np.mean(pulls**2)) < 1.3
+
+
+@pytest.mark.parametrize(
+    ("along", "frame", "wanted"), [("z", (100, 90), "frame is"), ("depth", (100, 100), "along depth")]
+)
+def test_a_focal_surface_of_another_frame_or_along_the_depth_is_refused(along, frame, wanted):
+    images = Table(simulated.pupil(), 15, 6.5e-6, z=(1e-6, 1.1e-6), along=along, tol=1e-2)
+    with pytest.raises(ValueError, match=wanted):
+        localize_movie(np.ones((1, 100, 100)), images, surface=lm.localize.FocalSurface(frame, x=1e-7))
+
+
 def test_structure_of_the_background_is_the_cause_rather_than_the_optics(table, mean):
     y, x = np.mgrid[:100, :100]
     outline = mean + 40.0 * np.exp(-(((np.hypot(y - 50, x - 50) - 30.0) / 1.5) ** 2))

@@ -113,7 +113,9 @@ def localize(
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, _SIDE, pixel, z=z, along=along, reach=molecules.reach)
         told = dataclasses.replace(
-            options, progress=lambda count, total: report_progress(f"frame {count} of {total}", count / total)
+            options,
+            surface=microscope.focal_surface,
+            progress=lambda count, total: report_progress(f"frame {count} of {total}", count / total),
         )
         with writer(*outputs) as write:
             for part in movie_blocks(

@@ -35,7 +35,7 @@ from lommel.lensfiles.toml_files import (
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, emitter_of
 from lommel.optics.layers.modality import WIDEFIELD, Kind, Modality
-from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective import FocalSurface, Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, Design, Layer, length, refractive_index
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -92,6 +92,8 @@ class Microscope:
     errors : mapping
         Standard errors of fitted parameters, by name: "noll 5" in waves rms, "sample" and other constants in the
         units of :func:`lommel.fit_beads`.
+    focal_surface : FocalSurface, or None
+        Focal surface over the frame, for :func:`lommel.localize.localize_movie`; PSFs are of its middle.
     name, source : str
         Name of the microscope, and source of its numbers.
 
@@ -141,6 +143,7 @@ class Microscope:
     camera: Camera | None = None
     modality: Modality = WIDEFIELD
     errors: Mapping[str, float] = field(default_factory=dict)
+    focal_surface: FocalSurface | None = None
     name: str = ""
     source: str = ""
 
@@ -358,6 +361,19 @@ class _Modality(BuiltSection):
         return Modality(**dict(self))
 
 
+class _FocalSurface(BuiltSection):
+    frame: tuple[int, int]
+    x: SignedLength = 0.0
+    y: SignedLength = 0.0
+    xx: SignedLength = 0.0
+    xy: SignedLength = 0.0
+    yy: SignedLength = 0.0
+
+    def build(self) -> FocalSurface:
+        """Return the focal surface."""
+        return FocalSurface(**dict(self))
+
+
 class _Aberrations(Section):
     zernike: Toml | None = None  # validated by `camera_files.read_zernike`
 
@@ -380,6 +396,7 @@ class _File(Section):
     modality: _Modality = _Modality()
     aberrations: _Aberrations = _Aberrations()
     errors: dict[str, Annotated[Number, Field(ge=0)]] = Field(default_factory=dict)
+    focal_surface: _FocalSurface | None = None
     stack: _Stack | None = None
     sensor: Sensor
 
@@ -470,7 +487,10 @@ def _light_sections(microscope: Microscope) -> _Sections:
 
 
 def _plane_sections(microscope: Microscope) -> _Sections:
-    """Yield the sections of the stack, if it has several planes, and of the sensor."""
+    """Yield the sections of the focal surface, of the stack, if it has several planes, and of the sensor."""
+    if (surface := microscope.focal_surface) is not None:
+        terms = {name: _micrometres(value) for name, value in surface.terms.items()}
+        yield "focal_surface", {"frame": [*surface.frame], **terms}
     if microscope.planes > 1:
         step = _micrometres(microscope.step)
         yield "stack", {"planes": microscope.planes, "step": step, "origin": microscope.origin}
@@ -518,6 +538,7 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     - ``[aberrations.zernike]``: measured wavefront, as in :func:`lommel.load_instrument`; by default its wavelength
       is the emission wavelength
     - ``[errors]``: standard errors of fitted parameters, by name
+    - ``[focal_surface]``: frame (rows, columns) and x, y, xx, xy, yy, as in :class:`lommel.localize.FocalSurface`
     - ``[stack]``: planes, step and origin of z, at which plane ``planes // 2`` lies ("brightest", the default,
       "paraxial" or "coverslip"); without this section there is a single plane, at the brightest focus
     - ``[sensor]``: camera, or pixel (pitch on the camera); shape and integrate, as for a lens
@@ -580,6 +601,7 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         emitter=file.emission.build(),
         aberrations=None if table is None else camera_files.wavefront_of(table, file.emission.wavelength),
         errors=file.errors,
+        focal_surface=None if file.focal_surface is None else file.focal_surface.build(),
         modality=file.modality.build(),
         **stack,
         **dict(file.sensor),

@@ -29,6 +29,7 @@ from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, scor
 from lommel.localize.fitting import Molecules, in_electrons
 from lommel.localize.localizations import DOUBTFUL, Localizations, MovieInfo
 from lommel.localize.table import Table, Waves
+from lommel.optics.layers.objective import FocalSurface
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
@@ -87,7 +88,11 @@ _MIN_GAIN = 10.0  # smallest gain of log-likelihood of the rival that is reporte
 class Checks:
     """Checks of successive blocks of frames; `refit` is a function that fits boxes with a given table."""
 
-    def __init__(self, recording: MovieInfo, table: Table, refit: partial[Molecules], background: str) -> None:
+    def __init__(
+        self, recording: MovieInfo, table: Table, refit: partial[Molecules], background: str,
+        surface: FocalSurface | None = None,
+    ) -> None:  # fmt: skip
+        self._stated = surface
         self._recording, self._table, self._refit, self._background = recording, table, refit, background
         self._noise: Noise = refit.keywords["noise"]
         self._once: dict[str, Finding] = {}
@@ -331,9 +336,10 @@ class Checks:
         if self._recording.along != "none":
             untested = sorted(self._changes.untested.items(), key=lambda item: -item[1][2])
             sizes: Json = {name: {"error": size, estimate: bias} for name, (size, estimate, bias) in untested}
-            sizes |= {name: {} for name in _NOT_TESTABLE}
+            not_testable = _NOT_TESTABLE[self._stated is not None :]
+            sizes |= {name: {} for name in not_testable}
             items = [f"{name} ({_format_error(name, by)} moves {of} {q:.2g} se)" for name, (by, of, q) in untested]
-            items[1:1] = _NOT_TESTABLE
+            items[1:1] = not_testable
             yield untested_finding(items, sizes)
 
     def _surface(self) -> Iterator[Finding]:
@@ -353,13 +359,18 @@ class Checks:
         chance = float(scipy.special.fdtrc(5, free, c[1:] @ np.linalg.solve(covariance, c[1:]) / 5.0))
         size, bias = float(np.ptp(columns @ c)), float(np.std(columns @ c) / np.median(places[:, 3]))
         if chance < _RARE and bias > _BIASED:
+            stated = {} if self._stated is None else self._stated.terms
+            terms = {
+                name: c[k] + stated.get(name, 0.0)
+                for name, k in (("x", 2), ("y", 1), ("xx", 5), ("xy", 4), ("yy", 3))
+            }
+            entries = ", ".join(f'{name} = "{1e9 * value:.3g} nm"' for name, value in terms.items())
             text = (
                 f"z follows a tilted or curved surface, {format_length(size, digits=2)} over the field: unless it is "
+                f"the specimen, z is off by {bias:.2g} standard errors rms; if beads on the glass agree, state "
+                f"[focal_surface] frame = {[*self._counts.shape]}, {entries}"
             )
-            text += (
-                f"the specimen, z is off by {bias:.2g} standard errors rms; five beads on the glass tell the surface"
-            )
-            yield Finding("not_flat", "doubt", text, {"size": size, "bias": bias, "chance": chance})
+            yield Finding("not_flat", "doubt", text, {"size": size, "bias": bias, "chance": chance, "surface": terms})
 
     def _spot_findings(self) -> Iterator[Finding]:
         sums = self._sums

@@ -24,6 +24,7 @@ from lommel.localize.checks import TILTED, Checks
 from lommel.localize.fitting import STATES, MoleculeErrors, Molecules, fit
 from lommel.localize.localizations import Localizations, MovieInfo, columns, joined
 from lommel.localize.table import Table
+from lommel.optics.layers.objective import FocalSurface
 from lommel.recorded.counts import Counts
 from lommel.recorded.frames import Frames, blocks_of, frames_of
 from lommel.recorded.headers import Metadata, metadata_of, tell_sizes, with_header
@@ -45,6 +46,8 @@ class LocalizeOptions(Options):
         Background of each box, see :func:`lommel.localize.fit`. "auto" starts with a flat background. It changes to a
         tilted background if the mean slope of the residuals exceeds five standard deviations, and the block is fitted
         again. The mean is over up to a thousand molecules of a block, in the whole frame or in a part of it.
+    surface : FocalSurface, optional
+        Focal surface over the frame, ``microscope.focal_surface``, subtracted from z; by default z counts from it.
     progress : callable, optional
         Function that is called after each block, with the number of processed frames and the total number.
     """
@@ -53,6 +56,7 @@ class LocalizeOptions(Options):
 
     flat: bool = False
     background: Literal["auto", "flat", "tilted"] = "auto"
+    surface: Annotated[FocalSurface | None, HIDDEN] = None
     progress: Annotated[Callable[[int, int], object] | None, HIDDEN] = None
 
 
@@ -164,6 +168,7 @@ def movie_blocks(
     """Yield the localisations of a movie by blocks of `block` frames."""
     validation.instance("table", table, Table)
     validation.optional("noise", noise, Noise)
+    validation.optional("surface", surface := options.surface, FocalSurface)
     background, widths = options.background, gaussian_widths(table)
     # Median over z of the geometric mean of the widths along y and x.
     width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
@@ -172,13 +177,18 @@ def movie_blocks(
         layers, times = table.pupil.layers, table.pupil.magnification
         facts = {"NA": layers.NA, "immersion": layers.immersion, "emission": layers.wavelength}
         tell_sizes(header, table.pixel, magnification=times, modality="widefield", **facts)
+        if surface is not None and (surface.frame != tuple(shape[1:]) or table.along == "depth"):
+            raise ValueError(
+                "surface must be that of the frames of the movie, along z of the stage: its frame is "
+                f"{surface.frame}, got frames of {tuple(shape[1:])} and z along {table.along}"
+            )
         search = partial(find, box=table.shape, noise=camera, width=width)
         pixel = table.pixel / table.pupil.magnification  # in the sample
         along = "none" if options.flat else table.along
         recording = MovieInfo(*shape, pixel, table.shape, along, name)
         # `counts.marked` replaces saturated pixels by NaN: fits need no test of saturation.
         fit_boxes = partial(fit, noise=camera, saturation=math.inf)
-        checks, count = Checks(recording, table, fit_boxes, background), 0
+        checks, count = Checks(recording, table, fit_boxes, background, surface), 0
         for frames in blocks:
             part = mask if np.ndim(mask) < 3 else mask[count : count + len(frames)]
             counts = frame_counts(frames, table.shape, saturation=saturation, mask=part)
@@ -194,7 +204,7 @@ def movie_blocks(
                 background = "tilted"
                 molecules = _recentred(values, spots, count, table, partial(fit_boxes, table, background=background))
             checks.compare(spots, "tilted" if background == "tilted" else "flat")
-            localizations = _localizations(spots, molecules, recording, widths, table)
+            localizations = _localizations(spots, molecules, recording, widths, table, surface)
             checks.count(localizations, spots.isolated, len(frames))
             yield replace(localizations, findings=checks.findings, summary=checks.summary)
             count += len(frames)
@@ -264,7 +274,12 @@ def _open_blocks(
 
 
 def _localizations(
-    spots: Spots, molecules: Molecules, recording: MovieInfo, widths: tuple[Array, Array, Array], table: Table
+    spots: Spots,
+    molecules: Molecules,
+    recording: MovieInfo,
+    widths: tuple[Array, Array, Array],
+    table: Table,
+    surface: FocalSurface | None,
 ) -> Localizations:
     """Return the localisations, in metres in the sample; `widths` is the result of `gaussian_widths`."""
     rows, pixel = np.zeros(len(spots), columns()), recording.pixel
@@ -286,6 +301,8 @@ def _localizations(
         rows["state"][(molecules.state == STATES.index("border")) & np.isin(molecules.z, table.z)] = 0
         rows["z"] = rows["z_error"] = np.nan
     at_ends_of_z = int(np.isin(rows["z"][rows["state"] == STATES.index("border")], table.z).sum())
+    if surface is not None:
+        rows["z"] -= surface.z(molecules.row, molecules.column)
     not_fitted = spots.borders, spots.overlapping, spots.saturated, spots.left_out
     return Localizations(rows, recording, len(spots), *not_fitted, at_ends_of_z)
 

@@ -11,7 +11,7 @@ from lommel.base.validation import line, shown
 from lommel.microscopy.depth_model import DepthModel, GivenPSF, usual_window
 from lommel.optics.layers.emitter import Emitter, emitter_of
 from lommel.optics.layers.modality import Modality
-from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective import FocalSurface, Objective
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF
 from lommel.recorded.frames import Frames
@@ -33,6 +33,7 @@ class MicroscopeData(Protocol):
     emitter: Emitter
     aberrations: Wavefront | None
     modality: Modality
+    focal_surface: FocalSurface | None
 
 
 class Stated(NamedTuple):
@@ -118,6 +119,8 @@ def sampled(
             f"The middle plane was assumed to be focused at a depth of {format_length(depth, digits=3)}, as if the "
             "stack began at the cover glass; set depth= if not."
         )
+    if device is not None and device.focal_surface is not None:
+        notes.append("The focal surface of the microscope was not used: z counts from it, over the field.")
     sizes = {"pixel": pixel / lens.magnification, "step": step, "emission": tuple(waves)}
     used = replace(recording, metadata=recording.metadata | sizes)
     return Sampled(used, models, doubt)

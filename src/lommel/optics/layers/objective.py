@@ -34,6 +34,49 @@ from lommel.optics.layers.stratified import (
 from lommel.optics.wavefront.wavefront import Wavefront
 
 
+@dataclass(frozen=True)
+class FocalSurface:
+    """Focal surface over the frame of a camera: z of beads on a flat glass, a polynomial of the second degree.
+
+    With u along columns and v along rows, -1 to 1 between the outer edges of the frame, z from the middle is
+    ``x u + y v + xx u^2 + xy u v + yy v^2``.
+
+    Parameters
+    ----------
+    frame : (int, int)
+        Rows and columns of the frame.
+    x, y, xx, xy, yy : float, default 0
+        Coefficients, metres of the stage.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `frame` is not a pair of positive integers, or a coefficient not finite.
+    """
+
+    frame: tuple[int, int]
+    x: float = 0.0
+    y: float = 0.0
+    xx: float = 0.0
+    xy: float = 0.0
+    yy: float = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "frame", validation.image_shape(self.frame, "frame"))
+        for name, value in self.terms.items():
+            object.__setattr__(self, name, validation.real(name, value))
+
+    @property
+    def terms(self) -> dict[str, float]:
+        """Coefficients by name."""
+        return {name: getattr(self, name) for name in ("x", "y", "xx", "xy", "yy")}
+
+    def z(self, row: Array, column: Array) -> Array:
+        """Return the surface at pixels, metres; 0 is the middle of the first pixel."""
+        v, u = ((2.0 * place + 1.0) / side - 1.0 for place, side in zip((row, column), self.frame, strict=True))
+        return np.asarray(self.x * u + self.y * v + self.xx * u * u + self.xy * u * v + self.yy * v * v)
+
+
 @dataclass(frozen=True, eq=False)
 class FocalField:
     """Vectorial field of a microscope, expressed by three integrals K0, K1, K2.

@@ -50,12 +50,19 @@ def test_the_sums_of_the_kernel_are_those_of_every_pixel_also_at_edges(weight):
     np.testing.assert_allclose(cubes, (kernel**3).sum(axis=0), rtol=1e-10)
 
 
-@pytest.mark.parametrize("width", [13.0, 18.0])
+@pytest.mark.parametrize("width", [9.0, 13.0, 18.0])
 def test_a_smooth_hump_of_background_has_no_spots(width):
     """A hump of 8 to 48 electrons, where a flat background on either side of spots finds 0.6 spots a frame."""
     row, column = np.mgrid[:64, :64]
     mean = 8.0 + 40.0 * np.exp(-((row - 29.0) ** 2 + (column - 38.0) ** 2) / (2.0 * width**2))
     assert len(find(np.random.default_rng(4).poisson(mean, (60, 64, 64)))) == 0
+
+
+def test_a_bead_that_stays_is_found_in_every_frame():
+    row, column = np.mgrid[:64, :64]
+    bead = 2e3 * np.exp(-((row - 29.0) ** 2 + (column - 38.0) ** 2) / 8.0) / (8.0 * np.pi)
+    found = find(np.random.default_rng(4).poisson(8.0 + bead, (12, 64, 64)))
+    assert (found.row.tolist(), found.column.tolist()) == ([22] * 12, [31] * 12)
 
 
 def test_heights_are_standard_deviations_where_there_are_many_electrons():

@@ -43,6 +43,7 @@ _MIN_KNOWN = 1e-3  # fraction of the kernel's weight on known pixels, below whic
 _BLOCK = 32  # columns of an image that are smoothed together
 APART = 1.0 - 1e-9  # smallest distance of boxes that do not overlap, in sides of a box
 _NEIGHBOR, _ISOLATED = 4.0, 0.75  # smallest score of a neighbour, and its largest distance in boxes
+_MIN_FRAMES, _MAX_FRAMES = 10, 20  # numbers of frames whose median is the background that stays
 DEFECT = 1e3  # smallest read noise of a defective pixel, electrons
 
 
@@ -143,7 +144,8 @@ def find(
     -----
     Detection uses a difference of Gaussians and the likelihood ratio of a Poisson variable, so that a threshold has
     the same meaning for dim and bright backgrounds and for any read noise. Equations and references are in the
-    docstring of the module. An image with several bright parts, due to strong aberrations, is one spot if a box
+    docstring of the module. Of 10 frames or more, the response to the median frame is subtracted where it is above the
+    noise of a frame: a hump of background is no spot, and a bead stays one. An image with several bright parts, due to strong aberrations, is one spot if a box
     contains all parts.
 
     Examples
@@ -176,12 +178,19 @@ def find(
     kernel = Kernel(electrons.shape[1:], narrow, wide, flat=False)
     variance = np.full(electrons.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
 
-    known_fraction = smoothed(1.0 - defects, narrow)
+    known_fraction, steady = smoothed(1.0 - defects, narrow), np.zeros(())
+    if len(electrons) >= _MIN_FRAMES:
+        # The background that stays, without structure as narrow as a bead; molecules blink. Its excess is taken off
+        # from one standard deviation on, all from two: that is nowhere in a background without structure.
+        median = np.median(electrons[:: -(-len(electrons) // _MAX_FRAMES)], axis=0)
+        still = smoothed(filled(median[None], defects[None], narrow, known_fraction)[0], math.sqrt(narrow * wide))
+        excess, mean = kernel.excess(still, variance)
+        steady = np.clip(2.0 * (excess - np.sqrt(kernel.squares * mean)), 0.0, np.maximum(excess, 0.0))
 
     def maxima(frame: Array) -> tuple[Values, Values, Array]:
         # Dimmer maxima are not spots, but spots near them are not isolated.
         light = filled(frame[None], defects[None], narrow, known_fraction)[0]
-        return kernel.maxima(light, variance, min(level, _NEIGHBOR))
+        return kernel.maxima(light, variance, min(level, _NEIGHBOR), steady)
 
     spots = side_by_side(maxima, list(electrons), 0)
     frame = np.repeat(np.arange(len(electrons)), [part[0].size for part in spots])
@@ -265,17 +274,24 @@ class Kernel:
         self.narrow, self.wide, self.weight = narrow, wide, 0.0 if flat else 1.0 - (narrow / wide) ** 2
         self.squares, self.cubes = _moments(shape[0], shape[1], narrow, wide, self.weight)
 
-    def maxima(self, light: Array, variance: Array, level: float) -> tuple[Values, Values, Array]:
-        """Return rows, columns and scores (module docstring) of the maxima of a frame whose score is >= `level`.
-
-        `variance` is the read variance of pixels, electrons^2.
-        """
+    def excess(self, light: Array, variance: Array) -> tuple[Array, Array]:
+        """Return e (module docstring) of a frame, and the mean m; `variance` is the read variance, electrons^2."""
         background = smoothed(light, self.wide)
         excess = smoothed(light, self.narrow) - background
         if self.weight:
             # Around a bright spot the kernel is positive where N - W is negative: a maximum must be one of both.
             excess -= self.weight * np.maximum(background - smoothed(background, self.wide), 0.0)
-        mean = np.maximum(np.maximum(background, 0.0) + variance, _MIN_MEAN)
+        return excess, np.maximum(np.maximum(background, 0.0) + variance, _MIN_MEAN)
+
+    def maxima(
+        self, light: Array, variance: Array, level: float, steady: Array | float = 0.0
+    ) -> tuple[Values, Values, Array]:
+        """Return rows, columns and scores (module docstring) of the maxima of a frame whose score is >= `level`.
+
+        `variance` is the read variance of pixels, electrons^2; `steady` is taken off e.
+        """
+        excess, mean = self.excess(light, variance)
+        excess -= steady
         # The score is less than (excess / standard deviation): it is computed only for pixels where that is at least
         # `level`. The product x abs(x) has the sign of x, which rejects pixels below the background.
         candidates = np.nonzero(excess * np.abs(excess) >= level**2 * self.squares * mean)

@@ -144,9 +144,9 @@ def find(
     -----
     Detection uses a difference of Gaussians and the likelihood ratio of a Poisson variable, so that a threshold has
     the same meaning for dim and bright backgrounds and for any read noise. Equations and references are in the
-    docstring of the module. Of 10 frames or more, the response to the median frame is subtracted where it is above the
-    noise of a frame: a hump of background is no spot, and a bead stays one. An image with several bright parts, due to strong aberrations, is one spot if a box
-    contains all parts.
+    docstring of the module. Of 10 frames or more, the response to the median frame is subtracted where it is above
+    the noise of a frame: a hump of background is no spot, and a bead stays one. An image with several bright parts,
+    due to strong aberrations, is one spot if a box contains all parts.
 
     Examples
     --------

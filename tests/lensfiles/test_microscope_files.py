@@ -133,11 +133,11 @@ def test_an_amplitude_is_a_number_or_powers_and_is_written_again(load, tmp_path,
 
 
 def test_a_focal_surface_is_written_again_and_faults_are_named(load, tmp_path):
-    surface = '[focal_surface]\nframe = [100, 80]\nx = "0.1 um"\nyy = "-20 nm"\n'
+    surface = '[focal_surface]\nframe = [100, 80]\nterms = { x = "0.1 um", yy = "-20 nm" }\n'
     made = load(more=surface)
     made.save(tmp_path / "again.toml")
     again = lm.load_microscope(tmp_path / "again.toml").focal_surface
-    assert again == made.focal_surface == lm.localize.FocalSurface((100, 80), x=1e-7, yy=-2e-8)
+    assert again == made.focal_surface == lm.localize.FocalSurface((100, 80), {"x": 1e-7, "yy": -2e-8})
     # At the last pixel of the first row u is 79/80, v is -99/100.
     assert again.z(0.0, 79.0) == pytest.approx(1e-7 * 79 / 80 - 2e-8 * 0.99**2, rel=1e-12)
     assert "frame" in fault(load, more=surface.replace("[100, 80]", "[0, 80]"))

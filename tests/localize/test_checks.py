@@ -196,8 +196,8 @@ def test_a_focal_surface_that_was_named_is_stated_and_taken_off(table):
     told = localize_movie(CAMERA.record(tilted, 3), table, noise=CAMERA).findings.get("not_flat")
     terms = told.numbers["surface"]
     assert [terms[name] for name in ("x", "y", "xx", "xy", "yy")] == pytest.approx([1.5e-7, 0, 0, 0, 5e-8], abs=3e-8)
-    assert f'[focal_surface] frame = [100, 100], x = "{1e9 * terms["x"]:.3g} nm", y = ' in told.text
-    surface = lm.localize.FocalSurface((100, 100), **terms)
+    assert f'[focal_surface] frame = [100, 100], terms = {{ x = "{1e9 * terms["x"]:.3g} nm", y = ' in told.text
+    surface = lm.localize.FocalSurface((100, 100), terms)
     found = localize_movie(CAMERA.record(tilted, 4), table, noise=CAMERA, surface=surface)
     assert found.findings.codes == ("untested",)
     assert "focal surface" not in found.message
@@ -211,7 +211,7 @@ def test_a_focal_surface_that_was_named_is_stated_and_taken_off(table):
 def test_a_focal_surface_of_another_frame_or_along_the_depth_is_refused(along, frame, wanted):
     images = Table(simulated.pupil(), 15, 6.5e-6, z=(1e-6, 1.1e-6), along=along, tol=1e-2)
     with pytest.raises(ValueError, match=wanted):
-        localize_movie(np.ones((1, 100, 100)), images, surface=lm.localize.FocalSurface(frame, x=1e-7))
+        localize_movie(np.ones((1, 100, 100)), images, surface=lm.localize.FocalSurface(frame, {"x": 1e-7}))
 
 
 def test_structure_of_the_background_is_the_cause_rather_than_the_optics(table, mean):

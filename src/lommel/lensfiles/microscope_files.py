@@ -212,14 +212,8 @@ class Microscope:
             else:
                 n, m = name
                 errors[f"noll {zernike.index_of(n, m, 'noll')}"] = error / (2.0 * math.pi)
-        return replace(
-            self,
-            objective=found.objective,
-            wavelength=found.wavelength,
-            pixel=found.pixel,
-            aberrations=found.aberrations,
-            errors=errors,
-        )
+        names = "objective", "wavelength", "emitter", "pixel", "aberrations"
+        return replace(self, errors=errors, **{name: getattr(found, name) for name in names})
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write a microscope file for :func:`load_microscope` and for the command line.
@@ -363,11 +357,7 @@ class _Modality(BuiltSection):
 
 class _FocalSurface(BuiltSection):
     frame: tuple[int, int]
-    x: SignedLength = 0.0
-    y: SignedLength = 0.0
-    xx: SignedLength = 0.0
-    xy: SignedLength = 0.0
-    yy: SignedLength = 0.0
+    terms: dict[Literal["x", "y", "xx", "xy", "yy"], SignedLength]
 
     def build(self) -> FocalSurface:
         """Return the focal surface."""
@@ -489,7 +479,7 @@ def _light_sections(microscope: Microscope) -> _Sections:
 def _plane_sections(microscope: Microscope) -> _Sections:
     """Yield the sections of the focal surface, of the stack, if it has several planes, and of the sensor."""
     if (surface := microscope.focal_surface) is not None:
-        terms = {name: _micrometres(value) for name, value in surface.terms.items()}
+        terms = {f"terms.{name}": _micrometres(value) for name, value in surface.terms.items()}
         yield "focal_surface", {"frame": [*surface.frame], **terms}
     if microscope.planes > 1:
         step = _micrometres(microscope.step)
@@ -538,7 +528,7 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     - ``[aberrations.zernike]``: measured wavefront, as in :func:`lommel.load_instrument`; by default its wavelength
       is the emission wavelength
     - ``[errors]``: standard errors of fitted parameters, by name
-    - ``[focal_surface]``: frame (rows, columns) and x, y, xx, xy, yy, as in :class:`lommel.localize.FocalSurface`
+    - ``[focal_surface]``: frame (rows, columns) and terms, as in :class:`lommel.localize.FocalSurface`
     - ``[stack]``: planes, step and origin of z, at which plane ``planes // 2`` lies ("brightest", the default,
       "paraxial" or "coverslip"); without this section there is a single plane, at the brightest focus
     - ``[sensor]``: camera, or pixel (pitch on the camera); shape and integrate, as for a lens

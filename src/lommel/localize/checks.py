@@ -29,7 +29,7 @@ from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, scor
 from lommel.localize.fitting import Molecules, in_electrons
 from lommel.localize.localizations import DOUBTFUL, Localizations, MovieInfo
 from lommel.localize.table import Table, Waves
-from lommel.optics.layers.objective import FocalSurface
+from lommel.optics.layers.objective import SURFACE, FocalSurface
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
@@ -90,9 +90,9 @@ class Checks:
 
     def __init__(
         self, recording: MovieInfo, table: Table, refit: partial[Molecules], background: str,
-        surface: FocalSurface | None = None,
+        surface: FocalSurface | None,
     ) -> None:  # fmt: skip
-        self._stated = surface
+        self._stated = {} if surface is None else surface.terms
         self._recording, self._table, self._refit, self._background = recording, table, refit, background
         self._noise: Noise = refit.keywords["noise"]
         self._once: dict[str, Finding] = {}
@@ -336,7 +336,7 @@ class Checks:
         if self._recording.along != "none":
             untested = sorted(self._changes.untested.items(), key=lambda item: -item[1][2])
             sizes: Json = {name: {"error": size, estimate: bias} for name, (size, estimate, bias) in untested}
-            not_testable = _NOT_TESTABLE[self._stated is not None :]
+            not_testable = _NOT_TESTABLE[bool(self._stated) :]
             sizes |= {name: {} for name in not_testable}
             items = [f"{name} ({_format_error(name, by)} moves {of} {q:.2g} se)" for name, (by, of, q) in untested]
             items[1:1] = not_testable
@@ -353,22 +353,18 @@ class Checks:
         y, x, z = np.transpose(parts)
         if (free := len(z) - 6) < 6:
             return
-        columns = np.stack([np.ones_like(x), y, x, y * y, y * x, x * x], axis=1)
+        columns = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=1)  # 1, and the terms SURFACE
         c = np.linalg.lstsq(columns, z)[0]
         covariance = np.linalg.inv(columns.T @ columns)[1:, 1:] * np.square(z - columns @ c).sum() / free
         chance = float(scipy.special.fdtrc(5, free, c[1:] @ np.linalg.solve(covariance, c[1:]) / 5.0))
         size, bias = float(np.ptp(columns @ c)), float(np.std(columns @ c) / np.median(places[:, 3]))
         if chance < _RARE and bias > _BIASED:
-            stated = {} if self._stated is None else self._stated.terms
-            terms = {
-                name: c[k] + stated.get(name, 0.0)
-                for name, k in (("x", 2), ("y", 1), ("xx", 5), ("xy", 4), ("yy", 3))
-            }
-            entries = ", ".join(f'{name} = "{1e9 * value:.3g} nm"' for name, value in terms.items())
+            terms = {name: z + self._stated.get(name, 0.0) for name, z in zip(SURFACE, c[1:].tolist(), strict=True)}
+            entries = ", ".join(f'{name} = "{1e9 * z:.3g} nm"' for name, z in terms.items())
             text = (
                 f"z follows a tilted or curved surface, {format_length(size, digits=2)} over the field: unless it is "
                 f"the specimen, z is off by {bias:.2g} standard errors rms; if beads on the glass agree, state "
-                f"[focal_surface] frame = {[*self._counts.shape]}, {entries}"
+                f"[focal_surface] frame = {[*self._counts.shape]}, terms = {{ {entries} }}"
             )
             yield Finding("not_flat", "doubt", text, {"size": size, "bias": bias, "chance": chance, "surface": terms})
 
@@ -692,7 +688,7 @@ class TableTest:
         labels = [_label(test) for test in significant]
         cause = other_explanation(significant, [f"{labels[0]} beside what the table states", *labels[1:]])
         name, is_blur = _BIASES[int(biases.argmax())], significant[0].name == _BLUR
-        step = "check for vibration and motion in exposures" if is_blur else "fit the pupil to beads"
+        step = "no entry of a file states blur: stop vibration and motion" if is_blur else "fit the pupil to beads"
         text = f"{cause.text}: this moves {name} by {biases.max():.2g} standard errors rms; {step}"
         numbers = {**cause.numbers, "bias": dict(zip(_BIASES, biases.tolist(), strict=True))}
         severity: Severity = "doubt" if max(biases.max(), total_biases.max()) >= _BIASED else "note"

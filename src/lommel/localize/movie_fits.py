@@ -178,10 +178,8 @@ def movie_blocks(
         facts = {"NA": layers.NA, "immersion": layers.immersion, "emission": layers.wavelength}
         tell_sizes(header, table.pixel, magnification=times, modality="widefield", **facts)
         if surface is not None and (surface.frame != tuple(shape[1:]) or table.along == "depth"):
-            raise ValueError(
-                "surface must be that of the frames of the movie, along z of the stage: its frame is "
-                f"{surface.frame}, got frames of {tuple(shape[1:])} and z along {table.along}"
-            )
+            got = f"its frame is {surface.frame}, got frames of {tuple(shape[1:])} and z along {table.along}"
+            raise ValueError(f"surface must be that of the frames of the movie, along z of the stage: {got}")
         search = partial(find, box=table.shape, noise=camera, width=width)
         pixel = table.pixel / table.pupil.magnification  # in the sample
         along = "none" if options.flat else table.along
@@ -204,7 +202,9 @@ def movie_blocks(
                 background = "tilted"
                 molecules = _recentred(values, spots, count, table, partial(fit_boxes, table, background=background))
             checks.compare(spots, "tilted" if background == "tilted" else "flat")
-            localizations = _localizations(spots, molecules, recording, widths, table, surface)
+            localizations = _localizations(spots, molecules, recording, widths, table)
+            if surface is not None:
+                localizations.table["z"] -= surface.z(molecules.row, molecules.column)
             checks.count(localizations, spots.isolated, len(frames))
             yield replace(localizations, findings=checks.findings, summary=checks.summary)
             count += len(frames)
@@ -274,12 +274,7 @@ def _open_blocks(
 
 
 def _localizations(
-    spots: Spots,
-    molecules: Molecules,
-    recording: MovieInfo,
-    widths: tuple[Array, Array, Array],
-    table: Table,
-    surface: FocalSurface | None,
+    spots: Spots, molecules: Molecules, recording: MovieInfo, widths: tuple[Array, Array, Array], table: Table
 ) -> Localizations:
     """Return the localisations, in metres in the sample; `widths` is the result of `gaussian_widths`."""
     rows, pixel = np.zeros(len(spots), columns()), recording.pixel
@@ -301,8 +296,6 @@ def _localizations(
         rows["state"][(molecules.state == STATES.index("border")) & np.isin(molecules.z, table.z)] = 0
         rows["z"] = rows["z_error"] = np.nan
     at_ends_of_z = int(np.isin(rows["z"][rows["state"] == STATES.index("border")], table.z).sum())
-    if surface is not None:
-        rows["z"] -= surface.z(molecules.row, molecules.column)
     not_fitted = spots.borders, spots.overlapping, spots.saturated, spots.left_out
     return Localizations(rows, recording, len(spots), *not_fitted, at_ends_of_z)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
@@ -33,48 +33,43 @@ from lommel.optics.layers.stratified import (
 )
 from lommel.optics.wavefront.wavefront import Wavefront
 
+SURFACE = ("x", "y", "xx", "xy", "yy")
+"""Terms of a focal surface."""
+
 
 @dataclass(frozen=True)
 class FocalSurface:
     """Focal surface over the frame of a camera: z of beads on a flat glass, a polynomial of the second degree.
 
-    With u along columns and v along rows, -1 to 1 between the outer edges of the frame, z from the middle is
-    ``x u + y v + xx u^2 + xy u v + yy v^2``.
+    With x along columns and y along rows, -1 to 1 between the outer edges of the frame, z from the middle is
+    the sum of the terms, each a coefficient times its products of x and y.
 
     Parameters
     ----------
     frame : (int, int)
         Rows and columns of the frame.
-    x, y, xx, xy, yy : float, default 0
-        Coefficients, metres of the stage.
+    terms : mapping
+        Coefficients by name, "x", "y", "xx", "xy" and "yy", metres of the stage; by default 0.
 
     Raises
     ------
     TypeError, ValueError
-        If `frame` is not a pair of positive integers, or a coefficient not finite.
+        If `frame` is not a pair of positive integers, or a term not one of these or not finite.
     """
 
     frame: tuple[int, int]
-    x: float = 0.0
-    y: float = 0.0
-    xx: float = 0.0
-    xy: float = 0.0
-    yy: float = 0.0
+    terms: Mapping[str, float]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "frame", validation.image_shape(self.frame, "frame"))
-        for name, value in self.terms.items():
-            object.__setattr__(self, name, validation.real(name, value))
-
-    @property
-    def terms(self) -> dict[str, float]:
-        """Coefficients by name."""
-        return {name: getattr(self, name) for name in ("x", "y", "xx", "xy", "yy")}
+        terms = {
+            validation.choice("terms", name, SURFACE): validation.real(name, z) for name, z in self.terms.items()
+        }
+        vars(self).update(frame=validation.image_shape(self.frame, "frame"), terms=terms)
 
     def z(self, row: Array, column: Array) -> Array:
         """Return the surface at pixels, metres; 0 is the middle of the first pixel."""
-        v, u = ((2.0 * place + 1.0) / side - 1.0 for place, side in zip((row, column), self.frame, strict=True))
-        return np.asarray(self.x * u + self.y * v + self.xx * u * u + self.xy * u * v + self.yy * v * v)
+        y, x = ((2.0 * place + 1.0) / side - 1.0 for place, side in zip((row, column), self.frame, strict=True))
+        return np.asarray(sum(z * x ** name.count("x") * y ** name.count("y") for name, z in self.terms.items()))
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from functools import cache, partial
 from types import SimpleNamespace
 from typing import Any
@@ -295,29 +296,32 @@ def table(sign: float, shift: float) -> lm.localize.Table:
 
 
 @cache
-def movie_light(photons: float, dense: bool, waves: Waves, stage: float) -> tuple[np.ndarray, np.ndarray]:
+def movie_light(
+    photons: float, dense: bool, waves: Waves, stage: float, spread: float = 0.0
+) -> tuple[np.ndarray, np.ndarray]:
     """Return 25 frames of 64 x 64 without background, and frame, row, column, depth, photons of each molecule."""
     draw, focus = np.random.default_rng(33), OIL.brightest(1e-6) + stage
+    bright = photons * np.exp(spread * np.random.default_rng(34).normal(size=(25, 4)))  # log-normal
     frames, rows = np.zeros((25, 64, 64)), []
     for frame in range(25):
         for k in range(4):
             place = draw.uniform(9, 54, 2) if dense else 16 + 32 * np.array(divmod(k, 2)) + draw.uniform(-3, 3, 2)
             depth = draw.uniform(0.6e-6, 1.4e-6)
-            rows.append((frame, *place, depth, photons))
+            rows.append((frame, *place, depth, bright[frame, k]))
             first = np.rint(place).astype(int) - 9
             transfer = OIL.transfer(depth, focus, waves)
             image = transfer.image(19, SAMPLE_PIXEL, *(place - first))
-            frames[frame, first[0] : first[0] + 19, first[1] : first[1] + 19] += photons * image
+            frames[frame, first[0] : first[0] + 19, first[1] : first[1] + 19] += bright[frame, k] * image
     return frames, np.array(rows)
 
 
 def movie(
     seed: int, *, photons: float = 1500.0, dense: bool = False, slope: float = 0.0, sign: float = 1.0,
     shift: float = 0.0, stage: float = 0.0, waves: Waves = ASTIGMATIC, recorder: Camera = SCMOS,
-    noise: lm.Noise | None = None,
+    noise: lm.Noise | None = None, spread: float = 0.0,
 ) -> Trial:  # fmt: skip
     """Localise the molecules of a movie on 15 electrons, or a background that slopes along columns."""
-    light, truth = movie_light(photons, dense, waves, stage)
+    light, truth = movie_light(photons, dense, waves, stage, spread)
     frames = recorder.record(light + 15.0 + slope * (np.arange(64) - 31.5), seed)
     known = noise or lm.Noise(white=0.46, read=1.6, offset=100.0)
     images = table(sign, shift)
@@ -357,6 +361,40 @@ def _width(row: Any, name: str) -> float:
 # Stacks of 20 x 40 x 40, 10 um deep in water under oil.
 DEEP, STEP = 10e-6, 0.25e-6
 GREEN = Objective(wavelength=520e-9)
+
+
+@cache
+def scanned_light(modality: lm.microscopy.Modality, which: int) -> tuple[np.ndarray, float]:
+    """Return photons of a stack of beads, confocal or in a light sheet, and those of 39 planes without end."""
+    points = scene.beads(6, 40, (DEEP - 1.5e-6, DEEP + 1.5e-6), np.random.default_rng(380 + which))
+    scale, samples, pinhole = 1.0, 3, modality.pinhole * 0.61 * GREEN.wavelength / GREEN.NA
+    if modality.kind == "light sheet":
+        profile = scene.sheet(GREEN, modality.thickness)
+    else:
+        profile = scene.confocal(GREEN, Objective(wavelength=modality.excitation), pinhole)
+        scale, samples = 0.05 / SAMPLE_PIXEL**2, 1
+    planes, r = GREEN.brightest(DEEP) + stage.positions(39, STEP), np.arange(0, 15e-6, 15e-9)
+    each = (2 * np.pi * r * profile(r, DEEP, planes)).sum() * 15e-9
+    light = scene.volume(GREEN, points, planes[9:29], 40, SAMPLE_PIXEL, profile=profile, samples=samples)
+    return scale * light, scale * each * sum(point[3] for point in points)
+
+
+def scanned(seed: int, stated: lm.microscopy.Modality, true: lm.microscopy.Modality | None = None) -> Trial:
+    """Restore a stack of a confocal or light-sheet microscope that is stated, perhaps wrongly."""
+    light, total = scanned_light(true or stated, seed % 3)
+    counts = SCMOS.record(light + 10.0, seed)
+    objective = lm.Objective(
+        NA=1.4, magnification=63, immersion=1.518, sample=1.33, working_distance=0.19e-3,
+        coverslip=lm.Layer(1.5255, 170e-6),
+    )  # fmt: skip
+    device = lm.Microscope(
+        objective, 520e-9, 6.5e-6, depth=DEEP, planes=20, step=STEP, modality=stated, integrate=True
+    )
+    found, seconds = timed(
+        lm.microscopy.deconvolve, counts, device, noise=lm.Noise(white=0.46, read=1.6, offset=100.0), direction="up"
+    )
+    ratio = float(np.sum(found.values, dtype=float)) * 0.46 / total
+    return Trial(found, np.zeros(0), seconds, extras={"light": (ratio, 0.0)}, wrong=not 0.8 < ratio < 1.25)
 
 
 @cache
@@ -674,6 +712,8 @@ def _movies() -> list[Scenario]:
     add("34", "EMCCD, stated", run, limits=bias)
     add("35", "clipped emitters", partial(movie, photons=6e4, recorder=SCMOS.but(bits=12)), "RT", ("flat_top",))
     add("36", "0.09 molecules per square micrometre", partial(movie, dense=True), "RT")
+    add("36b", "log-normal photons, 100 to 10 000", partial(movie, spread=0.9))
+    add("36c", "the same, 0.09 per square micrometre", partial(movie, dense=True, spread=0.9), "RT")
     wrong = ("astigmatism_reversed", "opposite_astigmatism", "misfit", "psf_doubtful", *OTHER)
     add("37a", "astigmatism of the other sign", partial(movie, sign=-1.0), "T", wrong)
     add("37b", "depth off by 1 um", partial(movie, shift=1e-6), "T", wrong)
@@ -696,6 +736,13 @@ def _stacks() -> list[Scenario]:
         add(row, f"index off by {off:+g}", run, "T", PSF, share=share)
     add("41a", "0.11 % hot pixels", partial(stack, kind="beads", hot=0.0011), limits=light)
     add("41b", "1 % hot pixels", partial(stack, kind="beads", hot=0.01), limits=light)
+    spot, sheet = (lm.microscopy.Modality(kind, 488e-9, thickness=2e-6) for kind in ("confocal", "light sheet"))
+    add("53a", "confocal, 1 Airy unit", partial(scanned, stated=spot))
+    wide = replace(spot, pinhole=3.0)
+    add("53b", "confocal, 1 Airy unit for 3", partial(scanned, stated=spot, true=wide), "RT", PSF)
+    add("54a", "light sheet of 2 um", partial(scanned, stated=sheet))
+    thick = replace(sheet, thickness=4e-6)
+    add("54b", "light sheet, 2 um for 4", partial(scanned, stated=sheet, true=thick), "RT", PSF)
     add("42", "full voxels of 16 bits", partial(stack, kind="beads", full=30.0), limits=light)
     return made
 

@@ -11,6 +11,7 @@ from scipy.interpolate import CubicSpline
 from tests.world.optics import Objective, Transfer, Waves, disc
 
 FINE = 8  # subpixels along a pixel of a texture
+Profile: TypeAlias = Callable[[np.ndarray, float, np.ndarray], np.ndarray]  # of radii, a depth and foci
 Point: TypeAlias = tuple[float, float, float, float]  # row, column (pixels), depth (metres), photons a plane
 
 
@@ -25,26 +26,59 @@ def ball(objective: Objective, diameter: float, depth: float, focus: float, wave
 
 
 def volume(
-    objective: Objective, points: Sequence[Point], foci: np.ndarray, side: int, pixel: float, nodes: int = 12
-) -> np.ndarray:
-    """Return a stack (foci, side, side) of points, each seen from its own depth: between nodes light is linear."""
+    objective: Objective, points: Sequence[Point], foci: np.ndarray, side: int, pixel: float, nodes: int = 12,
+    profile: Profile | None = None, samples: int = 3,
+) -> np.ndarray:  # fmt: skip
+    """Return a stack (foci, side, side) of points, each seen from its own depth: between nodes light is linear.
+
+    `profile` is that of an image, by default of `objective`; `samples` are those along a side of a pixel.
+    """
+    profile = profile or objective.profile
     depths = np.array([point[2] for point in points])
     at = np.linspace(depths.min() - 1e-9, depths.max() + 1e-9, nodes)
     r = np.arange(0, 1.5 * side * pixel, 10e-9)
-    profiles = [CubicSpline(r, objective.profile(r, depth, foci).T) for depth in at]
+    profiles = [CubicSpline(r, profile(r, depth, foci).T) for depth in at]
     made = np.zeros((len(foci), side, side))
     for row, column, depth, photons in points:
         k = min(int((depth - at[0]) / (at[1] - at[0])), nodes - 2)
         share = (depth - at[k]) / (at[1] - at[0])
         for one, part in ((profiles[k], 1 - share), (profiles[k + 1], share)):
-            made += photons * part * _pixels(one, side, row, column, pixel)
+            made += photons * part * _pixels(one, side, row, column, pixel, samples)
     return made
 
 
-def _pixels(profile: CubicSpline, side: int, row: float, column: float, pixel: float) -> np.ndarray:
-    x, w = np.polynomial.legendre.leggauss(3)
+def confocal(emission: Objective, excitation: Objective, pinhole: float) -> Profile:
+    """Return the part of the light that a scan records; `pinhole` is the radius in the sample."""
+    across, weight = np.polynomial.legendre.leggauss(8)
+    turn = np.pi * (np.arange(12) + 0.5) / 12
+    rings = pinhole * np.sqrt(0.5 * (across + 1))  # equal areas
+
+    def profile(r: np.ndarray, depth: float, foci: np.ndarray) -> np.ndarray:
+        seen = CubicSpline(fine := np.append(r, r[-1] + pinhole), emission.profile(fine, depth, foci), axis=1)
+        apart = np.sqrt(r**2 + rings[:, None, None] ** 2 - 2 * r * rings[:, None, None] * np.cos(turn[:, None]))
+        passed = np.einsum("zktr,k->zr", seen(apart), weight / 24) * np.pi * pinhole**2
+        spot = excitation.profile(r, depth, foci)
+        return passed * spot / excitation.profile(np.zeros(1), depth, [excitation.brightest(depth)])
+
+    return profile
+
+
+def sheet(emission: Objective, thickness: float) -> Profile:
+    """Return the light per area of a point in a Gaussian light sheet, which stays in the focal plane."""
+
+    def profile(r: np.ndarray, depth: float, foci: np.ndarray) -> np.ndarray:
+        stage, step = emission.brightest(depth), 0.5e-6
+        rate = (emission.brightest(depth + step) - emission.brightest(depth - step)) / (2 * step)
+        lit = np.exp(-4 * np.log(2) * ((foci - stage) / rate / thickness) ** 2)
+        return lit[:, None] * emission.profile(r, depth, foci)
+
+    return profile
+
+
+def _pixels(profile: CubicSpline, side: int, row: float, column: float, pixel: float, samples: int) -> np.ndarray:
+    x, w = np.polynomial.legendre.leggauss(samples)
     y, q = (((np.arange(side)[:, None] + x / 2).ravel() - place) * pixel for place in (row, column))
-    light = profile(np.hypot(y[:, None], q[None])).reshape(side, 3, side, 3, -1)
+    light = profile(np.hypot(y[:, None], q[None])).reshape(side, samples, side, samples, -1)
     return np.einsum("asbtz,s,t->zab", light, w / 2, w / 2) * pixel**2
 
 

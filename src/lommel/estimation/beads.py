@@ -40,7 +40,7 @@ from lommel.estimation.bead_search import (
 )
 from lommel.estimation.favoured_effects import Round
 from lommel.estimation.options import BeadOptions
-from lommel.estimation.star_images import MAX_LINEAR_ERROR, checked_terms, label
+from lommel.estimation.star_images import MAX_LINEAR_ERROR, checked_terms, label, too_dim_findings
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.model_error import MAX_MISSED, larger, part_missed, with_errors_of_model
@@ -746,15 +746,7 @@ def _add_shift(state: State, model: BeadModel, shift: Array) -> State:
 
 def _error_findings(covariance: Array, image_error: float) -> list[Finding]:
     """Return findings on large standard errors of the terms, and on a large error of the images in the search."""
-    findings = []
-    wavefront_error = math.sqrt(float(np.trace(covariance)))
-    if wavefront_error > MAX_LINEAR_ERROR:
-        text = (
-            f"too little light for so many unknowns: the standard error of the wavefront is {wavefront_error:.2g} "
-            f"radians rms. Above {MAX_LINEAR_ERROR}, images are not linear, and other wavefronts may fit as well; "
-            "use brighter or more beads, or fewer terms"
-        )
-        findings.append(Finding("too_dim", "doubt", text, {"rms": wavefront_error, "limit": MAX_LINEAR_ERROR}))
+    findings = too_dim_findings(math.sqrt(float(np.trace(covariance))))
     if image_error >= _MAX_IMAGE_ERROR:
         text = f"images of the search differ from images with a proven error bound by {image_error:.2g} of the peak"
         if not math.isfinite(image_error):

@@ -34,7 +34,7 @@ from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.options import FieldFitOptions
 from lommel.estimation.star_checks import missing_findings
-from lommel.estimation.star_images import MAX_LINEAR_ERROR, Unknowns, known_defocus, label, single
+from lommel.estimation.star_images import MAX_LINEAR_ERROR, Unknowns, known_defocus, label, single, too_dim_findings
 from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap, save_table
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
@@ -810,13 +810,7 @@ def _too_dim_findings(search: Search, fit: Solution, covariance: Array) -> list[
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
     # With one focus, minima with other signs are near, for each of the m ways in which a term varies over the field.
     limit = MAX_LINEAR_ERROR / math.sqrt(m) if search.stars.first_star.one_focus else MAX_LINEAR_ERROR
-    if rms <= limit:
-        return []
-    text = (
-        f"the standard error of the wavefront is {rms:.2g} rad rms, averaged over the stars: images are not linear "
-        "within this error, and other wavefronts may fit as well"
-    )
-    return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": limit})]
+    return too_dim_findings(rms, limit)
 
 
 def _map_positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tuple[Array, Array]:

@@ -28,6 +28,7 @@ from lommel.estimation.star_images import (
     next_terms,
     pixel_coordinates,
     ripple_terms,
+    too_dim_findings,
     uncertainty,
 )
 from lommel.estimation.star_readout import StarReadout
@@ -447,11 +448,7 @@ def error_findings(model: StarImages, x: Array, covariance_matrix: Array) -> lis
     """Return findings on standard errors that are not valid at the estimate `x`."""
     error, axes = uncertainty(model, covariance_matrix)
     if error > _MAX_PHASE_ERROR:
-        text = (
-            "the standard errors are not to be trusted: the phase of an image has a standard error of "
-            f"{error:.2g} rad rms, and other wavefronts may fit equally well"
-        )
-        return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _MAX_PHASE_ERROR})]
+        return too_dim_findings(error, _MAX_PHASE_ERROR)
     factors = error_factors(model, x, covariance_matrix, axes)
     invalid_indices = [k for k in np.argsort(-factors) if factors[k] > _MAX_ERROR_CHANGE]
     if not invalid_indices:

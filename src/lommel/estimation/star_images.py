@@ -25,6 +25,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Pixels
 from lommel.core.engine import star_likelihood
+from lommel.fit.findings import Finding
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts, term_of
 from lommel.methods.derivative_names import checked as checked_names
@@ -526,6 +527,15 @@ class StarImages(RowModel):
         """Return the rms phase of steps of the parameters, without tilts, radians, shape (s,)."""
         edge = steps[:, self.wave_columns] @ self.directions
         return np.asarray(np.sqrt((edge * edge) @ self.mean_squares))
+
+
+def too_dim_findings(rms: float, limit: float = MAX_LINEAR_ERROR) -> list[Finding]:
+    """Return the finding that images are not linear within the standard error `rms` of a wavefront, radians."""
+    text = (
+        f"too little light for so many unknowns: the standard error of a wavefront is {rms:.2g} rad rms; above "
+        f"{limit:.2g}, images are not linear, and other wavefronts may fit as well"
+    )
+    return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": limit})] if rms > limit else []
 
 
 def uncertainty(model: StarImages, covariance_matrix: Array) -> tuple[float, Array]:

@@ -399,12 +399,14 @@ def fit_stars(
     if pupil.wavelength is not None:
         tell_sizes(counts.metadata, pixel)
     plan = cached_plan(values.shape[1:], pixel, tol=effort.tol, integrate=effort.integrate, threads=effort.threads)
+    fit_blurred = partial(_fit_blurred, counts, noise, plan, pixel, draw)
+    has_fields = {*unknowns.places} == {*SHIFTS} and not unknowns.pupil
     if options.blur is not False:
-        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil:
+        if not has_fields:
             raise ValueError(
                 f"blur must be False with also={validation.shown(options.also)}: it is fitted with center alone"
             )
-        return _fit_blurred(start, options, counts, noise, plan, pixel, effort, draw, options.blur)
+        return fit_blurred(options, effort, start, blur=options.blur)
     model = StarImages(electrons, read, valid, start, defoci, unknowns, plan, pixel)
     if model.degrees_of_freedom < 1:
         raise ValueError(
@@ -412,17 +414,13 @@ def fit_stars(
         )
     fit, extent = _search(model, draw, Progress(options.progress), effort)
     # Effects that only field fits estimate: from the answer, without restarts.
-    blurred = None
-    if {*unknowns.places} == {*SHIFTS} and not unknowns.pupil:
-        fixed: dict[str, Any] = {"counts": counts, "noise": noise, "plan": plan, "pixel": pixel, "draw": draw}
-        of_field = replace(options, progress=None)
-        blurred = partial(_fit_blurred, options=of_field, effort=effort._replace(starts=1), **fixed)
+    blurred = partial(fit_blurred, replace(options, progress=None), effort._replace(starts=1)) if has_fields else None
     return _build_retrieval(fit, counts, noise, extent, checks=options.checks, blurred=blurred)
 
 
 def _fit_blurred(
-    pupil: Pupil, options: RetrieveOptions, counts: Counts, noise: Noise, plan: Plan, pixel: float, effort: Effort,
-    draw: np.random.Generator, blur: Any,
+    counts: Counts, noise: Noise, plan: Plan, pixel: float, draw: np.random.Generator, options: RetrieveOptions,
+    effort: Effort, pupil: Pupil, *, blur: Any,
 ) -> Retrieval:  # fmt: skip
     """Return the fit to images with the option `blur`: the field fit to a single star."""
     height, width = counts.values.shape[1:]

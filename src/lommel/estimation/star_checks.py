@@ -289,13 +289,9 @@ def unit_of(name: Name) -> str:
 
 def candidates_of(effects: Sequence[MissingEffect], first_column: int) -> list[Candidate]:
     """Return candidates of score tests for effects, whose coefficients have the columns from `first_column` on."""
-    candidates = []
-    for effect in effects:
-        candidates.append(
-            Candidate(effect.name, tuple(range(first_column, first_column + len(effect.images))), effect.scale)
-        )
-        first_column += len(effect.images)
-    return candidates
+    ends = itertools.accumulate((len(effect.images) for effect in effects), initial=first_column)
+    columns = (tuple(range(*pair)) for pair in itertools.pairwise(ends))
+    return [Candidate(effect.name, indices, effect.scale) for effect, indices in zip(effects, columns, strict=True)]
 
 
 def to_marginalize(

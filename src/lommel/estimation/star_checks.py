@@ -375,7 +375,7 @@ def _in_words(test: ScoreTest) -> str:
 
 
 def star_tests(
-    fit: Fit[StarImages], _: Sequence[str] = (), rivals: Sequence[str] = ()
+    fit: Fit[StarImages], _freed: Sequence[str] = (), rivals: Sequence[str] = ()
 ) -> tuple[tuple[ScoreTest, ...], Grade, list[Finding]]:
     """Return tests of effects that the model of one star lacks, a marginalized correction, and findings.
 

@@ -335,12 +335,9 @@ def smoothed(light: Array, sigma: float) -> Array:
         band = np.where(np.abs(offset) <= margin, np.exp(-0.5 * (offset / sigma) ** 2), 0.0).astype(np.float32)
         band /= band[:, 0].sum()
         for _ in range(2):  # along rows, then along columns
-            padded = np.pad(light, ((0, 0), (margin, margin + _BLOCK)), "symmetric")
-            light = np.empty_like(light)
-            for first in range(0, light.shape[1], _BLOCK):
-                part = light[:, first : first + _BLOCK]
-                part[...] = product(padded[:, first : first + len(band)], band)[:, : part.shape[1]]
-            light = light.T
+            padded, count = np.pad(light, ((0, 0), (margin, margin + _BLOCK)), "symmetric"), light.shape[1]
+            blocks = [product(padded[:, k : k + len(band)], band) for k in range(0, count, _BLOCK)]
+            light = np.concatenate(blocks, axis=1)[:, :count].T
         return light
     return np.asarray(scipy.ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_TRUNCATION))
 

@@ -180,12 +180,11 @@ class FieldStars:
         for j, column in enumerate(self.first_star.tilts):
             edge[:, :, column] += nuisance[:, j]
         rows, parts = [slice(start, start + block) for start in range(0, len(stars), block)], []
-        if derivatives == "others":
-            self.report.begin(_OTHERS_SHARE, len(rows))
+        report = self.report if derivatives == "others" else Progress(None)
+        report.begin(_OTHERS_SHARE, len(rows))
         for number, r in enumerate(rows):
             parts.append(self._block(reader, edge[r], squared_widths[r], nuisance[r], fast, derivatives))
-            if derivatives == "others":
-                self.report(number)
+            report(number)
         return [np.concatenate(arrays) for arrays in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
     def _readout(self, squared_widths: Array, *, always: bool) -> Readout | None:

@@ -129,7 +129,8 @@ class SampledPupil:
             # The first transform omits rows beyond the aperture, where the pupil function is 0.
             buffer[:, :side, side:] = buffer[:, side:] = 0.0
             buffer[:, :side] = scipy.fft.fft(buffer[:, :side], overwrite_x=True)
-            return scipy.fft.fft(buffer[..., : self._shape[1]], axis=-2, overwrite_x=True)[:, : self._shape[0]]
+            field: Values = scipy.fft.fft(buffer[..., : self._shape[1]], axis=-2, overwrite_x=True)
+            return field[:, : self._shape[0]]
         # Transforms with a cosine (c) or sine (s): the first letter is for rows (y), the second for columns (x).
         (cc, sc), (cs, ss) = self._transforms(np.stack([buffer.real, buffer.imag], axis=1))
         # exp(-i a) = cos a - i sin a: multiplication by -i exchanges real and imaginary parts.

@@ -83,7 +83,7 @@ class StarReadout:
         area = np.sinc(pixel * self._f) if integrate else 1.0
         self._f_weights = 2.0 * pixel * cutoff * weights * taper * area
         self._window = window
-        self._kernels: tuple[bytes, list[list[Array]]] = b"", []
+        self._kernels: tuple[bytes, list[list[Values]]] = b"", []
         #: For rows, then columns: pairs (pixels, samples) of cosines and of sines, shape (positions, frequencies).
         self._axis_waves = [
             list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
@@ -204,7 +204,7 @@ class StarReadout:
                 images[k::exposures] = values
         return derivatives
 
-    def _other_kernels(self, variances: Array) -> list[list[Array]]:
+    def _other_kernels(self, variances: Array) -> list[list[Values]]:
         """Return kernels [rows, columns] (1, c, pixels, samples) of an image, and of its changes by other blurs."""
         phases = [
             [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
@@ -214,13 +214,14 @@ class StarReadout:
         ]
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
 
-        def kernels(weights: Array, *, odd: bool = False) -> list[Array]:
+        def kernels(weights: Array, *, odd: bool = False) -> list[Values]:
             """Return the kernel k of rows and columns; if `odd`, the integral with sines."""
             first, second, sign = (np.sin, np.cos, -1.0) if odd else (np.cos, np.sin, 1.0)
             return [
-                np.float32(
+                np.asarray(
                     products(np.cos(x) * weights[:, None], first(y))
-                    + sign * products(np.sin(x) * weights[:, None], second(y))
+                    + sign * products(np.sin(x) * weights[:, None], second(y)),
+                    np.float32,
                 )[None]
                 for x, y in phases
             ]
@@ -257,7 +258,7 @@ def _row_images(part: Values, matrices: Values) -> Values:
 def _weighted_sums(row_images: Values, matrices: Values, weights: Array) -> Values:
     """Return weighted sums over Gaussians of column products, from results of :func:`_row_images`."""
     r, _, m, _ = matrices.shape
-    weighted = (weights.astype(np.float32)[:, None, None] * matrices).swapaxes(1, 2).reshape(r, m, -1)
+    weighted: Values = (weights.astype(np.float32)[:, None, None] * matrices).swapaxes(1, 2).reshape(r, m, -1)
     stacked = row_images.reshape(*row_images.shape[:-3], -1, row_images.shape[-1])
     return column_products(stacked, weighted)
 

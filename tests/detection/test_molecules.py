@@ -221,3 +221,9 @@ def test_empty_movies_and_dark_frames_have_no_spots():
 def test_bad_arguments_are_told(changes, message):
     with pytest.raises((TypeError, ValueError), match=message):
         find(**({"frames": np.zeros((20, 20))} | changes))
+
+
+@pytest.mark.parametrize(("shape", "sigma"), [((70, 33), 2.0), ((5, 101), 8.3), ((64, 32), 0.7)])
+def test_smoothing_in_single_precision_is_that_in_double_precision(shape, sigma):
+    light = np.random.default_rng(4).poisson(200.0, shape).astype(np.float64)
+    np.testing.assert_allclose(smoothed(light.astype(np.float32), sigma), smoothed(light, sigma), rtol=2e-6)

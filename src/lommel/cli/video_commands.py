@@ -310,7 +310,7 @@ class Estimator:
         elapsed, start = pair.time - self.first_time, time.perf_counter()
         try:
             frames = self.coding.light(pair.first), self.coding.light(pair.second)
-            estimate, equal = self._estimate(*frames)
+            estimate, equal = self._estimate(frames)
         except ValueError as error:
             failure = with_options(str(error))
             for k, name in enumerate(("the first frame", "the second frame")):
@@ -348,7 +348,7 @@ class Estimator:
         """Largest misfit of blocks whose depth is known."""
         return self.limit * float(np.fmax(self.floor, 1.0))
 
-    def _estimate(self, *frames: Values) -> tuple[LiveDepthMap, Sequence[Values]]:
+    def _estimate(self, frames: tuple[Values, Values]) -> tuple[LiveDepthMap, Sequence[Values]]:
         """Return the depth of frames, and the frames, with rows equalized where this lowers the misfit.
 
         Rows of the scene, such as lines of text, differ in brightness as well where the frames differ in blur.

@@ -40,7 +40,7 @@ _ZERO_LIMIT = 0.02  # squared width of blur, pixels^2, below which a step may se
 _MIN_BRIGHT = 50.0  # chi2 of bright pixels requires this many more of them than twice the number of parameters
 _FIRST_ANGLE = 4  # number of parameters of each image (row, column, flux, background) before the angles
 # Changes that hardly affect derivatives by wavefronts: radians rms, and fraction of the squared widths of blur.
-_MAX_CHANGE, _MAX_WIDTH_CHANGE = 0.05, 0.3
+_MAX_CHANGE, _MAX_WIDTH_CHANGE = 0.01, 0.3
 _MAX_ANGLE_STEP = 0.05  # largest step of an angle, radians
 
 

@@ -39,8 +39,6 @@ _OTHERS_SHARE = 0.6  # measured part of a fit's remaining time that the derivati
 _ZERO_LIMIT = 0.02  # squared width of blur, pixels^2, below which a step may set it to 0
 _MIN_BRIGHT = 50.0  # chi2 of bright pixels requires this many more of them than twice the number of parameters
 _FIRST_ANGLE = 4  # number of parameters of each image (row, column, flux, background) before the angles
-# Changes that hardly affect derivatives by wavefronts: radians rms, and fraction of the squared widths of blur.
-_MAX_CHANGE, _MAX_WIDTH_CHANGE = 0.01, 0.3
 _MAX_ANGLE_STEP = 0.05  # largest step of an angle, radians
 
 
@@ -168,9 +166,9 @@ class FieldStars:
         `waves` is (r, k), `squared_widths` (r, e, b), `nuisance` (r, o, e); each result is (r * e, height, width).
         `derivatives` selects the derivatives. "all": by Zernike terms (amplitude at the pupil edge), tilts, squared
         widths and angles. "image": the same number of arrays, but only derivatives by tilts and angles are computed;
-        the other arrays are 0. "widths": only those by squared widths. "none": no derivatives. "others": by
-        `extra_terms`, by the changes of a circular pupil that `changes_of` lists, and, for stars, by the blurs
-        `OTHER_BLURS`; all stars must then have the same squared widths.
+        the other arrays are 0. "none": no derivatives. "others": by `extra_terms`, by the changes of a circular pupil
+        that `changes_of` lists, and, for stars, by the blurs `OTHER_BLURS`; all stars must then have the same squared
+        widths.
         """
         reader = self._readout(squared_widths, always=derivatives == "others")
         names = self.extra_terms if derivatives == "others" else self._terms
@@ -224,7 +222,7 @@ class FieldStars:
         pixel = pitch * float(self.pupil.scale)
         plan = Plan(samples_shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
         prepared = plan.prepared(pupil)
-        names = {"all": self._terms, "image": self._terms[-2:], "others": self.extra_terms}.get(selection, ())
+        names = {"all": self._terms, "image": self._terms[-2:], "none": (), "others": self.extra_terms}[selection]
         others = selection == "others"
         # Sampled pupils do not support masks, and have derivatives by phases only.
         use_proven_method = pupil.mask is not None or (pupil.circular and (others or max(samples_shape) <= SMALL))
@@ -250,7 +248,7 @@ class FieldStars:
                 images = images[: len(stacked)] if others else images
             else:
                 stacked = reader.trailed(stacked, self.trails) if self.trails.any() else stacked
-                images = reader.read(stacked, squared_widths, derivatives=selection in ("all", "widths"))
+                images = reader.read(stacked, squared_widths, derivatives=selection == "all")
                 if others:
                     images += reader.other_blurs(stacked[0], squared_widths[0]).values()
         if selection == "image":
@@ -631,23 +629,6 @@ class WholeField(_StarModel):
         self.pixel_count = int(stars.pixel_data[3][chosen].sum())
         self.degrees_of_freedom = max(self.pixel_count - fitted_count, 1)
         self._fitted_per_star = fitted_count / len(chosen)
-        self._kept = (
-            np.zeros((1, self.size)),
-            list[Array](),
-        )  # parameters and derivatives of the last full computation
-
-    def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
-        """Return the PSFs of all stars, and their derivatives: earlier ones by wavefronts that hardly differ."""
-        old, kept = self._kept
-        change, widths = x - old, self.squared_widths(old).sum()
-        is_near = self.rms(change)[0] < _MAX_CHANGE and np.abs(self.parts(change)[2][:, :2]).max() < 2.0 * _MAX_CHANGE
-        if not kept or not is_near or np.abs(self.squared_widths(change)).sum() > _MAX_WIDTH_CHANGE * widths:
-            values, kept = super().images(x, fast=fast)
-            if not self.held and self.stars.target is None:
-                self._kept = x.copy(), kept
-            return values, kept
-        values, *by_widths = self.stars.images(self.chosen, *self.parts(x), fast=fast, derivatives="widths")
-        return values, [*kept[: len(kept) - len(by_widths)], *by_widths]
 
     def polynomials(self, x: Array) -> Array:
         """Return a view of the coefficients of the polynomials (k, m)."""

@@ -60,7 +60,7 @@ Out<double, 2> nodes(const lommel::RowRule& rule) {
 void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phases, DiskFields stack, WindowFields place,
             double precision, int threads, Out<double, 3> out, In<std::int32_t, 2> factors, Out<double, 4> slopes,
             Out<double, 1> losses) {
-    const auto& [terms, edge, obscuration, amplitude] = stack;  // the rules leave the obscuration out
+    const auto& [terms, edge, obscuration, amplitude, strips] = stack;  // the rules leave the obscuration out
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     const lommel::Amplitude light = amplitude_of(amplitude);

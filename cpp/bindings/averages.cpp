@@ -64,7 +64,7 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     const lommel::DiskWindow window = one_axis_window(place).first;
-    const lommel::DiskPupils pupils{std::move(list), edge.data(), edge.shape(0), 0.0, lommel::Amplitude(), window, nullptr};
+    const lommel::DiskPupils pupils{std::move(list), edge.data(), edge.shape(0), 0.0, lommel::Amplitude(), window, nullptr, {}};
     const auto sample = [&](const lommel::NodeQuestion& question, const lommel::AverageAnswer& to,
                             lommel::NodeNumbers& of_pupils) {
         lommel::DiskStack stack = pupils.stack();

@@ -28,7 +28,7 @@ double derivatives(DiskFields stack, WindowFields window, Request request, Out<T
     const lommel::Answer<T> answer = answer_of(pupils_of(std::get<1>(stack)), window, scale, images, numbers);
     const Slopes wanted{factors_of(factors), slopes.data(), bounds.data()};
     require(scale > 0.0, "derivatives of values that are divided by their largest one are not available");
-    return ask_disks<false>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
+    return ask_disks<false, true>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
         lommel::ChordalRenderer<T, Slopes>(of, at, tol, threads, answer, wanted).run();
     });
 }
@@ -232,7 +232,7 @@ std::pair<double, double> costs(DiskFields stack, WindowFields window, double to
 }  // namespace
 
 void bindings::define_chordal(nb::module_& m) {
-    define_disk_images<Images, false>(m, "chordal_images",
+    define_disk_images<Images, false, true>(m, "chordal_images",
                                       "The same by the chordal rule; bounds are over the largest value of the window.");
     define_disk_images<CheaperImages, false>(m, "cheaper_chordal_images",
                                              "The same, unless the series is likely to take less time: a Declined then.");

@@ -20,8 +20,9 @@ namespace bindings {
 // NamedTuples of lommel.core.engine, which cross field by field.
 // RadialStack: coefficients[pupil][term], radians; obscuration; powers of the amplitude.
 using RadialFields = std::tuple<In<double, 2>, double, In<double, 1>>;
-// DiskStack: terms[term][n, m]; coefficients[pupil][term], radians at the edge; obscuration; powers of the amplitude.
-using DiskFields = std::tuple<In<std::int32_t, 2>, In<double, 2>, double, In<double, 1>>;
+// DiskStack: terms[term][n, m]; coefficients[pupil][term], radians at the edge; obscuration; powers of the amplitude;
+// strips[strip][cosine, sine, low, high, mirrored, ahead, behind, begins, start].
+using DiskFields = std::tuple<In<std::int32_t, 2>, In<double, 2>, double, In<double, 1>, In<double, 2>>;
 // Pixel at the axis of all images, as (row, column) or one row of an array; or centers[pupil][row, column].
 using Center = std::variant<std::pair<double, double>, In<double, 2>>;
 // Window: (height, width), center, pitch in v.
@@ -163,20 +164,35 @@ inline AxisWindow one_axis_window(const WindowFields& window) {
     return axis_window(window, 1);
 }
 
+inline std::vector<lommel::Strip> strips_of(const In<double, 2>& given) {
+    require(given.shape(0) == 0 || given.shape(1) == 9, "nine numbers a strip");
+    std::vector<lommel::Strip> strips;
+    for (std::size_t i = 0; i < given.shape(0); ++i) {
+        const double* of = given.data() + 9 * i;
+        const auto begins = static_cast<lommel::Strip::Begins>(static_cast<int>(of[7]));
+        require(of[2] < of[3] && of[7] >= 0.0 && of[7] <= 2.0 && (of[5] != 0.0 || of[6] != 0.0), "no such strip");
+        strips.push_back({of[0], of[1], of[2], of[3], of[4] != 0.0, of[5] != 0.0, of[6] != 0.0, begins, of[8]});
+        const double within = begins == lommel::Strip::Begins::circle ? of[8] : 1.0;
+        require(strips.back().farthest() < within, "a strip must be narrower than the disk, and than where it begins");
+    }
+    return strips;
+}
+
 inline lommel::DiskPupils disks_of(const DiskFields& stack, const WindowFields& window) {
-    const auto& [terms, edge, obscuration, amplitude] = stack;
+    const auto& [terms, edge, obscuration, amplitude, strips] = stack;
     const AxisWindow at = axis_window(window, pupils_of(edge));
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     return {std::move(list),         edge.data(), edge.shape(0), obscuration_of(obscuration),
-            amplitude_of(amplitude), at.first,    at.centers};
+            amplitude_of(amplitude), at.first,    at.centers,    strips_of(strips)};
 }
 
-// Call work(stack, window) for such pupils. With Moves, tilts become shifts by whole pixels. Returns 0, or the achieved error
-// bound if the tolerance cannot be met.
-template <bool Moves, class Work>
+// Call work(stack, window) for such pupils. With Moves, tilts become shifts by whole pixels. Cuts: strips may be cut out of the
+// apertures. Returns 0, or the achieved error bound if the tolerance cannot be met.
+template <bool Moves, bool Cuts = false, class Work>
 double ask_disks(const DiskFields& given, const WindowFields& window, double tol, int threads, const Work& work) {
     const lommel::DiskPupils pupils = disks_of(given, window);
+    require(Cuts || pupils.strips.empty(), "strips are not cut out by this method");
     require_request(pupils.window.step, tol, threads);
     return judged([&] {
         lommel::DiskStack stack = pupils.stack();
@@ -188,19 +204,19 @@ double ask_disks(const DiskFields& given, const WindowFields& window, double tol
     });
 }
 
-template <template <class> class Engine, bool Moves, class T>
+template <template <class> class Engine, bool Moves, bool Cuts, class T>
 double disk_images(DiskFields stack, WindowFields window, Request request, Out<T, 3> images, Out<double, 2> numbers) {
     const auto [tol, threads, scale] = request;
     const lommel::Answer<T> answer = answer_of(pupils_of(std::get<1>(stack)), window, scale, images, numbers);
-    return ask_disks<Moves>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
+    return ask_disks<Moves, Cuts>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
         Engine<T>(of, at, tol, threads, answer).run();
     });
 }
 
-template <template <class> class Engine, bool Moves>
+template <template <class> class Engine, bool Moves, bool Cuts = false>
 void define_disk_images(nb::module_& m, const char* name, const char* says) {
     for_both([&](auto pixel) {
-        m.def(name, &disk_images<Engine, Moves, decltype(pixel)>, "stack"_a, "window"_a, "request"_a, "images"_a.noconvert(),
+        m.def(name, &disk_images<Engine, Moves, Cuts, decltype(pixel)>, "stack"_a, "window"_a, "request"_a, "images"_a.noconvert(),
               "numbers"_a.noconvert(), says);
     });
 }

@@ -16,6 +16,7 @@ from core_tests import UNIT, WIDER, _core_tests, instructions
 from digits import same
 from log_amplitudes import log_amplitude
 from lommel import _core
+from lommel.core.engine import DiskStack
 
 CURVES = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(k) / 63) for k in range(64)]
 LIST = [(1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (4, 0), (5, -3)]
@@ -267,7 +268,7 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
     images, numbers, step = np.empty((1, 1, 8)), np.empty((3, 1)), 1.2
     scales, bounds, peaks = numbers
     disk, request = (
-        (TERMS.astype(np.int32), np.array([c]), obscuration, np.array(light)),
+        DiskStack(TERMS.astype(np.int32), np.array([c]), obscuration, np.array(light)),
         (tol, 1, float(not divided)),
     )
     unmet = _core.chordal_images(disk, ((1, 8), (0.0, column), step), request, images, numbers)
@@ -312,7 +313,7 @@ def test_the_bound_of_an_image_in_single_precision_has_its_rounding(c, tol, divi
     images, numbers, step, light = np.empty((1, 1, 8), np.float32), np.empty((3, 1)), 1.2, [0.0]
     _, bounds, peaks = numbers
     disk, request = (
-        (TERMS.astype(np.int32), np.array([c]), obscuration, np.array(light)),
+        DiskStack(TERMS.astype(np.int32), np.array([c]), obscuration, np.array(light)),
         (tol, 1, float(not divided)),
     )
     assert _core.chordal_images(disk, ((1, 8), (0.0, 3.0), step), request, images, numbers) == 0.0

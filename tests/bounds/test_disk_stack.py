@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from core_tests import SPACING, UNIT, _core_tests
 from lommel import _core
+from lommel.core.engine import DiskStack
 from lommel.special import zernike
 
 TERMS = [(n, m) for n in range(1, 13) for m in range(-n, n + 1, 2)] + [(60, 0), (59, -3), (40, 38)]
@@ -121,7 +122,7 @@ def test_every_pupil_of_a_stack_has_its_own_inner_disk(engine):
 
     def image(rows):
         images, numbers = np.empty((len(rows), 6, 7)), np.empty((3, len(rows)))
-        stack, window = (terms, rows, 0.5, np.zeros(1)), ((6, 7), (2.2, 3.7), 0.9)
+        stack, window = DiskStack(terms, rows, 0.5, np.zeros(1)), ((6, 7), (2.2, 3.7), 0.9)
         assert engine(stack, window, (1e-9, 1, 1.0), images, numbers) == 0.0
         return images
 

@@ -17,6 +17,7 @@ from core_tests import UNIT, _core_tests, instructions
 from digits import same
 from log_amplitudes import log_amplitude
 from lommel import _core
+from lommel.core.engine import DiskStack
 
 CURVES = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(i) / 63) for i in range(64)]
 LIST = [(2, 0), (2, 2), (2, -2), (3, 1), (3, -3), (4, 0), (6, 2), (9, -5)]
@@ -287,7 +288,7 @@ def test_the_bound_of_an_image_is_made_of_these(normalize, side, step, obscurati
     assert (lost > 0.0) == (obscuration > 0.0)
     images, numbers = np.empty((1, side, side)), np.empty((3, 1))
     scale, (_, bounds, peaks) = 0.0 if normalize == "peak" else 1.0, numbers
-    stack = terms.astype(np.int32), np.array([list(c.values())]), obscuration, np.zeros(1)
+    stack = DiskStack(terms.astype(np.int32), np.array([list(c.values())]), obscuration, np.zeros(1))
     window = (side, side), (middle, middle), step
     assert _core.series_images(stack, window, (tol, 1, scale), images, numbers) == 0.0
     size = sum(abs(x) for x in c.values())

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import lommel as lm
 from disk_questions import disk_question
 from lommel import _core
+from lommel.core.engine import DiskStack
 from lommel.methods import ChordalGauss, NijboerZernike
 from lommel.optics.grid import Grid
 from lommel.paper import Fraunhofer
@@ -228,7 +229,7 @@ def test_the_strongest_pupil_of_a_stack_may_be_far_stronger_than_the_rest():
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
 def test_an_image_is_written_where_it_is_to_be_even_if_other_arguments_are_converted(engine, kind):
     images, numbers = np.zeros((1, 3, 3), kind), np.zeros((3, 1))
-    stack = np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1)
+    stack = DiskStack(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1))
     window, request = ((3, 3), (1, 1), 0.5), (1e-3, 1, 1.0)  # whole numbers for the centre
     assert engine(stack, window, request, images, numbers) == 0.0
     assert images.min() > 0.1

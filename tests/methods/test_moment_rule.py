@@ -13,7 +13,7 @@ TERMS = tuple(zernike.term(4 + k, "noll") for k in range(15))
 FRONT = lm.Wavefront.zernike(dict(zip(TERMS, np.random.default_rng(0).normal(scale=0.2, size=15), strict=True)))
 SEGMENTS = lm.Segments.hexagonal(rings=2, gap=0.01)
 APERTURES = {
-    "vanes": {"obscuration": 0.3, "spider": lm.Spider.equal(4, 0.03, 0.2)},
+    "vanes": {"obscuration": 0.02, "spider": lm.Spider.equal(4, 0.03, 0.2)},
     "segments": {"stop": SEGMENTS.phased(np.linspace(-1.0, 1.0, 18), 0.7, np.linspace(-2.0, 3.0, 18))},
     "Gaussian": {"vignetting": lm.CatEye((0.3, 0.2)), "apodization": 1.0},
 }

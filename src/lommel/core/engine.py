@@ -60,6 +60,10 @@ class RadialStack(NamedTuple):
     amplitude: Array  # g_0, g_1, ... of exp(-(g_0 + g_1 rho^2 + ...))
 
 
+UNCUT = np.empty((0, 9))
+"""Strips of an aperture that has none."""
+
+
 class DiskStack(NamedTuple):
     """Pupils with arbitrary wavefronts; obscuration and amplitude are those of :class:`RadialStack`."""
 
@@ -67,6 +71,7 @@ class DiskStack(NamedTuple):
     edge: Array  # (n, k), coefficients of the terms, radians at the edge
     obscuration: float
     amplitude: Array
+    strips: Array = UNCUT  # of lommel.optics.aperture.opening.Opening.strips
 
 
 class Window(NamedTuple):
@@ -262,7 +267,14 @@ def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, flo
 
 
 def chordal_plan(
-    obscuration: float, amplitude: Array, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool
+    obscuration: float,
+    amplitude: Array,
+    strips: Array,
+    window: Window,
+    tol: float,
+    wanted: Wanted,
+    *,
+    if_cheaper: bool,
 ) -> Callable[[NDArray[np.int32], Array, Pixels], tuple[Array, float]]:
     """Return a fast function f(terms, edge, values) for :func:`chordal_images` of stacks of one aperture.
 
@@ -275,7 +287,7 @@ def chordal_plan(
         stack, count = values.shape[:-2], edge.size // len(terms)
         numbers = np.empty((3, count))
         edges, images = edge.reshape(count, -1), values.reshape(count, *window.shape)
-        if bound := compute((terms, edges, obscuration, amplitude), window, request, images, numbers):
+        if bound := compute((terms, edges, obscuration, amplitude, strips), window, request, images, numbers):
             raise not_met(tol, bound, "the largest value in the window")
         return numbers[0].reshape(stack), max(numbers[1].tolist())
 

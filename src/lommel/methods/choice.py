@@ -45,6 +45,13 @@ def _disk_methods() -> tuple[Callable[[float], Method], ...]:
     return ChordalIfCheaper, NijboerZernike, ChordalGauss
 
 
+def _cut_methods() -> tuple[Callable[[float], Method], ...]:
+    from lommel.methods.chordal_gauss import ChordalGauss
+    from lommel.methods.nonuniform_fft import NonuniformFFT
+
+    return ChordalGauss, NonuniformFFT
+
+
 def _general_methods() -> tuple[Callable[[float], Method], ...]:
     from lommel.methods.nonuniform_fft import NonuniformFFT
 
@@ -88,6 +95,12 @@ RULES = (
         lambda pupil, _: pupil.circular,
         _disk_methods,
         "two matrix products; or FFTs on circles, and interpolation for an eighth of the pixels",
+    ),
+    Rule(
+        "annular, behind straight vanes",
+        lambda pupil, _: getattr(pupil, "strips", None) is not None,
+        _cut_methods,
+        "two matrix products, and a filter along the vanes",
     ),
     Rule(
         "any other aperture",

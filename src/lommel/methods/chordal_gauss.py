@@ -21,7 +21,8 @@ from lommel.optics.pupil import Pupil
 class ChordalGauss(Method[Pupil]):
     r"""Quadrature over chords of the pupil by two matrix products, for any wavefront, with a proven error bound.
 
-    Supports circular and annular apertures, with or without apodization. Intended for stacks of small windows:
+    Supports circular and annular apertures, with or without apodization, also behind straight vanes that part within
+    the obscuration. Intended for stacks of small windows:
     several pupils are computed together, and the tables of a window are cached between calls. The cost is
     proportional to the number N of chords times the number of nodes per chord. Both numbers grow with the phase and
     with the window; N is at most 1024. Images in float32 are summed in single precision if the tolerance allows this;
@@ -48,7 +49,9 @@ class ChordalGauss(Method[Pupil]):
     trapezoidal rule for a periodic function; along the chords, it is a Gauss rule. Both rules converge geometrically,
     since the integrand is entire. The bound, derived in docs/certificate.md, uses that Zernike terms are
     trigonometric polynomials on every chord. A tilt is treated as a shift of the window. An obscured aperture is the
-    difference of two disks. Nodes and pixels at opposite coordinates are computed together, along both axes.
+    difference of two disks, and vanes are strips that are subtracted, by Gauss rules across and along; the fields of
+    their lines are interpolated between tabulated places. Nodes and pixels at opposite coordinates are computed
+    together, along both axes.
 
     References
     ----------
@@ -62,7 +65,7 @@ class ChordalGauss(Method[Pupil]):
     Zernike terms of a smaller disk.
     """
 
-    apodized = nonradial = True
+    apodized = nonradial = cut_aperture = True
     tol: float = 1e-6
     _if_cheaper: ClassVar[bool] = False
 
@@ -76,8 +79,8 @@ class ChordalGauss(Method[Pupil]):
         if grid.stack or grid.integrate or pupil.illumination.error:
             return None
         shape, dtype = pupil.shape + grid.shape, np.dtype(wanted.dtype)
-        exponent, window = pupil.illumination.exponent, window_of(pupil, grid)
-        compute = chordal_plan(pupil.obscuration, exponent, window, self.tol, wanted, if_cheaper=self._if_cheaper)
+        aperture, window = disk_stack(pupil)[2:], window_of(pupil, grid)
+        compute = chordal_plan(*aperture, window, self.tol, wanted, if_cheaper=self._if_cheaper)
 
         def shortcut(new_pupil: Pupil, values: Pixels) -> tuple[Array, float] | None:
             wavefront, flags = new_pupil.wavefront, values.flags
@@ -107,6 +110,8 @@ class ChordalGauss(Method[Pupil]):
             averages = disk_averages(stack, window, self.tol, wanted, if_cheaper=self._if_cheaper)
             if averages is not None:
                 return averages
+            if not pupil.circular:
+                raise Declined("no nodes of the window suit averages behind vanes; NonuniformFFT filters samples")
         return disk_images(point_samples, pupil, grid, self.tol, wanted)
 
     def gradient(self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...]) -> Array:
@@ -132,6 +137,8 @@ class ChordalGauss(Method[Pupil]):
         def gradient_of_samples(part: Pupil, pixels: Grid, tol: float, pixel_weights: Array) -> Array:
             return chordal_gradient(disk_stack(part), window_of(part, pixels), tol, pixel_weights, terms, 0)
 
+        if not pupil.circular:
+            raise Declined("ChordalGauss has no transpose of derivatives behind vanes; use NonuniformFFT")
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:
             return gradient_of_samples(pupil, grid, self.tol, weights)
@@ -146,6 +153,7 @@ _MAX_SAMPLED_V = 90.0  # largest estimated v at which far pixels start; beyond i
 class ChordalIfCheaper(ChordalGauss):
     """ChordalGauss that raises Declined if :class:`NijboerZernike` is estimated to be faster."""
 
+    cut_aperture = False
     _if_cheaper = True
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Samples:

@@ -257,6 +257,9 @@ def differentiated(
     energy: bool,
 ) -> tuple[Method, Samples, list[Slope]]:
     """Return the method, the images, and their derivatives by checked `names`."""
+    if method is None and pupil.strips is not None:
+        compute = partial(differentiated, pupil=pupil, grid=grid, names=names, wanted=wanted, tol=tol, energy=energy)
+        return first_within_tolerance((ChordalGauss(tol), NonuniformFFT(tol)), compute)[1]
     if (rule := _rule_of_terms(method, pupil, names, tol)) is not None:
         terms = cast("tuple[Term, ...]", tuple(names))
         images = rule.images(pupil, grid, wanted._replace(terms=terms))

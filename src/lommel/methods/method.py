@@ -65,6 +65,9 @@ class Method(ABC, Generic[P]):
     any_aperture: ClassVar[bool] = False
     """True if apertures with a spider, vignetting or a mask are supported."""
 
+    cut_aperture: ClassVar[bool] = False
+    """True if annular apertures with straight vanes are supported, where `Pupil.strips` are."""
+
     keeps_tol: ClassVar[bool] = True
     """True if error bounds, where available, include all errors (also of storing) and never exceed `tol`."""
 
@@ -180,7 +183,13 @@ class Method(ABC, Generic[P]):
             )
         reason = self.unsupported(pupil)
         if reason is None and not (pupil.circular or self.any_aperture):
-            reason = "supports circular and annular apertures only; leave method out for other apertures"
+            if not self.cut_aperture:
+                reason = "supports circular and annular apertures only; leave method out for other apertures"
+            elif cast("Pupil", pupil).strips is None:
+                reason = (
+                    "supports circular and annular apertures only; vanes must part within the obscuration: leave "
+                    "method out for other apertures"
+                )
         if reason is None and not (self.nonradial or pupil.radial):
             reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"
         if reason is None and not (self.apodized or cast("Pupil", pupil).illumination.uniform):

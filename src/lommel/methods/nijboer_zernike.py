@@ -160,9 +160,10 @@ def radial_stack(pupil: Pupil) -> RadialStack:
 
 
 def disk_stack(pupil: Pupil) -> DiskStack:
-    """Return the flattened stack of a pupil with any wavefront and a circular or annular aperture."""
+    """Return the flattened stack of a pupil with any wavefront; of its aperture, the annulus and straight vanes."""
     edge, indices = pupil.wavefront.edge, pupil.wavefront.indices
-    return DiskStack(indices, edge.reshape(-1, len(indices)), pupil.obscuration, pupil.illumination.exponent)
+    stack = DiskStack(indices, edge.reshape(-1, len(indices)), pupil.obscuration, pupil.illumination.exponent)
+    return stack if (strips := pupil.strips) is None else stack._replace(strips=strips)
 
 
 def window_of(pupil: Pupil, grid: Grid) -> Window:

@@ -192,6 +192,11 @@ class Pupil(BasePupil):
 
         return Opening(self.obscuration, self.spider, self.vignetting, self.stop)
 
+    @property
+    def strips(self) -> Array | None:
+        """Strips that vanes cut out of the annulus, see `Opening.strips`; None without vanes or if not possible."""
+        return None if self.spider is None or self.mask is not None else self.opening.strips
+
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture, for polynomials of a `degree`.
 

@@ -35,7 +35,7 @@ class DiskAverages {
             variance = std::max(variance, phase_variance(pupils_.terms, pupils_.edge + p * pupils_.terms.size()));
         }
         light_ = {1.0 / (1.0 + variance), pupils_.amplitude.raised(2.0).integral(pupils_.obscuration)};
-        return (asked_.factors.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
+        return (asked_.factors.empty() && pupils_.strips.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
     }
 
    protected:
@@ -161,14 +161,13 @@ class DiskAverages {
     }
     DiskStack stack_of(const Pupils& which) const {
         const std::size_t terms = pupils_.terms.size();
-        if (which.size() == pupils_.count) {
-            return {pupils_.terms, pupils_.edge, pupils_.count, pupils_.obscuration, pupils_.amplitude};
-        }
         std::vector<double> edge;
         for (const std::size_t p : which) {
             edge.insert(edge.end(), pupils_.edge + p * terms, pupils_.edge + (p + 1) * terms);
         }
-        return {pupils_.terms, edge.data(), which.size(), pupils_.obscuration, pupils_.amplitude};
+        DiskStack made(pupils_.terms, edge.data(), which.size(), pupils_.obscuration, pupils_.amplitude);
+        made.strips = pupils_.strips;
+        return made;
     }
     // placed(): stack of pupils whose axes are at `centers`: the window's axis is moved there if these positions are equal;
     // otherwise each pupil gets a tilt that moves its image there. moved(): stack in which each pupil's axis is moved to the

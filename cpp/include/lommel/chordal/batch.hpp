@@ -39,7 +39,15 @@ struct ChordalScratch {
     Values chords, row, inner, intensity;
     Values kept[2], factored, factors, fields;  // used for derivatives only
     Values lines;  // used for pixel averages only
+    Values strip_sums, strip_kept, strip_factors, strip_fields;  // used for strips only
     Doubles sums;
+};
+
+// Tables of the strips that are cut out of the aperture; null without strips, and `factors` without derivatives.
+template <class Real>
+struct StripTables {
+    std::shared_ptr<const StripTable<Real>> window;
+    std::shared_ptr<const StripTerms> terms, factors;
 };
 
 // Batch of pupils. Complex amplitude of a pupil = that of the full disk - area * that of the obscuration, of relative area `area`.
@@ -56,6 +64,7 @@ struct ChordalBatch {
     double area;
     const std::array<ChordalTables<Real>, 2>& disks;
     ChordalScratch<Real>& scratch;
+    StripTables<Real> strips = {};
 
     std::size_t lanes() const { return Kernels::lanes(level); }
     std::size_t rows() const { return disks[0].kernel->rows.count; }
@@ -98,8 +107,29 @@ struct ChordalBatch {
         }
     }
 
-    // Compute the complex amplitude U of the aperture, obscuration subtracted; prepare(disk) is called before each disk.
-    void fields(const Reference<void(std::size_t disk)>& prepare, const Nodes& nodes_of, const Sink& sink) const {
+    // Compute the fields of all lines of the strips at the places of their tables. fold(line, sums): sums of the pupil function over
+    // the points of each node, see fold_points().
+    void strip_fields(const Reference<void(std::size_t line, Real* sums)>& fold) const {
+        const StripTable<Real>& table = *strips.window;
+        const std::size_t room = table.room(lanes());
+        scratch.strip_fields.resize(table.sums * room);
+        Real* to = scratch.strip_fields.data();
+        for (std::size_t i = 0; i < table.lines.size(); ++i) {
+            look();
+            const StripLine& line = table.points.lines[i];
+            const std::size_t each = 4 * line.nodes * lanes();
+            scratch.strip_sums.resize(2 * each);
+            fold(i, scratch.strip_sums.data());
+            for (std::size_t sum = 0; sum < line.sums; ++sum, to += room) {
+                Kernels::strip_line(level, table, i, scratch.strip_sums.data() + sum * each, to);
+            }
+        }
+    }
+
+    // Compute the complex amplitude U of the aperture, obscuration and strips subtracted; prepare(disk) is called before each disk,
+    // cut() before the strips, from the same coefficients as disk 0.
+    void fields(const Reference<void(std::size_t disk)>& prepare, const Nodes& nodes_of, const Reference<void()>& cut,
+                const Sink& sink) const {
         const std::size_t all = 2 * vectors(), line = all * lanes();
         const bool obscured = area > 0.0;
         scratch.inner.resize(obscured ? rows() * line : 0);
@@ -110,9 +140,15 @@ struct ChordalBatch {
             });
         }
         prepare(0);
+        if (strips.window != nullptr) {
+            cut();
+        }
         disk_fields(0, nodes_of, [&](std::size_t y, Real* u) {
             if (obscured) {
                 Kernels::subtract(level, scratch.inner.data() + y * line, all, u);
+            }
+            if (strips.window != nullptr) {
+                Kernels::subtract_strips(level, *strips.window, scratch.strip_fields.data(), y, u);
             }
             sink(y, u);
         });
@@ -129,7 +165,16 @@ struct ChordalBatch {
             Kernels::nodes(level, *disks[disk].terms, i, scratch.coefficients.data(), to);
             return to;
         };
-        fields(prepare, nodes, sink);
+        const auto cut = [&] {
+            scratch.strip_kept.resize(keep ? 2 * strips.terms->points.x.size() * lanes() : 0);
+            strip_fields([&](std::size_t i, Real* sums) {
+                const StripLine& line = strips.terms->points.lines[i];
+                Real* const kept = keep ? scratch.strip_kept.data() + 2 * line.first * lanes() : nullptr;
+                Kernels::strip_nodes(level, line, *strips.terms, strips.window->weights.data() + line.first_node,
+                                     scratch.coefficients.data(), kept, sums);
+            });
+        };
+        fields(prepare, nodes, cut, sink);
     }
 };
 

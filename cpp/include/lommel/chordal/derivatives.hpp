@@ -64,11 +64,25 @@ struct ChordalDerivatives {
                 return scratch.factored.data();
             };
             const FactorLanes outer = given(0);
+            const auto cut = [&] {
+                const StripTerms& factors = *batch.strips.factors;
+                scratch.strip_factors.assign(factors.points.x.size() * lanes, Real(0));
+                for (std::size_t lane = 0; lane < outer.used(); ++lane) {
+                    factors.column(outer.term(lane), [&](std::size_t point, double value) {
+                        scratch.strip_factors[point * lanes + lane] = static_cast<Real>(value);
+                    });
+                }
+                batch.strip_fields([&](std::size_t i, Real* sums) {
+                    const StripLine& line = factors.points.lines[i];
+                    Kernels::strip_products(batch.level, line, scratch.strip_kept.data() + 2 * line.first * lanes,
+                                            scratch.strip_factors.data() + line.first * lanes, sums);
+                });
+            };
             alignas(64) Real tops[most_pupils] = {};
             if (weights != nullptr) {
                 begin_averages(batch, *weights);
             }
-            batch.fields(prepare, nodes, [&](std::size_t y, const Real* d) {
+            batch.fields(prepare, nodes, cut, [&](std::size_t y, const Real* d) {
                 const Real* u = scratch.fields.data() + y * width * 2 * lanes;
                 Kernels::slopes(batch.level, u, d, width, scratch.intensity.data(), tops);
                 if (weights != nullptr) {

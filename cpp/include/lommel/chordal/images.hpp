@@ -40,6 +40,8 @@ struct ChordalBudget {
     // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
+    // Share of the error of U for strips; its parts for the sums across and along; the interpolation has the rest.
+    static constexpr double strips = 0.25, across = 0.5, along = 0.2;
     // Largest part of a disk's allowed error that the sum over chords may take; what it leaves is for the sums over nodes.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
@@ -67,14 +69,18 @@ class ChordalRenderer {
                     const More& more = {})
         : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
-          area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
+          area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {
+        cut();
+    }
 
     // Render pixel averages; the samples at `nodes` are not stored. tol: tolerance of the complex amplitude at the nodes, absolute.
     ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const Answer<T>& answer,
                     const More& more = {})
         : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
           more_(more), degree_(highest_degree(more.terms)), area_(stack.obscuration * stack.obscuration),
-          lines_(stack, rows_, columns_, step_, threads), states_(stack.count), nodes_(&nodes) {}
+          lines_(stack, rows_, columns_, step_, threads), states_(stack.count), nodes_(&nodes) {
+        cut();
+    }
 
     void run();
 
@@ -123,7 +129,8 @@ class ChordalRenderer {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
         const double nodes = s.outer.nodes.line.times(degree_).needed(s.error);
-        const double rounding = (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size());
+        const double rounding = (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size()) +
+                                strip_rounding(p, true);
         const double all = s.in_single * (answer_.scales[p] == 0.0 ? 0.5 : 1.0);
         s.single = rounding <= ChordalBudget::rounding * all;
         return s.single ? std::min(s.error, all - rounding) : s.error;
@@ -141,6 +148,76 @@ class ChordalRenderer {
             bound.prepare((scale == 1.0 ? stack_.outer : stack_.inner).data() + p * stack_.terms.size());
             bound.refuse(many ? Sum::chords : Sum::nodes, many ? across : along, many ? ChordalBudget::chords * error : rest,
                          max_table_bytes / KernelTable<double>::bytes(1.0, rows_.at.size()));
+        }
+    }
+
+    // Add up the area of the strips.
+    void cut() {
+        for (const Strip& strip : stack_.strips) {
+            cut_ += strip.area();
+        }
+    }
+    bool has_strips() const { return !stack_.strips.empty(); }
+
+    // Bound on the rounding error of the strips' field: that of a disk, for sums over the nodes of a line and over taps. The moduli
+    // of the weights of an interpolation sum to less than 2.
+    double strip_rounding(std::size_t p, bool single) const {
+        const double sums = 4.0 * static_cast<double>(strips_.nodes) + 4.0 * static_cast<double>(strips_.taps) + 40.0;
+        const double own = states_[p].outer.rounding + unit_roundoff * sums +
+                           (single ? single_roundoff * sums + 7.4e-10 * static_cast<double>(stack_.terms.size() + 4) : 0.0);
+        return 2.0 * cut_ * own;
+    }
+
+    // Choose the quadrature of the strips for the pupils `pending`, whose fields may all have this error.
+    void choose_strips(const std::vector<std::size_t>& pending, double error) {
+        const TermPairs pairs(stack_.terms);
+        StripPhases phases;
+        for (const std::size_t p : pending) {
+            phases.include(pairs, stack_.outer.data() + p * stack_.terms.size());
+        }
+        const VBox window{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()};
+        std::vector<StripBound> bounds;
+        for (const Strip& strip : stack_.strips) {
+            bounds.emplace_back(strip, phases, stack_.amplitude, window, degree_);
+        }
+        const auto all = [&](const auto& bound) {
+            double sum = 0.0;
+            for (const StripBound& strip : bounds) {
+                sum += bound(strip);
+            }
+            return sum;
+        };
+        constexpr std::size_t most_nodes = 400;
+        std::size_t lines = 1, nodes = 6;
+        double across = 0.0, along = 0.0;
+        while (!((across = all([&](const StripBound& strip) { return strip.across(lines); })) <= ChordalBudget::across * error)) {
+            refuse_if(++lines > most_lines, "lines across a strip");
+        }
+        while (!((along = all([&](const StripBound& strip) { return strip.along(nodes); })) <= ChordalBudget::along * error)) {
+            nodes += nodes < 32 ? 2 : nodes < 64 ? 4 : 8;
+            refuse_if(nodes > most_nodes, "nodes along a strip");
+        }
+        // Fewer taps take a finer table, whose places take sums over the nodes: the pair of both that takes the least time.
+        double least = std::numeric_limits<double>::infinity();
+        const double reach = std::hypot(std::max(-window.left, window.right), std::max(-window.top, window.bottom));
+        const double pixels = static_cast<double>(rows_.count * columns_.count);
+        strip_error_ = across + along;
+        misfits_ = all([&](const StripBound& strip) { return strip.between(1.0); });
+        strips_ = {lines, nodes, 0, 0.0};
+        for (const Interpolations::Choice& choice : cache<Interpolations>.get()->choices) {
+            const double work = 2.0 * reach / choice.spacing * static_cast<double>(nodes) +
+                                pixels * static_cast<double>(choice.taps + 2);
+            if (work < least && strip_error_ + misfits_ * choice.misfit <= error) {
+                least = work;
+                strips_.taps = choice.taps;
+                strips_.spacing = choice.spacing;
+            }
+        }
+        refuse_if(strips_.taps == 0, "taps");
+    }
+    static void refuse_if(bool too_many, const char* what) {
+        if (too_many) {
+            throw LimitExceeded(std::string("phases, windows and strips this large take too many ") + what);
         }
     }
 
@@ -195,7 +272,7 @@ class ChordalRenderer {
         const Level level = processor_level();
         std::vector<Group> groups;
         for (std::size_t first = 0; first < pupils; first += groups.back().here) {
-            const bool lone = !More::wanted && ChordKernels<Real>::lone(level, alike ? pupils : pupils - first);
+            const bool lone = !More::wanted && !has_strips() && ChordKernels<Real>::lone(level, alike ? pupils : pupils - first);
             Group next{first, lone ? 1 : std::min(ChordKernels<Real>::lanes(level), pupils - first), lone, {}, {}};
             for (std::size_t i = first; i < first + next.here; ++i) {
                 next.outer.include(states_[pending[i]].outer.count);
@@ -254,6 +331,12 @@ class ChordalRenderer {
         const Level level = processor_level();
         // Compute all tables before threads start: then no thread waits for a table.
         std::vector<Batch<Real>> batches;
+        StripTables<Real> strips;
+        if (has_strips() && pupils > 0) {
+            strips.window = cache<StripTable<Real>>.get(stack_.strips, strips_, stack_.amplitude, rows_, columns_, step_);
+            strips.terms = cache<StripTerms>.get(stack_.strips, strips_, stack_.terms);
+            strips.factors = More::keeps_nodes ? cache<StripTerms>.get(stack_.strips, strips_, more_.terms) : nullptr;
+        }
         double work = 0.0;
         for (const Group& group : grouped<Real>(pending, pupils)) {
             const Batch<Real>* last = batches.empty() ? nullptr : &batches.back();
@@ -277,7 +360,7 @@ class ChordalRenderer {
         parallel_for(batches.size(), worthwhile_threads(threads_, 3e-4 * work), [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<Real> scratch;
             const Batch<Real>& batch = batches[b];
-            run_batch<Real>({level, stack_, pending + batch.first, batch.here, area_, batch.disks, scratch},
+            run_batch<Real>({level, stack_, pending + batch.first, batch.here, area_, batch.disks, scratch, strips},
                             batch.weights.get());
         });
     }
@@ -416,7 +499,9 @@ class ChordalRenderer {
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];
         const bool single = sizeof(Real) == sizeof(float);
-        return stack_.lost[p] + error_bound(s.outer, batch.disks[0].terms->count, single, degree) +
+        const double strips =
+            has_strips() ? strip_error_ + misfits_ * batch.strips.window->misfit + strip_rounding(p, single) : 0.0;
+        return stack_.lost[p] + strips + error_bound(s.outer, batch.disks[0].terms->count, single, degree) +
                (area_ > 0.0 ? area_ * error_bound(s.inner, batch.disks[1].terms->count, single, degree) : 0.0);
     }
 
@@ -454,11 +539,14 @@ class ChordalRenderer {
     const PixelNodes* nodes_ = nullptr;  // sampling nodes for pixel averages, null for images
     bool weighed_ = false, only_costs_ = false;  // true in run_if_cheaper(); true in costs()
     std::pair<double, double> costs_;
+    double cut_ = 0.0;  // area of the strips / pi
+    StripCount strips_;  // quadrature of the strips
+    double strip_error_ = 0.0, misfits_ = 0.0;  // their error by sums; and by interpolation, over the misfit of its weights
 };
 
 template <class T, class More>
 void ChordalRenderer<T, More>::run() {
-    const double bright = stack_.amplitude.integral(stack_.obscuration);
+    const double open = stack_.amplitude.integral(stack_.obscuration), bright = std::max(open - cut_, 0.3 * open);
     const auto first = [&](std::size_t p, const ChordBound& bound) {
         check_phase(bound.size());
         // Estimate of max |U|, U the complex amplitude. For the few PSFs with a smaller max |U|, there is a second attempt.
@@ -478,6 +566,14 @@ void ChordalRenderer<T, More>::run() {
     std::vector<std::size_t> pending(stack_.count);
     std::iota(pending.begin(), pending.end(), std::size_t{0});
     const auto attempt = [&] {
+        const double left = has_strips() ? 1.0 - ChordalBudget::strips : 1.0;
+        if (has_strips()) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const std::size_t p : pending) {
+                least = std::min(least, states_[p].error);
+            }
+            choose_strips(pending, ChordalBudget::strips * least);
+        }
         for_blocks(pending.size(), threads_, 0.3, [&](std::size_t from, std::size_t to) {
             for (std::size_t i = from; i < to; ++i) {
                 const std::size_t p = pending[i];
@@ -485,7 +581,7 @@ void ChordalRenderer<T, More>::run() {
                 const double rounding = s.outer.rounding + stack_.lost[p];
                 s.at_rounding = s.error < rounding;
                 s.error = std::max(s.error, rounding);
-                const double error = s.single ? single_request(p) : s.error;
+                const double error = left * (s.single ? single_request(p) : s.error);
                 choose(p, 1.0, s.outer, area_ > 0.0 ? ChordalBudget::outer * error : error);
                 if (area_ > 0.0) {
                     choose(p, stack_.obscuration, s.inner, ChordalBudget::inner * error / area_);

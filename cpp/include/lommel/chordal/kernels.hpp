@@ -6,6 +6,7 @@
 #include "lommel/base/simd.hpp"
 #include "lommel/chordal/averages.hpp"
 #include "lommel/chordal/factors.hpp"
+#include "lommel/chordal/strips.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
 #include "lommel/chordal/transpose.hpp"
@@ -43,6 +44,11 @@ struct ChordKernels {
                                 Real* nodes);
     static void add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                              Real share, Real* room, Real* sums);
+    static void strip_nodes(Level level, const StripLine& line, const StripTerms& terms, const double* weights,
+                            const double* coefficients, Real* kept, Real* sums);
+    static void strip_products(Level level, const StripLine& line, const Real* kept, const Real* factors, Real* sums);
+    static void strip_line(Level level, const StripTable<Real>& table, std::size_t line, const Real* nodes, Real* to);
+    static void subtract_strips(Level level, const StripTable<Real>& table, const Real* fields, std::size_t row, Real* u);
 
     // Store a row of one pupil's image: to[column] = by x values[column].
     template <class T>
@@ -139,6 +145,30 @@ void ChordKernels<Real>::add_products(Level level, const FactorTable& table, std
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         lommel::add_products(isa, table, chord, pupil, adjoint, share, room, sums);
     });
+}
+
+template <class Real>
+void ChordKernels<Real>::strip_nodes(Level level, const StripLine& line, const StripTerms& terms, const double* weights,
+                                     const double* coefficients, Real* kept, Real* sums) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        line.points == 4   ? lommel::strip_nodes<4>(isa, line, terms, weights, coefficients, kept, sums)
+        : line.points == 2 ? lommel::strip_nodes<2>(isa, line, terms, weights, coefficients, kept, sums)
+                           : lommel::strip_nodes<1>(isa, line, terms, weights, coefficients, kept, sums);
+    });
+}
+template <class Real>
+void ChordKernels<Real>::strip_products(Level level, const StripLine& line, const Real* kept, const Real* factors,
+                                        Real* sums) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::strip_products(isa, line, kept, factors, sums); });
+}
+template <class Real>
+void ChordKernels<Real>::strip_line(Level level, const StripTable<Real>& table, std::size_t line, const Real* nodes, Real* to) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::strip_line(isa, table, line, nodes, to); });
+}
+template <class Real>
+void ChordKernels<Real>::subtract_strips(Level level, const StripTable<Real>& table, const Real* fields, std::size_t row,
+                                         Real* u) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::subtract_strips(isa, table, fields, row, u); });
 }
 
 template <class Real>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lommel/bounds/amplitude.hpp"
+#include "lommel/bounds/strips.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/radial/stack.hpp"
 #include "lommel/special/radial_polynomials.hpp"
@@ -41,6 +42,7 @@ struct DiskStack {
     std::size_t count;
     double obscuration;
     Amplitude amplitude;
+    std::vector<Strip> strips;  // cut out of the aperture
 
     // Construct from the coefficients edge[pupil][term] (radians at the edge) of the terms `given`; eps: obscuration ratio.
     DiskStack(const std::vector<ZernikeTerm>& given, const double* edge, std::size_t pupils, double eps, const Amplitude& light)
@@ -192,9 +194,11 @@ struct DiskPupils {
     Amplitude amplitude;
     DiskWindow window;
     const double* centers;  // axis of each pupil: [pupil][row, column]; null: the axis of the window
+    std::vector<Strip> strips;
 
     DiskStack stack() const {
         DiskStack made(terms, edge, count, obscuration, amplitude);
+        made.strips = strips;
         if (centers != nullptr) {
             made.tilt_to(centers, window);
         }

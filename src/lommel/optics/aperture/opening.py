@@ -170,6 +170,15 @@ class Opening:
         return self.spider is None and self.vignetting is None and self.stop is None
 
     @property
+    def strips(self) -> Array | None:
+        """Disjoint strips that vanes cut out of an annulus, (strips, 9); None if the aperture is another one.
+
+        Of each strip: cosine and sine of its direction; the range of distances across; 1 if it has a mirror image on
+        the other side of the axis; 1 if it lies ahead, behind the axis; 0, as it begins at a circle; its radius.
+        """
+        return _strips(self)
+
+    @property
     def regions(self) -> tuple[Shape, ...]:
         """Regions of the aperture; several only for segments."""
         stops = self.stop.shapes if isinstance(self.stop, Segments) else (self.stop,)
@@ -263,6 +272,36 @@ class Opening:
     def raster(self) -> Array:
         """Return points that fill the clear region up to its edges, with slopes of segments at the points, (4, n)."""
         return _raster(self)
+
+
+_WIDEST = (
+    0.8  # largest width of a vane, over that at which it is as wide as the obscuration, or meets the next one there
+)
+
+
+@lru_cache(maxsize=32)
+def _strips(opening: Opening) -> Array | None:
+    spider, start = opening.spider, opening.obscuration
+    if spider is None or opening.vignetting is not None or opening.stop is not None:
+        return None
+    angles = np.sort(np.mod(spider.angles, 2.0 * math.pi))
+    half = 0.5 * spider.width
+    # Two vanes part where their edges cross, half / sin(angle / 2) from the axis.
+    between = np.diff(angles, append=angles[0] + 2.0 * math.pi).min() if len(angles) > 1 else math.pi
+    if half > _WIDEST * start * math.sin(0.5 * min(between, math.pi)):
+        return None
+    strips: list[list[float]] = []
+    for angle in angles:
+        opposite = [
+            strip for strip in strips if abs(strip[0] + math.cos(angle)) + abs(strip[1] + math.sin(angle)) < 1e-14
+        ]
+        if opposite:
+            opposite[0][6] = 1.0
+        else:
+            strips.append([math.cos(angle), math.sin(angle), -half, half, 0.0, 1.0, 0.0, 0.0, start])
+    found = np.array(strips)
+    found.flags.writeable = False
+    return found
 
 
 @lru_cache(maxsize=4)

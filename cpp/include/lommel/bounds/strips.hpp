@@ -1,0 +1,315 @@
+// Straight strips cut out of a disk, as by vanes, and error bounds of sums over their nodes (docs/certificate-chords.md, section 8,
+// "Strips").
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/pi.hpp"
+#include "lommel/base/product.hpp"
+#include "lommel/bounds/amplitude.hpp"
+#include "lommel/bounds/chords.hpp"
+#include "lommel/bounds/disk.hpp"
+#include "lommel/limits.hpp"
+#include "lommel/special/least_squares.hpp"
+#include "lommel/special/legendre.hpp"
+
+namespace lommel {
+
+// Strip of points t (cosine, sine) + s (-sine, cosine), with s from `low` to `high`, and t from its beginning to the rim of the
+// disk. It begins at the circle of radius `start`, at the line t = start |s|, or, if whole, at the opposite rim.
+struct Strip {
+    enum class Begins { circle, line, whole };
+
+    double cosine, sine, low, high;
+    bool mirrored;       // the strip with s from -high to -low belongs to it too
+    bool ahead, behind;  // where t > 0; where t < 0
+    Begins begins;
+    double start;
+
+    bool operator==(const Strip& other) const {
+        return cosine == other.cosine && sine == other.sine && low == other.low && high == other.high &&
+               mirrored == other.mirrored && ahead == other.ahead && behind == other.behind && begins == other.begins &&
+               start == other.start;
+    }
+    bool symmetric() const { return mirrored || low == -high; }
+    bool both() const { return ahead && behind; }
+    bool whole() const { return begins == Begins::whole; }
+    double half() const { return 0.5 * (high - low); }
+    double middle() const { return 0.5 * (high + low); }
+    double farthest() const { return std::max(std::abs(low), std::abs(high)); }
+    double nearest() const { return low * high <= 0.0 ? 0.0 : std::min(std::abs(low), std::abs(high)); }
+    // Number of intervals of t at each s, counting those of a mirrored strip.
+    double intervals() const { return (mirrored ? 2.0 : 1.0) * (both() && !whole() ? 2.0 : 1.0); }
+    // Beginning of the interval of t at s; its end is sqrt(1 - s^2).
+    template <class Real>
+    Real beginning(Real s) const {
+        const Real from = static_cast<Real>(start);
+        return begins == Begins::circle ? std::sqrt((from - s) * (from + s))
+               : begins == Begins::line ? from * std::abs(s)
+                                        : -std::sqrt((1 - s) * (1 + s));
+    }
+    // Largest length of an interval of t, and largest ratio of it to the chord at the same s.
+    double longest() const {
+        const double s = begins == Begins::circle ? farthest() : nearest();
+        return std::sqrt((1.0 - s) * (1.0 + s)) - beginning(s);
+    }
+    double share() const { return whole() ? 1.0 : begins == Begins::line ? 0.5 : 0.5 * longest() / std::sqrt(1.0 - farthest() * farthest()); }
+    // Bound on its area / pi.
+    double area() const { return (high - low) * intervals() * longest() / pi; }
+};
+
+// Size of the quadrature on strips: lines across a strip, nodes on an interval of a line; and of the interpolation of the fields
+// of lines: number of taps, and spacing of the table in units of lambda / (2 pi NA).
+struct StripCount {
+    std::size_t lines = 0, nodes = 0, taps = 0;
+    double spacing = 0.0;
+    bool operator==(const StripCount& other) const {
+        return lines == other.lines && nodes == other.nodes && taps == other.taps && spacing == other.spacing;
+    }
+};
+constexpr std::size_t most_lines = 12, most_taps = 12;
+
+// Interpolation of waves exp(-i spacing (place) t), |t| <= 1, between places -(taps/2 - 1) .. taps/2, by the real weights with the
+// least mean square error over t. Weights are real, so that t > 0 is enough; Gauss's rule is exact there to 1e-30.
+class Interpolation {
+   public:
+    Interpolation(std::size_t taps, double spacing) : taps_(taps), t_(nodes), root_(nodes), waves_(2 * nodes * taps) {
+        gauss_legendre(nodes, t_.data(), root_.data());
+        for (std::size_t g = 0; g < nodes; ++g) {
+            t_[g] = 0.5 * spacing * (1.0 + t_[g]);
+            root_[g] = std::sqrt(0.5 * root_[g]);
+            for (std::size_t k = 0; k < taps; ++k) {
+                put(waves_.data() + 2 * g * taps + k, taps, g, static_cast<double>(k) - static_cast<double>(taps / 2 - 1));
+            }
+        }
+    }
+    // Find the weights of `count` places from 0 to 1: to weights[place][tap]. Return the largest root mean square error over t of a
+    // wave, for weights that are rounded to double.
+    double find(const std::vector<double>& places, double* weights) const {
+        const std::size_t count = places.size();
+        std::vector<double> wanted(2 * nodes * count), found(taps_ * count), made(2 * nodes * count), squares(count, 0.0);
+        for (std::size_t g = 0; g < nodes; ++g) {
+            for (std::size_t i = 0; i < count; ++i) {
+                put(wanted.data() + 2 * g * count + i, count, g, places[i]);
+            }
+        }
+        least_squares(2 * nodes, taps_, count, waves_.data(), wanted.data(), found.data());
+        product(waves_.data(), 2 * nodes, taps_, found.data(), count, 1, made.data());
+        for (std::size_t j = 0; j < made.size(); ++j) {
+            squares[j % count] += (made[j] - wanted[j]) * (made[j] - wanted[j]);
+        }
+        double most = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            double size = 1.0;
+            for (std::size_t k = 0; k < taps_; ++k) {
+                weights[i * taps_ + k] = found[k * count + i];
+                size += std::abs(weights[i * taps_ + k]);
+            }
+            most = std::max(most, std::sqrt(squares[i]) + unit_roundoff * static_cast<double>(taps_ + 8) * size);
+        }
+        return most;
+    }
+
+   private:
+    static constexpr std::size_t nodes = 32;
+
+    // Write real and imaginary part of the wave of a place at a node, times the root of the node's weight.
+    void put(double* to, std::size_t stride, std::size_t g, double place) const {
+        to[0] = root_[g] * std::cos(place * t_[g]);
+        to[stride] = root_[g] * std::sin(place * t_[g]);
+    }
+
+    std::size_t taps_;
+    std::vector<double> t_, root_, waves_;  // waves_: [node][re, im][tap]
+};
+
+// Interpolations to choose from: the error of each, half way between two places, with which it hardly changes from place to place.
+struct Interpolations {
+    struct Choice {
+        std::size_t taps;
+        double spacing, misfit;
+    };
+    std::vector<Choice> choices;
+
+    Interpolations() {
+        for (std::size_t taps = 4; taps <= most_taps; taps += 2) {
+            for (double spacing = 0.55 * pi; spacing > 0.1 * pi; spacing *= 0.92) {
+                double weights[most_taps];
+                choices.push_back({taps, spacing, 1.02 * Interpolation(taps, spacing).find({0.5}, weights)});
+            }
+        }
+    }
+    bool is() const { return true; }
+    std::size_t bytes() const { return choices.size() * sizeof(Choice); }
+    static constexpr std::size_t most_bytes = 1 << 16;
+};
+
+// Phases of a stack that bounds of its strips depend on.
+struct StripPhases {
+    std::vector<double> amplitudes;  // [degree]: largest sum of the amplitudes of its Zernike pairs, degrees of 2 and more
+    double tilts[2][2] = {{0.0, 0.0}, {0.0, 0.0}};  // smallest and largest tilt along x, along y
+    bool any = false;
+
+    void include(const TermPairs& terms, const double* coefficients) {
+        std::vector<double> here(terms.degree + 1, 0.0);
+        double tilt[2] = {0.0, 0.0};
+        for (const TermPairs::Pair& pair : terms.pairs) {
+            if (pair.n == 1) {
+                tilt[0] = pair.cosine == TermPairs::none ? 0.0 : coefficients[pair.cosine];
+                tilt[1] = pair.sine == TermPairs::none ? 0.0 : coefficients[pair.sine];
+            } else if (pair.n > 1) {
+                here[pair.n] += std::sqrt(pair.square(coefficients));
+            }
+        }
+        amplitudes.resize(here.size(), 0.0);
+        for (std::size_t n = 0; n < here.size(); ++n) {
+            amplitudes[n] = std::max(amplitudes[n], here[n]);
+        }
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            tilts[axis][0] = any ? std::min(tilts[axis][0], tilt[axis]) : tilt[axis];
+            tilts[axis][1] = any ? std::max(tilts[axis][1], tilt[axis]) : tilt[axis];
+        }
+        any = true;
+    }
+};
+
+// Error bounds of the field of one strip, for all phases of a stack and all points of a window.
+class StripBound {
+   public:
+    // factor: the integrand is multiplied by a Zernike term of this degree.
+    StripBound(const Strip& strip, const StripPhases& phases, const Amplitude& light, const VBox& window, std::size_t factor)
+        : strip_(strip), phases_(phases), light_(light), factor_(factor) {
+        const double x[2] = {window.left - phases.tilts[0][1], window.right - phases.tilts[0][0]};
+        const double y[2] = {window.top - phases.tilts[1][1], window.bottom - phases.tilts[1][0]};
+        for (const double across : x) {
+            for (const double down : y) {
+                along_ = std::max(along_, std::abs(strip.cosine * across + strip.sine * down));
+                across_ = std::max(across_, std::abs(strip.cosine * down - strip.sine * across));
+            }
+        }
+        find_coefficients();
+    }
+
+    // Bound on the error of the sum over `lines` lines, of integrals along them.
+    double across(std::size_t lines) const {
+        const double half = strip_.half(), z = across_ * half;
+        std::array<double, waves> wave;  // bound on the coefficients of exp(-i z x) in Chebyshev polynomials
+        wave[0] = 1.0;
+        for (std::size_t k = 1; k < waves; ++k) {
+            wave[k] = 0.5 * z / static_cast<double>(k) * wave[k - 1];
+        }
+        double sum = 4.0 * rest_;
+        for (std::size_t n = 0; n < kept; ++n) {
+            double off = missed(lines, n) * wave[0];
+            for (std::size_t k = 1; k < waves; ++k) {
+                off += wave[k] * (missed(lines, n + k) + missed(lines, n > k ? n - k : k - n));
+            }
+            sum += coefficients_[n] * off;
+        }
+        // The series of exp(-i z x) is cut after `waves` terms, where z / 2 < waves / 2 leaves less than twice the last one.
+        const double cut = 0.5 * z < 0.5 * static_cast<double>(waves) ? 8.0 * wave[waves - 1] : 4.0;
+        return strip_.intervals() * half / pi * (sum + cut * (strip_.longest() + rest_));
+    }
+
+    // Bound on the error of the sums over `nodes` nodes of each interval.
+    double along(std::size_t nodes) const {
+        const double half = 0.5 * strip_.longest(), part = strip_.share();
+        double best = 690.0;
+        for (std::size_t k = 0; k < ChordCurves::count; k += stride) {
+            const double b = chord_curves.b[k], grown = 1.0 + part * 2.0 * std::sinh(0.5 * b) * std::sinh(0.5 * b);
+            const double found = grown_by(std::acosh(grown)) + along_ * half * std::sinh(b) -
+                                 2.0 * static_cast<double>(nodes) * b - std::log(-std::expm1(-2.0 * b));
+            best = std::min(best, found);
+        }
+        return (strip_.high - strip_.low) * strip_.intervals() * half / pi * 64.0 / 15.0 * std::exp(best);
+    }
+
+    // Bound on the error by interpolation whose weights have the root mean square error `misfit` over |t| <= 1.
+    double between(double misfit) const {
+        const double each = strip_.whole() ? 2.0 : std::sqrt(strip_.longest());
+        return (strip_.high - strip_.low) * strip_.intervals() / pi * each * misfit;
+    }
+
+   private:
+    static constexpr std::size_t kept = 28, waves = 24, stride = 2;
+
+    // Bound on the error of the Gauss rule with n nodes for the Chebyshev polynomial of degree m, over [-1, 1].
+    static double missed(std::size_t n, std::size_t m) {
+        const double square = static_cast<double>(m * m);
+        return m % 2 == 1 || m < 2 * n ? 0.0 : 2.0 + 2.0 / (square - 1.0);
+    }
+
+    // Bound on log |integrand|, without the waves of the window, where points of the strip are on curves of height b.
+    double grown_by(double b) const {
+        const auto at = std::lower_bound(chord_curves.b.begin(), chord_curves.b.end(), b);
+        if (at == chord_curves.b.end()) {
+            return 1e300;
+        }
+        const std::size_t k = static_cast<std::size_t>(at - chord_curves.b.begin());
+        const double factor = static_cast<double>(factor_) * b;
+        double sum = light_.uniform() ? 0.0 : light_.growth(chord_curves.cosh[k]);
+        for (std::size_t n = 2; n < phases_.amplitudes.size(); ++n) {
+            sum += phases_.amplitudes[n] * chord_curves.growth[n][k];
+        }
+        return sum + factor + std::log1p(std::exp(-2.0 * factor)) - std::log(2.0);
+    }
+
+    // Bounds on the Chebyshev coefficients of the integral along t, a function of s in the strip.
+    void find_coefficients() {
+        coefficients_.fill(2.0 * strip_.longest());
+        coefficients_[0] = strip_.longest();
+        rest_ = 1e300;
+        for (std::size_t k = 0; k < ChordCurves::count; k += stride) {
+            const double b = chord_curves.b[k], size = size_on(b);
+            if (!(size < 600.0)) {
+                continue;
+            }
+            for (std::size_t n = 1; n < kept; ++n) {
+                coefficients_[n] = std::min(coefficients_[n], 2.0 * std::exp(size - static_cast<double>(n) * b));
+            }
+            rest_ = std::min(rest_, 2.0 * std::exp(size - static_cast<double>(kept) * b) / -std::expm1(-b));
+        }
+    }
+
+    // Bound on log |integral along t| for s on the ellipse of height b about the strip.
+    double size_on(double b) const {
+        constexpr std::size_t corners = 6;  // of a polygon about half of the ellipse
+        constexpr double farther = 1.0352761804100831;  // 1 / cos(pi / 12)
+        const double half = strip_.half(), middle = std::abs(strip_.middle());
+        const double wide = farther * half * std::cosh(b), tall = farther * half * std::sinh(b);
+        const double most = middle + wide, rim = strip_.begins == Strip::Begins::circle ? strip_.start : 1.0;
+        if (!(most < 0.999 * rim) || tall > 0.7) {
+            return 1e300;
+        }
+        const double slope = strip_.begins == Strip::Begins::line ? strip_.start : 0.0, more = 1.0 + slope * slope;
+        double grown = 1.0;
+        for (std::size_t i = 0; i < corners; ++i) {
+            const double angle = pi * (static_cast<double>(i) + 0.5) / static_cast<double>(corners);
+            const double x = middle + wide * std::cos(angle), y = tall * std::sin(angle), square = x * x + y * y;
+            const double circle = rim * rim;
+            const auto far = [&](double r, double by) { return std::hypot(r - by * (x * x - y * y), by * 2.0 * x * y); };
+            grown = std::max(grown, 1.0 - circle + square + far(circle, 1.0));
+            grown = std::max(grown, more * square + far(1.0, more));
+        }
+        const double edge = std::sqrt(rim * rim - most * most), end = std::sqrt(1.0 - most * most);
+        const double aside = std::max(slope * tall, most * tall / edge);
+        const double length = strip_.begins == Strip::Begins::circle ? (1.0 - rim * rim) / (edge + end)
+                              : strip_.whole()                       ? 2.0 * std::sqrt(1.0 + tall * tall)
+                                             : std::sqrt(1.0 + tall * tall) + slope * std::hypot(most, tall);
+        return std::log(length) + grown_by(0.5 * std::acosh(grown)) + along_ * aside;
+    }
+
+    Strip strip_;
+    const StripPhases& phases_;
+    const Amplitude& light_;
+    std::size_t factor_;
+    double along_ = 0.0, across_ = 0.0;  // largest distance of a point of the window from the tilted axis
+    std::array<double, kept> coefficients_;
+    double rest_;  // bound on the sum of all further coefficients
+};
+
+}  // namespace lommel

@@ -1,0 +1,411 @@
+// Fields of strips cut out of a disk, as by vanes: quadrature on a few lines along each strip, whose fields in the direction of
+// the strip are tabulated and interpolated (docs/certificate-chords.md, section 8, "Strips"). Vector lanes are pupils.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/bounds/strips.hpp"
+#include "lommel/chordal/tables.hpp"
+#include "lommel/chordal/transform.hpp"
+#include "lommel/special/legendre.hpp"
+#include "lommel/special/radial_polynomials.hpp"
+
+namespace lommel {
+
+// Line along a strip, with the line at -s if the strip is symmetric. The nodes at +-t and +-s are summed first, with parities in s
+// as two sums, `sums` = 2, or one if s = 0.
+struct StripLine {
+    std::size_t direction;  // index of its direction
+    std::size_t nodes, points;  // number of nodes t >= 0, and of points +-t, +-s at each
+    std::size_t first, first_node;  // places of its points, of its nodes, among those of all lines
+    bool mirrored, both;
+    std::size_t sums;
+    wide s;
+};
+
+// Points of the lines of all strips. weights: of nodes; x, y: of points, [line][node][point: +s +t, +s -t, -s +t, -s -t].
+struct StripPoints {
+    std::vector<StripLine> lines;
+    std::vector<double> cosines, sines;  // of the directions
+    std::vector<wide> t, weights, x, y;
+
+    StripPoints(const std::vector<Strip>& strips, const StripCount& count) {
+        const wide pi = std::acos(wide(-1));
+        std::vector<wide> at(count.lines), of(count.lines), eta(count.nodes), gauss(count.nodes);
+        gauss_legendre(count.lines, at.data(), of.data());
+        gauss_legendre(count.nodes, eta.data(), gauss.data());
+        for (const Strip& strip : strips) {
+            std::size_t direction = 0;
+            while (direction < cosines.size() && (cosines[direction] != strip.cosine || sines[direction] != strip.sine)) {
+                ++direction;
+            }
+            if (direction == cosines.size()) {
+                cosines.push_back(strip.cosine);
+                sines.push_back(strip.sine);
+            }
+            const wide half = (static_cast<wide>(strip.high) - strip.low) / 2, middle = (static_cast<wide>(strip.high) + strip.low) / 2;
+            for (std::size_t j = 0; j < count.lines; ++j) {
+                const bool central = !strip.mirrored && strip.symmetric() && 2 * j + 1 == count.lines;
+                const wide s = central ? wide(0) : middle + half * at[j];
+                if (!strip.mirrored && strip.symmetric() && 2 * j + 1 < count.lines) {
+                    continue;  // the line at -s stands for it
+                }
+                const wide end = std::sqrt((1 - s) * (1 + s)), from = strip.beginning(s);
+                const bool folds = strip.symmetric() && s != 0, both = strip.both() || strip.whole();
+                StripLine line{direction, 0, std::size_t{folds ? 2u : 1u} * (both ? 2 : 1), x.size(), t.size(), folds, both,
+                               std::size_t{s == 0 ? 1u : 2u}, s};
+                for (std::size_t k = strip.whole() ? count.nodes / 2 : 0; k < count.nodes; ++k, ++line.nodes) {
+                    const wide along = (end + from) / 2 + (end - from) / 2 * eta[k];
+                    t.push_back(strip.behind && !strip.ahead ? -along : along);
+                    weights.push_back(half * of[j] * (end - from) / 2 * gauss[k] / pi);
+                    for (std::size_t point = 0; point < line.points; ++point) {
+                        const wide u = both && point % 2 == 1 ? -t.back() : t.back();
+                        const wide v = point >= (both ? 2u : 1u) ? -s : s;
+                        x.push_back(static_cast<wide>(strip.cosine) * u - static_cast<wide>(strip.sine) * v);
+                        y.push_back(static_cast<wide>(strip.sine) * u + static_cast<wide>(strip.cosine) * v);
+                    }
+                }
+                lines.push_back(line);
+            }
+        }
+    }
+};
+
+// Zernike terms at the points of strips, [line][node][index in classes.order][point].
+struct StripTerms {
+    std::vector<Strip> strips;
+    StripCount count;
+    std::vector<ZernikeTerm> terms;
+    StripPoints points;
+    Doubles values;
+
+    StripTerms(const std::vector<Strip>& of, const StripCount& n, const std::vector<ZernikeTerm>& list)
+        : strips(of), count(n), terms(list), points(of, n), values(points.x.size() * list.size()) {
+        const ZernikeValues polynomials(list, TermClasses(list).order);
+        for (const StripLine& line : points.lines) {
+            look();
+            for (std::size_t i = 0; i < line.nodes * line.points; ++i) {
+                const std::size_t point = line.first + i, node = point - i % line.points;
+                polynomials.at(points.x[point], points.y[point], [&](std::size_t j, wide value) {
+                    values[node * list.size() + j * line.points + i % line.points] = static_cast<double>(value);
+                });
+            }
+        }
+    }
+    // Call put(point, value) for a term at all points; term: index in classes.order.
+    template <class Put>
+    void column(std::size_t term, const Put& put) const {
+        for (const StripLine& line : points.lines) {
+            for (std::size_t i = 0; i < line.nodes * line.points; ++i) {
+                const std::size_t point = line.first + i, node = point - i % line.points;
+                put(point, values[node * terms.size() + term * line.points + i % line.points]);
+            }
+        }
+    }
+    bool is(const std::vector<Strip>& of, const StripCount& n, const std::vector<ZernikeTerm>& list) const {
+        return count.lines == n.lines && count.nodes == n.nodes && strips == of && terms == list;
+    }
+    std::size_t bytes() const { return values.size() * sizeof(double) + 4 * points.x.size() * sizeof(wide); }
+    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
+};
+
+// Tables of the strips of an aperture for a window: waves of the nodes at the places of the table, and the interpolation.
+template <class Real>
+struct StripTable {
+    using Values = Aligned<Real>;
+    struct Direction {
+        std::size_t places;  // the table has the places 1 - places .. places - 1
+        Values weights;      // [row][column][tap]
+        std::vector<std::int32_t> first;  // [row][column]: index in the table of the first tap
+    };
+    struct Line {
+        Values cosines, sines;  // of the phases t v: [place >= 0][node]
+        Values turns;           // cosine and sine of the phase s v of the pixel: [row][column][2]; empty if s = 0
+    };
+
+    std::vector<Strip> strips;
+    StripCount count;
+    Amplitude amplitude;
+    WindowAxis rows, columns;
+    double step;
+    StripPoints points;
+    std::vector<double> weights;  // quadrature weight times pupil amplitude, [line][node]
+    std::vector<Direction> directions;
+    std::vector<Line> lines;
+    double misfit = 0.0;  // largest error of the interpolation
+    std::size_t sums = 0, most_places = 0;  // number of sums over lines, largest number of places of a direction
+
+    StripTable(const std::vector<Strip>& of, const StripCount& n, const Amplitude& light, const WindowAxis& down,
+               const WindowAxis& across, double pixel_step)
+        : strips(of), count(n), amplitude(light), rows(down), columns(across), step(pixel_step), points(of, n) {
+        const std::vector<double> y = places_of(rows), x = places_of(columns);
+        const std::size_t pixels = y.size() * x.size();
+        const Interpolation interpolation(count.taps, count.spacing);
+        for (std::size_t d = 0; d < points.cosines.size(); ++d) {
+            look();
+            Direction made{0, Values(pixels * count.taps), std::vector<std::int32_t>(pixels)};
+            double farthest = 0.0;
+            std::vector<double> fractions(x.size()), found(x.size() * count.taps);
+            for (std::size_t i = 0; i < pixels; i += x.size()) {
+                for (std::size_t j = 0; j < x.size(); ++j) {
+                    const double at = along(d, x[j], y[i / x.size()]) / count.spacing;
+                    fractions[j] = at - std::floor(at);
+                    farthest = std::max(farthest, std::abs(at));
+                    made.first[i + j] = static_cast<std::int32_t>(std::floor(at)) - static_cast<std::int32_t>(count.taps / 2 - 1);
+                }
+                misfit = std::max(misfit, interpolation.find(fractions, found.data()));
+                for (std::size_t j = 0; j < x.size(); ++j) {
+                    const double* const own = found.data() + j * count.taps;
+                    std::transform(own, own + count.taps, made.weights.data() + (i + j) * count.taps,
+                                   [](double weight) { return static_cast<Real>(weight); });
+                }
+            }
+            made.places = static_cast<std::size_t>(std::ceil(farthest)) + count.taps / 2 + 1;
+            for (std::int32_t& first : made.first) {
+                first += static_cast<std::int32_t>(made.places) - 1;
+            }
+            most_places = std::max(most_places, made.places);
+            directions.push_back(std::move(made));
+        }
+        for (const StripLine& line : points.lines) {
+            look();
+            const std::size_t size = directions[line.direction].places * line.nodes;
+            Line made{Values(size), Values(size), Values(line.sums == 2 ? 2 * pixels : 0)};
+            for (std::size_t i = 0; i < size; ++i) {
+                const wide angle = static_cast<wide>(count.spacing) * static_cast<wide>(i / line.nodes) *
+                                   points.t[line.first_node + i % line.nodes];
+                made.cosines[i] = static_cast<Real>(std::cos(angle));
+                made.sines[i] = static_cast<Real>(std::sin(angle));
+            }
+            for (std::size_t i = 0; i < made.turns.size() / 2; ++i) {
+                const wide c = points.cosines[line.direction], s = points.sines[line.direction];
+                const wide angle = line.s * (c * y[i / x.size()] - s * x[i % x.size()]);
+                made.turns[2 * i] = static_cast<Real>(std::cos(angle));
+                made.turns[2 * i + 1] = static_cast<Real>(std::sin(angle));
+            }
+            for (std::size_t k = 0; k < line.nodes; ++k) {
+                const wide s = line.s, t = points.t[line.first_node + k];
+                weights.push_back(static_cast<double>(points.weights[line.first_node + k] * amplitude.at(s * s + t * t)));
+            }
+            lines.push_back(std::move(made));
+            sums += line.sums;
+        }
+    }
+    bool is(const std::vector<Strip>& of, const StripCount& n, const Amplitude& light, const WindowAxis& down,
+            const WindowAxis& across, double pixel_step) const {
+        return count == n && step == pixel_step && strips == of && amplitude == light && rows == down && columns == across;
+    }
+    std::size_t bytes() const {
+        std::size_t values = 0;
+        for (const Direction& direction : directions) {
+            values += 2 * direction.weights.size();
+        }
+        for (const Line& line : lines) {
+            values += 2 * line.cosines.size() + line.turns.size();
+        }
+        return values * sizeof(Real);
+    }
+    static constexpr std::size_t most_bytes = std::size_t{64} << 20;
+    // Number of reals in the table of one sum over a line.
+    std::size_t room(std::size_t lanes) const { return 2 * (2 * most_places - 1) * lanes; }
+
+   private:
+    double along(std::size_t d, double x, double y) const { return points.cosines[d] * x + points.sines[d] * y; }
+    std::vector<double> places_of(const WindowAxis& axis) const {
+        std::vector<double> found(axis.count);
+        for (std::size_t i = 0; i < axis.at.size(); ++i) {
+            found[axis.plus[i]] = step * axis.at[i];
+            if (axis.minus[i] != WindowAxis::none) {
+                found[axis.minus[i]] = -step * axis.at[i];
+            }
+        }
+        return found;
+    }
+};
+
+// Sum the values g at the points of a node: to sums[sum over +-s][p re, im, m re, im], where p and m are even and odd in t. With
+// A = F(s) + F(-s), and B = -i (F(s) - F(-s)), the field of both lines is cos(s v) A + sin(s v) B.
+template <class V, class Real>
+LOMMEL_INLINE void fold_points(const StripLine& line, const V (&re)[4], const V (&im)[4], std::size_t stride, Real* sums) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+    V p[2][4] = {};
+    const std::size_t sides = line.mirrored ? 2 : 1;
+    for (std::size_t side = 0; side < sides; ++side) {
+        const std::size_t a = side * (line.both ? 2 : 1);
+        const bool both = line.both;
+        p[side][0] = both ? re[a] + re[a + 1] : re[a];
+        p[side][1] = both ? im[a] + im[a + 1] : im[a];
+        p[side][2] = both ? re[a] - re[a + 1] : re[a];
+        p[side][3] = both ? im[a] - im[a + 1] : im[a];
+    }
+    for (std::size_t part = 0; part < 4; ++part) {
+        store(sums + part * lanes, p[0][part] + p[1][part]);
+    }
+    if (line.sums == 2) {
+        Real* const other = sums + stride;
+        for (std::size_t part = 0; part < 4; part += 2) {
+            store(other + part * lanes, p[0][part + 1] - p[1][part + 1]);
+            store(other + (part + 1) * lanes, p[1][part] - p[0][part]);
+        }
+    }
+}
+
+// Pupil function, times weights, at the nodes of a line, folded: to sums[sum][node][4][lane]. kept: if not null, receives the
+// values at the points, [node][point][re, im][lane].
+template <std::size_t R, class I, class Real>
+LOMMEL_INLINE void strip_nodes(I, const StripLine& line, const StripTerms& terms, const double* weights,
+                               const double* coefficients, Real* kept, Real* sums) {
+    using Wave = Waves<I, Real>;
+    using V = typename Wave::V;
+    constexpr std::size_t lanes = Wave::lanes, C = Wave::vectors;
+    const std::size_t count = terms.terms.size();
+    for (std::size_t k = 0; k < line.nodes; ++k) {
+        typename I::pack phases[R][C];
+        for (std::size_t r = 0; r < R; ++r) {
+            for (std::size_t c = 0; c < C; ++c) {
+                phases[r][c] = Wave::zero();
+            }
+        }
+        multiply<R, C>(terms.values.data() + (line.first + k * R) * count, coefficients, count, phases);
+        const V w = splat<V>(static_cast<Real>(weights[k]));
+        V re[4] = {}, im[4] = {};
+        for (std::size_t r = 0; r < R; ++r) {
+            Wave::wave(Wave::phase(phases[r]), im[r], re[r]);
+            re[r] = re[r] * w;
+            im[r] = im[r] * w;
+            if (kept != nullptr) {
+                store(kept + (2 * (k * R + r)) * lanes, re[r]);
+                store(kept + (2 * (k * R + r) + 1) * lanes, im[r]);
+            }
+        }
+        fold_points(line, re, im, 4 * line.nodes * lanes, sums + 4 * k * lanes);
+    }
+}
+
+// As strip_nodes(), for `kept` values times a Zernike term of each lane: factors[point][lane].
+template <class I, class Real>
+LOMMEL_INLINE void strip_products(I, const StripLine& line, const Real* kept, const Real* factors, Real* sums) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    for (std::size_t k = 0; k < line.nodes; ++k) {
+        V re[4] = {}, im[4] = {};
+        for (std::size_t r = 0; r < line.points; ++r) {
+            const std::size_t point = k * line.points + r;
+            const V z = load<V>(factors + point * lanes);
+            re[r] = load<V>(kept + 2 * point * lanes) * z;
+            im[r] = load<V>(kept + (2 * point + 1) * lanes) * z;
+        }
+        fold_points(line, re, im, 4 * line.nodes * lanes, sums + 4 * k * lanes);
+    }
+}
+
+// Field of a line at the places of its table, from the folded nodes: table[place][re, im][lane].
+template <std::size_t R, class I, class Real>
+LOMMEL_INLINE void strip_places(I, const Real* nodes, std::size_t count, const Real* cosines, const Real* sines, std::size_t place,
+                                std::size_t places, Real* table) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    V even[R][2] = {}, odd[R][2] = {};
+    for (std::size_t k = 0; k < count; ++k, nodes += 4 * lanes) {
+        const V p = load<V>(nodes), q = load<V>(nodes + lanes), m = load<V>(nodes + 2 * lanes), n = load<V>(nodes + 3 * lanes);
+        for (std::size_t r = 0; r < R; ++r) {
+            const V c = splat<V>(cosines[(place + r) * count + k]), s = splat<V>(sines[(place + r) * count + k]);
+            even[r][0] = even[r][0] + c * p;
+            even[r][1] = even[r][1] + c * q;
+            odd[r][0] = odd[r][0] + s * m;
+            odd[r][1] = odd[r][1] + s * n;
+        }
+    }
+    for (std::size_t r = 0; r < R; ++r) {
+        Real *const up = table + 2 * (places - 1 + place + r) * lanes, *const down = table + 2 * (places - 1 - place - r) * lanes;
+        store(up, even[r][0] + odd[r][1]);
+        store(up + lanes, even[r][1] - odd[r][0]);
+        store(down, even[r][0] - odd[r][1]);
+        store(down + lanes, even[r][1] + odd[r][0]);
+    }
+}
+
+template <class I, class Real>
+LOMMEL_INLINE void strip_line(I isa, const StripTable<Real>& table, std::size_t line, const Real* nodes, Real* to) {
+    constexpr std::size_t block = Waves<I, Real>::lanes * sizeof(Real) > 32 ? 4 : 2;
+    const StripLine& of = table.points.lines[line];
+    const std::size_t places = table.directions[of.direction].places;
+    const Real *const cosines = table.lines[line].cosines.data(), *const sines = table.lines[line].sines.data();
+    std::size_t place = 0;
+    for (; place + block <= places; place += block) {
+        strip_places<block>(isa, nodes, of.nodes, cosines, sines, place, places, to);
+    }
+    for (; place < places; ++place) {
+        strip_places<1>(isa, nodes, of.nodes, cosines, sines, place, places, to);
+    }
+}
+
+// Subtract the field of one line from a row of pixels: u[column][re, im][lane].
+template <std::size_t T, bool Two, class I, class Real>
+LOMMEL_INLINE void subtract_line(I, const StripTable<Real>& table, std::size_t line, const Real* fields, std::size_t other,
+                                 std::size_t row, Real* u) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const typename StripTable<Real>::Direction& of = table.directions[table.points.lines[line].direction];
+    const std::size_t width = table.columns.count;
+    const Real *w = of.weights.data() + row * width * T, *turn = table.lines[line].turns.data() + (Two ? 2 * row * width : 0);
+    const std::int32_t* const first = of.first.data() + row * width;
+    for (std::size_t x = 0; x < width; ++x, w += T, u += 2 * lanes) {
+        const Real* from = fields + static_cast<std::size_t>(first[x]) * 2 * lanes;
+        V a[2] = {}, b[2] = {};
+        for (std::size_t k = 0; k < T; ++k, from += 2 * lanes) {
+            const V weight = splat<V>(w[k]);
+            a[0] = a[0] + weight * load<V>(from);
+            a[1] = a[1] + weight * load<V>(from + lanes);
+            if constexpr (Two) {
+                b[0] = b[0] + weight * load<V>(from + other);
+                b[1] = b[1] + weight * load<V>(from + other + lanes);
+            }
+        }
+        if constexpr (Two) {
+            const V c = splat<V>(turn[2 * x]), s = splat<V>(turn[2 * x + 1]);
+            a[0] = c * a[0] + s * b[0];
+            a[1] = c * a[1] + s * b[1];
+        }
+        store(u, load<V>(u) - a[0]);
+        store(u + lanes, load<V>(u + lanes) - a[1]);
+    }
+}
+
+template <class I, class Real>
+LOMMEL_INLINE void subtract_strips(I isa, const StripTable<Real>& table, const Real* fields, std::size_t row, Real* u) {
+    const std::size_t room = table.room(Waves<I, Real>::lanes);
+    for (std::size_t line = 0; line < table.lines.size(); ++line) {
+        const bool two = table.points.lines[line].sums == 2;
+        const auto of = [&](auto taps) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t T = decltype(taps)::value;
+            two ? subtract_line<T, true>(isa, table, line, fields, room, row, u)
+                : subtract_line<T, false>(isa, table, line, fields, room, row, u);
+        };
+        switch (table.count.taps) {
+            case 4:
+                of(Size<4>{});
+                break;
+            case 6:
+                of(Size<6>{});
+                break;
+            case 8:
+                of(Size<8>{});
+                break;
+            case 10:
+                of(Size<10>{});
+                break;
+            default:
+                of(Size<most_taps>{});
+        }
+        fields += (two ? 2 : 1) * room;
+    }
+}
+
+}  // namespace lommel

@@ -55,7 +55,7 @@ def quadrature(pupil: lm.Pupil, grid: Grid) -> np.ndarray:
         across = np.exp(-1j * math.pi / pupil.scale * np.outer(x.ravel(), grid.x))
         down = np.exp(-1j * math.pi / pupil.scale * np.outer(y.ravel(), grid.y))
         field = field + np.einsum("pk,ky,kx->pyx", values, down, across, optimize=True)
-    return np.abs(np.asarray(field)) ** 2
+    return np.asarray(np.abs(field) ** 2)
 
 
 @pytest.mark.parametrize(

@@ -233,7 +233,7 @@ std::pair<double, double> costs(DiskFields stack, WindowFields window, double to
 
 void bindings::define_chordal(nb::module_& m) {
     define_disk_images<Images, false, true>(m, "chordal_images",
-                                      "The same by the chordal rule; bounds are over the largest value of the window.");
+                                            "The same by the chordal rule; bounds are over the largest value of the window.");
     define_disk_images<CheaperImages, false>(m, "cheaper_chordal_images",
                                              "The same, unless the series is likely to take less time: a Declined then.");
     m.def("disk_costs", &costs, "stack"_a, "window"_a, "tol"_a, "single"_a,

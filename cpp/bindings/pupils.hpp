@@ -216,8 +216,8 @@ double disk_images(DiskFields stack, WindowFields window, Request request, Out<T
 template <template <class> class Engine, bool Moves, bool Cuts = false>
 void define_disk_images(nb::module_& m, const char* name, const char* says) {
     for_both([&](auto pixel) {
-        m.def(name, &disk_images<Engine, Moves, Cuts, decltype(pixel)>, "stack"_a, "window"_a, "request"_a, "images"_a.noconvert(),
-              "numbers"_a.noconvert(), says);
+        m.def(name, &disk_images<Engine, Moves, Cuts, decltype(pixel)>, "stack"_a, "window"_a, "request"_a,
+              "images"_a.noconvert(), "numbers"_a.noconvert(), says);
     });
 }
 

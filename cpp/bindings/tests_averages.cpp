@@ -79,11 +79,16 @@ class Watched : public lommel::DiskAverages {
     std::size_t failing_;
 };
 
+In<double, 2> no_strips() {
+    static const double nothing = 0.0;
+    return In<double, 2>(&nothing, {0, 9}, nb::none());
+}
+
 Named watched_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
                        In<double, 2> centers, double step, double tol, double scale, bool if_cheaper, std::size_t failing,
                        Out<double, 3> values) {
     const lommel::DiskPupils pupils =
-        disks_of({terms, edge, obscuration, amplitude, new_array<double, 2>({0, 9})}, {{values.shape(1), values.shape(2)}, centers, step});
+        disks_of({terms, edge, obscuration, amplitude, no_strips()}, {{values.shape(1), values.shape(2)}, centers, step});
     const lommel::AverageRequest asked{values.shape(1), values.shape(2), step, tol, scale, 0.0, 1, {}};
     Watched averages(pupils, asked, if_cheaper, failing);
     std::vector<double> errors(pupils.count), peaks(pupils.count);
@@ -100,7 +105,7 @@ double rim_remainders(In<std::int32_t, 2> terms, In<double, 2> edge, double obsc
                       In<double, 2> centers, std::size_t height, std::size_t width, double step, int threads,
                       Out<double, 1> remainders, Out<double, 2> axes) {
     const std::size_t pupils = pupils_of(edge);
-    return ask_disks<true>({terms, edge, obscuration, amplitude, new_array<double, 2>({0, 9})}, {{height, width}, centers, step}, 0.1, threads,
+    return ask_disks<true>({terms, edge, obscuration, amplitude, no_strips()}, {{height, width}, centers, step}, 0.1, threads,
                            [&](const lommel::DiskStack& stack, const lommel::DiskWindow&) {
                                for (std::size_t p = 0; p < pupils; ++p) {
                                    axes.data()[2 * p] = static_cast<double>(stack.rows[p]);
@@ -118,12 +123,12 @@ double rim_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscur
                     In<double, 2> centers, double step, double error, int threads, In<double, 1> remainders, In<double, 3> near,
                     In<std::int64_t, 1> places, Out<double, 3> images, Out<double, 2> numbers) {
     const std::size_t pupils = pupils_of(edge), box = near.shape(1);
-    return ask_disks<true>({terms, edge, obscuration, amplitude, new_array<double, 2>({0, 9})}, {{images.shape(1), images.shape(2)}, centers, step}, 0.1,
-                           threads, [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
-                               const lommel::RimAnswer answer{remainders.data(), near.data(), places.data(), images.data(),
-                                                              numbers.data()};
-                               lommel::RimAverages(stack, window, box, error, answer).run(threads);
-                           });
+    return ask_disks<true>(
+        {terms, edge, obscuration, amplitude, no_strips()}, {{images.shape(1), images.shape(2)}, centers, step}, 0.1, threads,
+        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+            const lommel::RimAnswer answer{remainders.data(), near.data(), places.data(), images.data(), numbers.data()};
+            lommel::RimAverages(stack, window, box, error, answer).run(threads);
+        });
 }
 
 }  // namespace

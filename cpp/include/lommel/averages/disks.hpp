@@ -35,7 +35,8 @@ class DiskAverages {
             variance = std::max(variance, phase_variance(pupils_.terms, pupils_.edge + p * pupils_.terms.size()));
         }
         light_ = {1.0 / (1.0 + variance), pupils_.amplitude.raised(2.0).integral(pupils_.obscuration)};
-        return (asked_.factors.empty() && pupils_.strips.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
+        return (asked_.factors.empty() && pupils_.strips.empty() && from_rims(answer)) ||
+               at_nodes(all_, asked_, centers_of(all_), true, answer);
     }
 
    protected:

@@ -25,7 +25,7 @@ struct Strip {
     enum class Begins { circle, line, whole };
 
     double cosine, sine, low, high;
-    bool mirrored;       // the strip with s from -high to -low belongs to it too
+    bool mirrored;  // the strip with s from -high to -low belongs to it too
     bool ahead, behind;  // where t > 0; where t < 0
     Begins begins;
     double start;
@@ -57,7 +57,9 @@ struct Strip {
         const double s = begins == Begins::circle ? farthest() : nearest();
         return std::sqrt((1.0 - s) * (1.0 + s)) - beginning(s);
     }
-    double share() const { return whole() ? 1.0 : begins == Begins::line ? 0.5 : 0.5 * longest() / std::sqrt(1.0 - farthest() * farthest()); }
+    double share() const {
+        return whole() ? 1.0 : begins == Begins::line ? 0.5 : 0.5 * longest() / std::sqrt(1.0 - farthest() * farthest());
+    }
     // Bound on its area / pi.
     double area() const { return (high - low) * intervals() * longest() / pi; }
 };
@@ -298,8 +300,8 @@ class StripBound {
         const double edge = std::sqrt(rim * rim - most * most), end = std::sqrt(1.0 - most * most);
         const double aside = std::max(slope * tall, most * tall / edge);
         const double length = strip_.begins == Strip::Begins::circle ? (1.0 - rim * rim) / (edge + end)
-                              : strip_.whole()                       ? 2.0 * std::sqrt(1.0 + tall * tall)
-                                             : std::sqrt(1.0 + tall * tall) + slope * std::hypot(most, tall);
+                              : strip_.whole() ? 2.0 * std::sqrt(1.0 + tall * tall)
+                                               : std::sqrt(1.0 + tall * tall) + slope * std::hypot(most, tall);
         return std::log(length) + grown_by(0.5 * std::acosh(grown)) + along_ * aside;
     }
 

@@ -129,8 +129,8 @@ class ChordalRenderer {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
         const double nodes = s.outer.nodes.line.times(degree_).needed(s.error);
-        const double rounding = (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size()) +
-                                strip_rounding(p, true);
+        const double rounding =
+            (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size()) + strip_rounding(p, true);
         const double all = s.in_single * (answer_.scales[p] == 0.0 ? 0.5 : 1.0);
         s.single = rounding <= ChordalBudget::rounding * all;
         return s.single ? std::min(s.error, all - rounding) : s.error;
@@ -190,7 +190,8 @@ class ChordalRenderer {
         constexpr std::size_t most_nodes = 400;
         std::size_t lines = 1, nodes = 6;
         double across = 0.0, along = 0.0;
-        while (!((across = all([&](const StripBound& strip) { return strip.across(lines); })) <= ChordalBudget::across * error)) {
+        while (
+            !((across = all([&](const StripBound& strip) { return strip.across(lines); })) <= ChordalBudget::across * error)) {
             refuse_if(++lines > most_lines, "lines across a strip");
         }
         while (!((along = all([&](const StripBound& strip) { return strip.along(nodes); })) <= ChordalBudget::along * error)) {
@@ -205,8 +206,8 @@ class ChordalRenderer {
         misfits_ = all([&](const StripBound& strip) { return strip.between(1.0); });
         strips_ = {lines, nodes, 0, 0.0};
         for (const Interpolations::Choice& choice : cache<Interpolations>.get()->choices) {
-            const double work = 2.0 * reach / choice.spacing * static_cast<double>(nodes) +
-                                pixels * static_cast<double>(choice.taps + 2);
+            const double work =
+                2.0 * reach / choice.spacing * static_cast<double>(nodes) + pixels * static_cast<double>(choice.taps + 2);
             if (work < least && strip_error_ + misfits_ * choice.misfit <= error) {
                 least = work;
                 strips_.taps = choice.taps;
@@ -272,7 +273,8 @@ class ChordalRenderer {
         const Level level = processor_level();
         std::vector<Group> groups;
         for (std::size_t first = 0; first < pupils; first += groups.back().here) {
-            const bool lone = !More::wanted && !has_strips() && ChordKernels<Real>::lone(level, alike ? pupils : pupils - first);
+            const bool lone =
+                !More::wanted && !has_strips() && ChordKernels<Real>::lone(level, alike ? pupils : pupils - first);
             Group next{first, lone ? 1 : std::min(ChordKernels<Real>::lanes(level), pupils - first), lone, {}, {}};
             for (std::size_t i = first; i < first + next.here; ++i) {
                 next.outer.include(states_[pending[i]].outer.count);

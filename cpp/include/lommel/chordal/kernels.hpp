@@ -157,8 +157,7 @@ void ChordKernels<Real>::strip_nodes(Level level, const StripLine& line, const S
     });
 }
 template <class Real>
-void ChordKernels<Real>::strip_products(Level level, const StripLine& line, const Real* kept, const Real* factors,
-                                        Real* sums) {
+void ChordKernels<Real>::strip_products(Level level, const StripLine& line, const Real* kept, const Real* factors, Real* sums) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::strip_products(isa, line, kept, factors, sums); });
 }
 template <class Real>

@@ -49,7 +49,8 @@ struct StripPoints {
                 cosines.push_back(strip.cosine);
                 sines.push_back(strip.sine);
             }
-            const wide half = (static_cast<wide>(strip.high) - strip.low) / 2, middle = (static_cast<wide>(strip.high) + strip.low) / 2;
+            const wide half = (static_cast<wide>(strip.high) - strip.low) / 2,
+                       middle = (static_cast<wide>(strip.high) + strip.low) / 2;
             for (std::size_t j = 0; j < count.lines; ++j) {
                 const bool central = !strip.mirrored && strip.symmetric() && 2 * j + 1 == count.lines;
                 const wide s = central ? wide(0) : middle + half * at[j];
@@ -58,8 +59,15 @@ struct StripPoints {
                 }
                 const wide end = std::sqrt((1 - s) * (1 + s)), from = strip.beginning(s);
                 const bool folds = strip.symmetric() && s != 0, both = strip.both() || strip.whole();
-                StripLine line{direction, 0, std::size_t{folds ? 2u : 1u} * (both ? 2 : 1), x.size(), t.size(), folds, both,
-                               std::size_t{s == 0 ? 1u : 2u}, s};
+                StripLine line{direction,
+                               0,
+                               std::size_t{folds ? 2u : 1u} * (both ? 2 : 1),
+                               x.size(),
+                               t.size(),
+                               folds,
+                               both,
+                               std::size_t{s == 0 ? 1u : 2u},
+                               s};
                 for (std::size_t k = strip.whole() ? count.nodes / 2 : 0; k < count.nodes; ++k, ++line.nodes) {
                     const wide along = (end + from) / 2 + (end - from) / 2 * eta[k];
                     t.push_back(strip.behind && !strip.ahead ? -along : along);
@@ -121,12 +129,12 @@ struct StripTable {
     using Values = Aligned<Real>;
     struct Direction {
         std::size_t places;  // the table has the places 1 - places .. places - 1
-        Values weights;      // [row][column][tap]
+        Values weights;  // [row][column][tap]
         std::vector<std::int32_t> first;  // [row][column]: index in the table of the first tap
     };
     struct Line {
         Values cosines, sines;  // of the phases t v: [place >= 0][node]
-        Values turns;           // cosine and sine of the phase s v of the pixel: [row][column][2]; empty if s = 0
+        Values turns;  // cosine and sine of the phase s v of the pixel: [row][column][2]; empty if s = 0
     };
 
     std::vector<Strip> strips;
@@ -157,7 +165,8 @@ struct StripTable {
                     const double at = along(d, x[j], y[i / x.size()]) / count.spacing;
                     fractions[j] = at - std::floor(at);
                     farthest = std::max(farthest, std::abs(at));
-                    made.first[i + j] = static_cast<std::int32_t>(std::floor(at)) - static_cast<std::int32_t>(count.taps / 2 - 1);
+                    made.first[i + j] =
+                        static_cast<std::int32_t>(std::floor(at)) - static_cast<std::int32_t>(count.taps / 2 - 1);
                 }
                 misfit = std::max(misfit, interpolation.find(fractions, found.data()));
                 for (std::size_t j = 0; j < x.size(); ++j) {
@@ -307,8 +316,8 @@ LOMMEL_INLINE void strip_products(I, const StripLine& line, const Real* kept, co
 
 // Field of a line at the places of its table, from the folded nodes: table[place][re, im][lane].
 template <std::size_t R, class I, class Real>
-LOMMEL_INLINE void strip_places(I, const Real* nodes, std::size_t count, const Real* cosines, const Real* sines, std::size_t place,
-                                std::size_t places, Real* table) {
+LOMMEL_INLINE void strip_places(I, const Real* nodes, std::size_t count, const Real* cosines, const Real* sines,
+                                std::size_t place, std::size_t places, Real* table) {
     using V = typename Waves<I, Real>::V;
     constexpr std::size_t lanes = Waves<I, Real>::lanes;
     V even[R][2] = {}, odd[R][2] = {};
@@ -323,7 +332,8 @@ LOMMEL_INLINE void strip_places(I, const Real* nodes, std::size_t count, const R
         }
     }
     for (std::size_t r = 0; r < R; ++r) {
-        Real *const up = table + 2 * (places - 1 + place + r) * lanes, *const down = table + 2 * (places - 1 - place - r) * lanes;
+        Real *const up = table + 2 * (places - 1 + place + r) * lanes, *const down =
+                                                                           table + 2 * (places - 1 - place - r) * lanes;
         store(up, even[r][0] + odd[r][1]);
         store(up + lanes, even[r][1] - odd[r][0]);
         store(down, even[r][0] - odd[r][1]);

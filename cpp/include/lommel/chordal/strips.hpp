@@ -9,14 +9,92 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/pi.hpp"
+#include "lommel/base/product.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/strips.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
+#include "lommel/special/least_squares.hpp"
 #include "lommel/special/legendre.hpp"
 #include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
+
+// Interpolation of waves exp(-i spacing (place) t), |t| <= 1, between places -(taps/2 - 1) .. taps/2, by the real weights with the
+// least mean square error over t. Weights are real, so that t > 0 is enough; Gauss's rule is exact there to 1e-30.
+class Interpolation {
+   public:
+    Interpolation(std::size_t taps, double spacing) : taps_(taps), t_(nodes), root_(nodes), waves_(2 * nodes * taps) {
+        gauss_legendre(nodes, t_.data(), root_.data());
+        for (std::size_t g = 0; g < nodes; ++g) {
+            t_[g] = 0.5 * spacing * (1.0 + t_[g]);
+            root_[g] = std::sqrt(0.5 * root_[g]);
+            for (std::size_t k = 0; k < taps; ++k) {
+                put(waves_.data() + 2 * g * taps + k, taps, g, static_cast<double>(k) - static_cast<double>(taps / 2 - 1));
+            }
+        }
+    }
+    // Find the weights of `count` places from 0 to 1: to weights[place][tap]. Return the largest root mean square error over t of a
+    // wave, for weights that are rounded to double.
+    double find(const std::vector<double>& places, double* weights) const {
+        const std::size_t count = places.size();
+        std::vector<double> wanted(2 * nodes * count), found(taps_ * count), made(2 * nodes * count), squares(count, 0.0);
+        for (std::size_t g = 0; g < nodes; ++g) {
+            for (std::size_t i = 0; i < count; ++i) {
+                put(wanted.data() + 2 * g * count + i, count, g, places[i]);
+            }
+        }
+        least_squares(2 * nodes, taps_, count, waves_.data(), wanted.data(), found.data());
+        product(waves_.data(), 2 * nodes, taps_, found.data(), count, 1, made.data());
+        for (std::size_t j = 0; j < made.size(); ++j) {
+            squares[j % count] += (made[j] - wanted[j]) * (made[j] - wanted[j]);
+        }
+        double most = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            double size = 1.0;
+            for (std::size_t k = 0; k < taps_; ++k) {
+                weights[i * taps_ + k] = found[k * count + i];
+                size += std::abs(weights[i * taps_ + k]);
+            }
+            most = std::max(most, std::sqrt(squares[i]) + unit_roundoff * static_cast<double>(taps_ + 8) * size);
+        }
+        return most;
+    }
+
+   private:
+    static constexpr std::size_t nodes = 32;
+
+    // Write real and imaginary part of the wave of a place at a node, times the root of the node's weight.
+    void put(double* to, std::size_t stride, std::size_t g, double place) const {
+        to[0] = root_[g] * std::cos(place * t_[g]);
+        to[stride] = root_[g] * std::sin(place * t_[g]);
+    }
+
+    std::size_t taps_;
+    std::vector<double> t_, root_, waves_;  // waves_: [node][re, im][tap]
+};
+
+// Interpolations to choose from: the error of each, half way between two places, with which it hardly changes from place to place.
+struct Interpolations {
+    struct Choice {
+        std::size_t taps;
+        double spacing, misfit;
+    };
+    std::vector<Choice> choices;
+
+    Interpolations() {
+        for (std::size_t taps = 4; taps <= most_taps; taps += 2) {
+            for (double spacing = 0.55 * pi; spacing > 0.1 * pi; spacing *= 0.92) {
+                double weights[most_taps];
+                choices.push_back({taps, spacing, 1.02 * Interpolation(taps, spacing).find({0.5}, weights)});
+            }
+        }
+    }
+    bool is() const { return true; }
+    std::size_t bytes() const { return choices.size() * sizeof(Choice); }
+    static constexpr std::size_t most_bytes = 1 << 16;
+};
 
 // Line along a strip, with the line at -s if the strip is symmetric. The nodes at +-t and +-s are summed first, with parities in s
 // as two sums, `sums` = 2, or one if s = 0.

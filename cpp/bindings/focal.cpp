@@ -65,6 +65,8 @@ class Stream {
     Stream(const std::array<std::size_t, 7>& sizes, In<float, 1> taps, In<float, 4> residuals, In<float, 3> images,
            In<float, 1> weights, In<float, 2> forms, In<float, 2> statistics, const std::array<float, 7>& numbers) {
         const auto [height, width, binning, side, fine, blur, strips] = sizes;
+        require(statistics.shape(0) == lommel::FocalCandidates::rows && statistics.shape(1) == forms.shape(0),
+                "eight rows of statistics, one number a candidate");
         const std::size_t channels = residuals.shape(0), count = residuals.shape(1), frames = residuals.shape(2),
                           terms = residuals.shape(3);
         lommel::FocalPlan plan{height,

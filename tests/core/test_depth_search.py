@@ -42,7 +42,7 @@ def found(blocks: np.ndarray, leak: float, low: float = 0.0) -> tuple[np.ndarray
     frames = np.ascontiguousarray(frames.reshape(IMAGES, 2 * down * SIDE, 2 * across * SIDE))
     residuals = np.zeros((1, IMAGES, IMAGES, 2), dtype=np.float32)
     residuals[0, :, :, 0] = np.eye(IMAGES)  # images are the frames
-    rows = [NOISE, 0.0, NOISE**2, 1.0, 0.0, USUAL, leak]  # measured curvature, of noise alone
+    rows = [NOISE, 0.0, NOISE**2, 1.0, 0.0, USUAL, leak, 0.0]  # measured curvature, of noise alone
     stream = FocalStream(
         (2 * down * SIDE, 2 * across * SIDE, 1, SIDE, 1, 0, 1), np.float32([0.5, 0.25]), residuals,
         np.zeros((0, IMAGES, 2), np.float32), np.float32([1.0, 0.0]), FORMS.astype(np.float32),

@@ -46,11 +46,16 @@ _EDGE = 0.3  # pixels: a change of the blur radius by this much, or one radian o
 _SCAN = np.arange(-12.0, 12.1, 1.5)  # common shifts of focus from which the search starts, in these units
 _TABLE = np.arange(-16.0, 16.1, 0.25)  # shifts at which transfer functions are tabulated, in these units
 _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
-_MAX_STEPS, _ROUNDS, _GAIN_STEPS = 12, 2, 8  # Newton steps of a round, rounds with new weights, steps of the gain
+_MAX_STEPS, _GAIN_STEPS = 12, 8  # steps of the search, and of the gain
 # Metres: standard error of an origin that is held. Entrance pupils lie 0 to 4 cm behind the front rim of lenses of up
 # to 85 mm, which is 2.3 cm rms from the default of 0.
 _ORIGIN_ERROR = 0.02
-_MAX_ERRORS = {"shift": 1.0, "f-number": 0.05, "difference": 1.0, "origin": 0.02}  # units, relative, units, metres
+_RULER = 0.5e-3  # metres: standard error of distances, that of a tape read to a millimetre
+_PUPIL = 1e-3  # metres: standard error of an origin that is stated
+_FLOOR = 0.002  # units: standard error of each plane that tiles do not show
+_EXCESS, _CHANGE = 300.0, 0.1  # assumed power of noise of finished photographs / that of `_ASSUMED`, and its change
+_MAX_ERROR = 4.0  # units: standard error of the shift of foci above which planes do not determine it
+_HELD = 0.5  # standard error of what is stated after calibration / before, above which it is called held
 _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
@@ -133,14 +138,17 @@ class _Plane:
             result.append(np.interp(f / cutoff, _TABLE_RADII, table(place)))
         return np.array(result)
 
-    def weigh(self, lenses: Sequence[_Changed], vergence: float) -> None:
-        """Set the weights of frequencies to those of the Wiener filter for lenses and a vergence."""
+    def weigh(self, lenses: Sequence[_Changed], vergence: float, excess: float) -> None:
+        """Set the weights of frequencies to those of the Wiener filter for lenses and a vergence.
+
+        `excess` is the assumed power of noise / that of the noise of the photographs.
+        """
         h = self._transfer(lenses, vergence, _RADII)
         # Two of the four nearest aliases count on an axis.
         beyond = self._transfer(lenses, vergence, 1.0 - _RADII) * np.sinc(1.0 - _RADII)
         noise = self._light.relative_variances()[:, None] + 2.0 * self._light.power(1.0 - _RADII) * beyond**2
         pixel = np.sinc(_RADII / math.sqrt(2.0)) ** 2
-        signal = self._light.power(_RADII) * ((h * pixel) ** 2 / noise).sum(axis=0)
+        signal = self._light.power(_RADII) / excess * ((h * pixel) ** 2 / noise).sum(axis=0)
         wiener = signal / (1.0 + signal) * -np.expm1(-0.5 * (_RADII / _LOWEST) ** 2)
         self._weights = np.sqrt(wiener / np.maximum((h[::-1] ** 2 * noise).sum(axis=0), 1e-12))
 
@@ -176,8 +184,9 @@ class _Search:
         origin: float | None,
         scales: Sequence[float],
         spectrum: Spectrum,
+        excess: float,
     ) -> None:
-        self.lenses, self.planes, self._origin = lenses, planes, origin or 0.0
+        self.lenses, self.planes, self._origin, self._excess = lenses, planes, origin or 0.0, excess
         shift = math.inf
         for lens in lenses:
             radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
@@ -196,14 +205,14 @@ class _Search:
             self.basis["difference"] = [0.0, shift, -shift, 0.0]
         if origin is None:
             self.basis["origin"] = [0.0, 0.0, 0.0, shift * float(np.median(distances)) ** 2]
-        self.free = list(self.basis)[: len(planes)]
-        # Standard errors of what is held; the difference is half of that of two foci.
-        self.held_errors = {"f-number": UNMEASURED[0], "difference": 0.5 * UNMEASURED[1] * math.hypot(*self.foci)}
-        self.held_errors |= {"origin": _ORIGIN_ERROR}
-
-    def changes(self, at: Array, names: Sequence[str] = ()) -> Array:
-        """Return the changes of log f-number, foci and origin for parameters `at`."""
-        return np.asarray(at @ np.array([self.basis[name] for name in names or self.free]))
+        self.rows = np.array(list(self.basis.values()))
+        # Standard errors of what is stated, in units; the difference is half of that of two foci.
+        errors = {"shift": math.inf, "f-number": UNMEASURED[0], "origin": _ORIGIN_ERROR}
+        errors["difference"] = 0.5 * UNMEASURED[1] * math.hypot(*self.foci)
+        self.stated = np.array([errors[name] / max(row) for name, row in self.basis.items()])
+        # The second direction in which a plane measures is that of the blur at a depth that does not change.
+        self._measured = [0, list(self.basis).index("difference" if "difference" in self.basis else "f-number")]
+        self._ends = np.cumsum([len(plane.places) for plane in planes])[:-1]
 
     def calibrated(self, changes: Array) -> tuple[list[_Changed], float]:
         """Return the changed lenses, and the origin of distances, metres."""
@@ -212,35 +221,41 @@ class _Search:
             changes[3]
         )
 
-    def weigh(self, changes: Array) -> None:
-        """Set new weights of frequencies."""
+    def weigh(self, changes: Array, excess: float) -> None:
+        """Set new weights of frequencies for an assumed power of noise, as of :meth:`_Plane.weigh`."""
         lenses, origin = self.calibrated(changes)
         for plane in self.planes:
-            plane.weigh(lenses, 1.0 / (plane.distance + origin))
+            plane.weigh(lenses, 1.0 / (plane.distance + origin), excess)
 
-    def costs(self, changes: Array, shift: float = 0.0) -> Array:
-        """Return -log(likelihood) of each tile, of planes that are moved by `shift` in 1/m."""
+    def costs(self, changes: Array) -> Array:
+        """Return -log(likelihood) of each tile."""
         lenses, origin = self.calibrated(changes)
-        energies = [plane.energies(lenses, 1.0 / (plane.distance + origin) + shift) for plane in self.planes]
+        energies = [plane.energies(lenses, 1.0 / (plane.distance + origin)) for plane in self.planes]
         costs = _LOG * np.log(np.concatenate(energies))
         return np.where(np.isnan(costs), math.inf, costs)  # beyond the tables
 
-    def derivatives(self, at: Array, names: Sequence[str]) -> tuple[Array, Array]:
-        """Return gradients, (parameters, tiles), and Hessians, (parameters, parameters, tiles), of `costs`."""
-        steps = [_STEP * self.changes(row, names) for row in np.eye(len(names))]
-        middle = self.costs(at)
-        ahead, behind = ([self.costs(at + sign * step) for step in steps] for sign in (1.0, -1.0))
-        hessian = np.empty((len(steps), len(steps), len(middle)))
-        with np.errstate(invalid="ignore"):  # infinite costs
+    def derivatives(self, at: Array) -> tuple[Array, Array]:
+        """Return gradients, (parameters, tiles), and Hessians, (parameters, parameters, tiles), of relative energies.
+
+        Energies, times _LOG over those at `at`, are parabolas: their minimum is near that of their logarithms.
+        """
+        middle, steps = self.costs(at), [_STEP * row for row in self.rows]
+        with np.errstate(invalid="ignore", over="ignore"):  # infinite costs
+            ahead, behind = (
+                [_LOG * np.exp((self.costs(at + sign * step) - middle) / _LOG) for step in steps]
+                for sign in (1.0, -1.0)
+            )
+            hessian = np.empty((len(steps), len(steps), len(middle)))
             for i, step in enumerate(steps):
-                hessian[i, i] = ahead[i] + behind[i] - 2.0 * middle
+                hessian[i, i] = ahead[i] + behind[i] - 2.0 * _LOG
                 for j in range(i):
-                    hessian[i, j] = hessian[j, i] = self.costs(at + step + steps[j]) - ahead[i] - ahead[j] + middle
+                    both = _LOG * np.exp((self.costs(at + step + steps[j]) - middle) / _LOG)
+                    hessian[i, j] = hessian[j, i] = both - ahead[i] - ahead[j] + _LOG
             return np.subtract(ahead, behind) / (2.0 * _STEP), hessian / _STEP**2
 
     def start(self) -> Array:
-        """Return the nearest common shift of foci at which the planes agree about as well as anywhere; ValueError."""
-        self.weigh(np.zeros(4))
+        """Return parameters: the nearest shift at which the planes agree about as well as anywhere; ValueError."""
+        self.weigh(np.zeros(4), self._excess)
         common, planes = (
             np.array(self.basis["shift"]),
             np.array([1.0 / (p.distance + self._origin) for p in self.planes]),
@@ -262,7 +277,7 @@ class _Search:
         )
         if abs(best) == max(map(abs, costs)):
             raise self._disagreement()
-        return np.asarray(best * common)
+        return np.append(best, np.zeros(len(self.rows) - 1))
 
     def _disagreement(self) -> ValueError:
         """Return the error where no lens near the stated one agrees."""
@@ -272,76 +287,107 @@ class _Search:
             f"lenses explains planes at {planes}"
         )
 
-    def minimum(self, at: Array, rounds: int = _ROUNDS) -> Array:
-        """Return the changes at the minimum over the parameters `free` that Newton steps from `at` reach."""
-        for _ in range(rounds):
-            self.weigh(at)
-            for _ in range(_MAX_STEPS):
-                gradients, hessians = self.derivatives(at, self.free)
-                if not np.isfinite(hessians).all():
-                    raise self._disagreement()
-                values, vectors = np.linalg.eigh(hessians.sum(axis=2))
-                sizes = np.maximum(np.abs(values), 1e-3 * np.abs(values).max())
-                step = -vectors @ (vectors.T @ gradients.sum(axis=1) / sizes)
-                step *= min(1.0, _MAX_STEP / float(np.abs(step).max()))
-                cost = self.costs(at).sum()
-                while np.abs(step).max() > _TOLERANCE and self.costs(at + self.changes(step)).sum() > cost:
-                    step /= 3.0
-                at = at + self.changes(step)
-                if np.abs(step).max() <= _TOLERANCE:
-                    break
-        return at
+    def _scores(self, at: Array) -> Iterator[_Score]:
+        """Yield gradients and Hessians of `costs` of each plane, in the directions that planes measure."""
+        gradients, hessians = self.derivatives(at @ self.rows)
+        if not np.isfinite(hessians).all():
+            raise self._disagreement()
+        parts = (np.split(part[self._measured], self._ends, axis=-1) for part in (gradients, hessians))
+        for tiles, curvatures in zip(*parts, strict=True):
+            slopes = curvatures.sum(axis=2)
+            scales = np.abs(np.diag(slopes[:, self._measured]))
+            # Scatter of the gradients of tiles, less those of the changes that their sums ask for.
+            scatter = tiles - np.einsum("iit,i->it", curvatures[:, self._measured], tiles.sum(axis=1) / scales)
+            variance = scatter @ scatter.T * (tiles.shape[1] / (tiles.shape[1] - 1.0))
+            yield _Score(tiles, curvatures, tiles.sum(axis=1), slopes, scales, variance)
 
-    def best(self) -> tuple[Array, Array]:
-        """Return changes and their covariance, of as many parameters as planes determine; ValueError if none."""
-        start = self.start()
-        for count in range(len(self.free), 0, -1):
-            self.free = self.free[:count]
-            at = self.minimum(start)
-            held = [name for name in self.held_errors if name in self.basis and name not in self.free]
-            names = [*self.free, *held]
-            gradients, hessians = self.derivatives(at, names)
-            total = hessians.sum(axis=2)
-            if np.linalg.eigvalsh(total[:count, :count])[0] <= 0.0:
-                continue
-            # Jackknife: the change of the minimum without each of the tiles.
-            others = (total[..., None] - hessians).transpose(2, 0, 1)[:, :count, :count]
-            moves = np.linalg.solve(others, gradients.T[:, :count, None])[..., 0]
-            covariance = np.zeros((len(names), len(names)))
-            covariance[:count, :count] = moves.T @ moves
-            scales = [1.0 if name in ("shift", "difference") else max(self.basis[name]) for name in self.free]
-            if all(np.sqrt(np.diag(covariance))[:count] * scales <= [_MAX_ERRORS[name] for name in self.free]):
-                # Held parameters add their errors to those of the estimates, which follow them by -H^-1 dg/d(held).
-                slopes = np.vstack(
-                    [-np.linalg.solve(total[:count, :count], total[:count, count:]), np.eye(len(held))]
-                )
-                slopes *= [self.held_errors[name] / max(self.basis[name]) for name in held]
-                covariance += slopes @ slopes.T
-                rows = np.array([self.basis[name] for name in names])
-                return at, rows.T @ covariance @ rows
-        raise ValueError(_UNDETERMINED)
+    def minimum(self, at: Array, floors: Array) -> tuple[Array, list[_Score], Array, Array]:
+        """Return parameters, scores of planes, the weight of gradients, and the precision; ValueError if none.
 
-    def seen(self, at: Array) -> Iterator[CalibratedPlane]:
-        """Yield the planes as lenses with these changes see them."""
-        origin, step = self.calibrated(at)[1], _STEP * self.unit
-        behind, middle, ahead = (self.costs(at, k * step) for k in (-1.0, 0.0, 1.0))
-        ends = np.cumsum([len(plane.places) for plane in self.planes])[:-1]
-        # Relative energies, which are parabolas over depth, and not their logarithms.
-        behind, ahead = np.exp((behind - middle) / _LOG), np.exp((ahead - middle) / _LOG)
-        parts = (np.split(part, ends) for part in ((ahead - behind) / 2.0, ahead + behind - 2.0, middle))
-        for plane, gradient, curvature, cost in zip(self.planes, *parts, strict=True):
-            # Weighted least squares of the shifts of tiles, -gradient / curvature: a constant, and a slope.
-            terms = np.column_stack([np.ones(len(gradient)), plane.places])
-            inverse = np.linalg.pinv(terms.T @ (curvature[:, None] * terms), hermitian=True)
-            shift, *slope = fit = -inverse @ (terms.T @ gradient)
-            scatter = terms * (gradient + curvature * (terms @ fit))[:, None] @ inverse
-            covariance = scatter.T @ scatter * (len(gradient) / (len(gradient) - 3.0))
-            tilt = math.hypot(*slope)
-            tilt_error = math.sqrt(slope @ covariance[1:, 1:] @ slope) / max(tilt, 1e-300)
-            away = plane.distance + origin
-            found, metres = 1.0 / (1.0 / away + step * float(shift)) - origin, step * away**2
-            numbers = metres * math.sqrt(covariance[0, 0]), 2.0 * metres * tilt, 2.0 * metres * tilt_error
-            yield CalibratedPlane(plane.distance, found, *numbers, math.exp(float(np.median(cost)) / _LOG))
+        Parameters minimise the squares of gradients over their variances plus those of the changes of what is stated.
+        `floors` are standard errors that tiles do not show, units, (planes, directions).
+        """
+        for _ in range(_MAX_STEPS):
+            self.weigh(at @ self.rows, self._excess)
+            scores = list(self._scores(at))
+            slopes = np.vstack([score.slopes for score in scores])
+            more = [np.diag((score.scales * floor) ** 2) for score, floor in zip(scores, floors, strict=True)]
+            variance = scipy.linalg.block_diag(*(score.variance + x for score, x in zip(scores, more, strict=True)))
+            # Errors of the distances, and of the origin where it is stated, which all planes share.
+            by_origin = slopes[:, 0] * np.repeat([plane.distance**-2.0 for plane in self.planes], 2) / self.unit
+            shared = np.outer(by_origin, by_origin)
+            own = scipy.linalg.block_diag(*np.ones((len(scores), 2, 2)))
+            variance += _RULER**2 * own * shared + (0.0 if "origin" in self.basis else _PUPIL**2) * shared
+            weight = np.linalg.inv(variance)
+            precision = slopes.T @ weight @ slopes + np.diag(self.stated**-2.0)
+            if not np.linalg.eigvalsh(precision)[0] > _MAX_ERROR**-2.0:
+                raise ValueError(_UNDETERMINED)
+            gradient = slopes.T @ weight @ np.concatenate([score.gradient for score in scores])
+            step = -np.linalg.solve(precision, gradient + at / self.stated**2)
+            step *= min(1.0, _MAX_STEP / float(np.abs(step).max()))
+            at = at + step
+            if np.abs(step).max() <= _TOLERANCE:
+                break
+        return at, scores, weight, precision
+
+    def best(self) -> tuple[Array, Array, list[CalibratedPlane]]:
+        """Return parameters, their covariance, and the planes; ValueError if these do not determine the focus."""
+        floors = np.full((len(self.planes), 2), _FLOOR)
+        at, scores, weight, precision = self.minimum(self.start(), floors)
+        if self._excess > 1.0:
+            # What other weights change is the error of what cameras do to fine details.
+            self.weigh(at @ self.rows, _CHANGE * self._excess)
+            changes = [
+                one.gradient / one.scales - other.gradient / other.scales
+                for one, other in zip(scores, self._scores(at), strict=True)
+            ]
+            at, scores, weight, precision = self.minimum(at, np.hypot(floors, changes))
+        if any(score.slopes[0, 0] <= 0.0 for score in scores):
+            raise ValueError(_UNDETERMINED)
+        slopes, covariance = np.vstack([score.slopes for score in scores]), np.asarray(np.linalg.inv(precision))
+        left = weight - weight @ slopes @ covariance @ slopes.T @ weight
+        gradient = np.concatenate([score.gradient for score in scores])
+        origin, seen = self.calibrated(at @ self.rows)[1], []
+        for k, (plane, score) in enumerate(zip(self.planes, scores, strict=True)):
+            # Generalised least squares of the distance of this plane, by the others and by what is stated.
+            moved = np.zeros(len(gradient))
+            moved[2 * k : 2 * k + 2] = score.slopes[:, 0]
+            information, away = float(moved @ left @ moved), plane.distance + origin
+            metres, known = self.unit * away**2, len(scores) > 1 and information > 0.0
+            shift = float(moved @ left @ gradient) / information if known else 0.0
+            error = metres / math.sqrt(information) if known else math.inf
+            found = 1.0 / (1.0 / away - self.unit * shift) - origin
+            numbers = *self._tilt(plane, score, metres), self._misfit(k, at)
+            seen.append(CalibratedPlane(plane.distance, found, error, *numbers))
+        return at, covariance, seen
+
+    def _misfit(self, plane: int, at: Array) -> float:
+        """Return the median of the energies of the tiles of a plane, relative to those of noise."""
+        return math.exp(float(np.median(np.split(self.costs(at @ self.rows), self._ends)[plane])) / _LOG)
+
+    def _tilt(self, plane: _Plane, score: _Score, metres: float) -> tuple[float, float]:
+        """Return the change of distance across a plane, and its standard error, metres; `metres` is one unit."""
+        gradient, curvature = score.tiles[0], score.curvatures[0, 0]
+        # Weighted least squares of the shifts of tiles, -gradient / curvature: a constant, and a slope.
+        terms = np.column_stack([np.ones(len(gradient)), plane.places])
+        inverse = np.linalg.pinv(terms.T @ (curvature[:, None] * terms), hermitian=True)
+        fit = -inverse @ (terms.T @ gradient)
+        scatter = terms * (gradient + curvature * (terms @ fit))[:, None] @ inverse
+        covariance = scatter.T @ scatter * (len(gradient) / (len(gradient) - 3.0))
+        tilt = math.hypot(*fit[1:])
+        error = math.sqrt(fit[1:] @ covariance[1:, 1:] @ fit[1:]) / max(tilt, 1e-300)
+        return 2.0 * metres * tilt, 2.0 * metres * error
+
+
+class _Score(NamedTuple):
+    """Derivatives of -log(likelihood) of a plane, by tiles and in all, with the variance of the gradient."""
+
+    tiles: Array  # gradients, (directions, tiles)
+    curvatures: Array  # Hessians, (directions, parameters, tiles)
+    gradient: Array
+    slopes: Array  # Hessian, (directions, parameters)
+    scales: Array  # its diagonal
+    variance: Array
 
 
 class CalibratedPlane(NamedTuple):
@@ -352,7 +398,8 @@ class CalibratedPlane(NamedTuple):
     distance : float
         Stated distance, metres.
     found, error : float
-        Distance at which the photographs agree best, and its standard error for exact lenses, metres.
+        Distance that these photographs, all other planes and the stated lens determine, and its standard error,
+        metres: infinite for one plane.
     tilt, tilt_error : float
         Difference of the distances of opposite corners, at most, and its standard error, metres.
     misfit : float
@@ -431,7 +478,8 @@ class FocalCalibration(FitReport):
         foci = dict.fromkeys(lens.focus_distance for lens in self.lenses)
         rows += [("focus distance", focus, self.focus_error * focus**2, " m") for focus in foci]
         rows += [("origin before the lens", self.origin, self.origin_error, " m")]
-        rows += [(f"plane at {plane.distance:.4g} m", plane.found, plane.error, " m") for plane in self.planes]
+        planes = [plane for plane in self.planes if plane.error < math.inf]
+        rows += [(f"plane at {plane.distance:.4g} m", plane.found, plane.error, " m") for plane in planes]
         lines = [f"{name:<25}{' +- '.join(with_error(value, error))}{unit}" for name, value, error, unit in rows]
         return "\n".join(lines if len(lines) <= 12 else [*lines[:11], f"and {len(lines) - 11} planes more"])
 
@@ -568,18 +616,25 @@ def calibrate_focus(
         planes.append(_Plane(images.astype(np.float64), valid, distance, blur, read))
     colours = spectra("channels", channel_spectra(shape, lenses[0].wavelength))
     spectrum = [line for colour in colours for line in colour]  # channels are summed
-    search = _Search(lenses, planes, pitch, origin, registered.scales, spectrum)
-    other = partial(_Search, lenses[::-1], planes, pitch, origin, registered.scales, spectrum)
+    # Fine details, which cameras sharpen, denoise and compress, count little in photographs that are finished.
+    excess = _EXCESS if noise is None or compressed else 1.0
+    more = planes, pitch, origin, registered.scales, spectrum, excess
+    search, other = _Search(lenses, *more), partial(_Search, lenses[::-1], *more)
     try:
-        at, covariance = search.best()
+        at, covariance, seen = search.best()
     except ValueError as error:
         if _agrees(other()):
             raise ValueError(
                 f"{error}; in the other order they agree: exchange the photographs of each pair"
             ) from None
         raise
-    seen, costs = tuple(search.seen(at)), search.costs(at)
-    findings = [*_findings(search, seen, covariance, noise is not None), *_exchanged(search, at, costs, other())]
+    held = [
+        name
+        for name, variance, stated in zip(search.basis, np.diag(covariance), search.stated, strict=True)
+        if variance > (_HELD * stated) ** 2
+    ]
+    at, covariance = at @ search.rows, search.rows.T @ covariance @ search.rows
+    findings = [*_findings(held, seen, covariance, noise is not None), *_exchanged(search, at, seen, other())]
     if compressed:
         text = (
             "the photographs are compressed (JPEG), which looks like blur: numbers may be off by more than their "
@@ -599,20 +654,20 @@ def calibrate_focus(
         origin=origin,
         origin_error=origin_error,
         covariance=covariance,
-        planes=seen,
+        planes=tuple(seen),
     )
 
 
 def _findings(
-    search: _Search, planes: Sequence[CalibratedPlane], covariance: Array, stated: bool
+    held: Sequence[str], planes: Sequence[CalibratedPlane], covariance: Array, stated: bool
 ) -> Iterator[Finding]:
     """Yield the findings on planes, on noise if it was stated, and on parameters that are held."""
     for plane in planes:
         name, (found, error) = f"the plane at {format_length(plane.distance)}", with_error(plane.found, plane.error)
-        deviation = abs(plane.found - plane.distance) / plane.error
-        if len(planes) > 1 and deviation > _DOUBTFUL:
+        if (deviation := _deviation(plane)) > _DOUBTFUL:
             text = (
-                f"distances contradict each other: lenses that fit all planes best see {name} at {found} +- {error} m"
+                f"distances contradict each other: by the other planes and the stated lens {name} is at {found} +- "
+                f"{error} m; measure the distances again, from one point, and check the order of the photographs"
             )
             yield Finding("contradiction", "error" if deviation > _WRONG else "doubt", text, plane._asdict())
         if plane.tilt > max(_WRONG * plane.tilt_error, _MIN_TILT * plane.distance):
@@ -632,9 +687,14 @@ def _findings(
         "difference": f"the difference of the foci (+- {percent(UNMEASURED[1])} of each)",
         "origin": f"the origin of distances (+- {format_length(error)}, {moved:.2g} dioptre of foci: state origin)",
     }
-    if held := [text for name, text in texts.items() if name in search.basis and name not in search.free]:
-        text = f"held: {', '.join(held)}; planes at other distances determine more"
+    if held:
+        text = f"held: {', '.join(texts[name] for name in held)}; planes at other distances determine more"
         yield Finding("stated", "note", text, {"held": held})
+
+
+def _deviation(plane: CalibratedPlane) -> float:
+    """Return the deviation of a plane from its stated distance, standard errors."""
+    return abs(plane.found - plane.distance) / plane.error
 
 
 def _agrees(search: _Search) -> bool:
@@ -646,19 +706,21 @@ def _agrees(search: _Search) -> bool:
     return True
 
 
-def _exchanged(search: _Search, at: Array, costs: Array, other: _Search) -> Iterator[Finding]:
-    """Yield a finding if photographs in the other order agree better, or as well with smaller shifts of foci."""
+def _exchanged(search: _Search, at: Array, seen: Sequence[CalibratedPlane], other: _Search) -> Iterator[Finding]:
+    """Yield a finding if planes or foci are off, and less in the other order of the photographs."""
+    stated = np.abs(at[1:3] / search.foci).max()
+    one = len(search.planes) == 1 and search.foci[0] != search.foci[1]
+    if stated < _MAX_SHIFT and max(map(_deviation, seen)) < _DOUBTFUL:
+        return
     try:
-        other.free = search.free
-        best = other.minimum(other.start(), rounds=1)
+        best = other.minimum(other.start(), np.full((len(seen), 2), _FLOOR))[0] @ other.rows
     except ValueError:
         return
-    change = costs - other.costs(best)
+    change = search.costs(at) - other.costs(best)
     deviation = float(change.sum() / max(float(np.std(change)) * math.sqrt(len(change)), 1e-12))
-    stated, needed = (np.abs(x[1:3] / each.foci).max() for x, each in ((at, search), (best, other)))
+    needed = np.abs(best[1:3] / other.foci).max()
     # One plane between two foci agrees about as well in either order, with another shift of the foci.
-    one = len(search.planes) == 1 and search.foci[0] != search.foci[1]
-    if (stated > max(_MAX_SHIFT, 3.0 * needed)) if one else deviation > _DOUBTFUL:
+    if stated > max(_MAX_SHIFT, 1.5 * needed) if one else deviation > _DOUBTFUL:
         text = (
             f"the photographs seem exchanged: in the other order foci are off by {percent(needed, 1)}, in this order "
             f"by {percent(stated, 1)}"

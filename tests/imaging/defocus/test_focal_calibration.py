@@ -15,6 +15,10 @@ from planes import NOISE, PIXEL, shoot, texture
 
 TRUE = [lm.Lens(focal_length=35e-3, f_number=4.0, focus_distance=f, wavelength=540e-9) for f in (1.35, 1.8)]
 STATED = [lm.Lens(focal_length=35e-3, f_number=4.32, focus_distance=f, wavelength=540e-9) for f in (1.3095, 1.746)]
+CHANGES = [
+    math.log(4.0 / 4.32),
+    *(1.0 / a.focus_distance - 1.0 / b.focus_distance for a, b in zip(TRUE, STATED, strict=True)),
+]
 DISTANCES = [1.25, 1.5, 1.95]
 OPTIONS = {"encoding": "linear", "noise": NOISE}
 LENS_FILE = """# mine
@@ -52,14 +56,10 @@ def depth(pair, lenses, **errors):
 def test_three_planes_tell_the_f_number_and_both_foci_within_their_errors(found):
     assert found.reliable
     assert found.findings.codes == ()
-    true = [
-        math.log(4.0 / 4.32),
-        *(1.0 / a.focus_distance - 1.0 / b.focus_distance for a, b in zip(TRUE, STATED, strict=True)),
-    ]
     estimate = [math.log(found.f_number_scale), *found.focus_shifts]
     errors = np.sqrt(np.diag(found.covariance))[:3]
     assert (errors < [0.01, 0.002, 0.002]).all()
-    assert np.abs(np.subtract(estimate, true) / errors).max() < 3.0
+    assert np.abs(np.subtract(estimate, CHANGES) / errors).max() < 3.0
     assert found.errors == {"f_number_error": errors[0], "focus_error": errors[1:].max()}
     assert [lens.f_number for lens in found.lenses] == pytest.approx([4.32 * found.f_number_scale] * 2)
 
@@ -74,33 +74,28 @@ def test_depth_at_another_distance_is_right_after_calibration(found):
 
 def test_one_plane_tells_one_number_and_holds_the_f_number_with_its_error(pairs):
     found = lm.imaging.calibrate_focus(pairs[:1], DISTANCES[:1], STATED, PIXEL, encoding="linear", origin=0.0)
-    assert found.f_number_scale == 1.0
-    assert found.f_number_error == pytest.approx(0.03)
-    assert found.focus_shifts[0] == found.focus_shifts[1]
-    # 2 % of each focus that the plane does not determine, and 3 % of the f-number times the defocus at the plane.
-    defocus = 1.0 / 1.25 - 0.5 * (1.0 / 1.3 + 1.0 / 1.75)
-    least = 0.5 * 0.02 * math.hypot(1.0 / 1.3, 1.0 / 1.75)
-    assert least < found.focus_error < math.hypot(2.0 * least, 4.0 * 0.03 * defocus)
-    text = found.findings.get("stated").text
-    assert "f-number (+- 3 %)" in text
-    assert "difference of the foci (+- 2 % of each)" in text
+    assert found.f_number_scale == pytest.approx(1.0, abs=0.03)
+    assert 0.02 < found.f_number_error < 0.03
+    assert "f-number (+- 3 %)" in found.findings.get("stated").text
+    assert found.planes[0].error == math.inf
     metres, errors = depth(pairs[0], found.lenses, **found.errors)
     assert np.median(metres) == pytest.approx(1.25, abs=0.01)
     metres, errors = depth(plane(1.7), found.lenses, **found.errors)
     assert abs(np.median((metres - 1.7) / errors)) < 3.0
 
 
-def test_an_origin_that_is_not_stated_adds_what_2_cm_of_it_move(pairs):
-    def run(origin):
-        return lm.imaging.calibrate_focus(pairs[:2], DISTANCES[:2], STATED, PIXEL, **OPTIONS, origin=origin)
-
-    held, near, far, exact = map(run, (None, -0.01, 0.01, 0.0))
-    moved = np.subtract(far.focus_shifts, near.focus_shifts)  # by 2 cm, exactly
-    scale = math.log(far.f_number_scale / near.f_number_scale)
-    change = held.covariance - exact.covariance
-    assert np.sqrt(np.diag(change)) == pytest.approx([abs(scale), *np.abs(moved), 0.02], rel=0.2, abs=1e-9)
-    assert (held.origin, held.origin_error, exact.origin_error) == (0.0, pytest.approx(0.02), 0.0)
-    assert "(+- 20 mm, 0.0" in held.findings.get("stated").text
+def test_an_origin_that_is_not_stated_is_estimated_with_an_error_below_2_cm(pairs):
+    held, exact = (
+        lm.imaging.calibrate_focus(pairs[:2], DISTANCES[:2], STATED, PIXEL, **OPTIONS, origin=origin)
+        for origin in (None, 0.0)
+    )
+    errors = np.sqrt(np.diag(held.covariance))
+    estimate = [math.log(held.f_number_scale), *held.focus_shifts, held.origin]
+    assert np.abs(np.subtract(estimate, [*CHANGES, 0.0]) / errors).max() < 3.0
+    assert (errors > 2.0 * np.sqrt(np.diag(exact.covariance))).all()
+    assert 0.01 < held.origin_error < 0.02
+    assert exact.origin_error == 0.0
+    assert "the origin of distances (+- 1" in held.findings.get("stated").text
 
 
 def test_the_origin_that_is_stated_moves_the_planes(pairs):

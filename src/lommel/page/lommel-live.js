@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 43a58d8702e849426a314ef8a9587dc64690273013dca90ff4d9419724861ac5
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 6406bcacf1d4c3e7fce9fb0446ac0f8403b895e99f9720b7b5c13fffed06df63
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

@@ -654,8 +654,8 @@ class _PyavReader:
             raise VideoError(f"{self.name} has video in an unknown format, or is truncated")
         _require_frame_size(self.name, codec.width, codec.height)
         codec.options = {"max_pixels": str(MAX_FRAME), "export_side_data": "venc_params"}
-        # Frame threading would delay live frames, and frames of Motion JPEG after the packets with their tables. It may
-        # export the quantization parameters of H.264 before all of them are written.
+        # Frame threading would delay live frames, and frames of Motion JPEG after the packets with their tables. For
+        # H.264 it may export quantization parameters that are not written yet.
         codec.thread_type = "SLICE" if self.live or codec.name in ("mjpeg", "h264") else "AUTO"
         # Trust the stated duration only for these formats, and only without another stream, which may be longer.
         trusted = len(self._container.streams) == 1 and re.search("matroska|mp4", self._container.format.name)

@@ -6,11 +6,13 @@ import argparse
 import json
 import math
 import os
+import sys
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "shared"))
 
 from tests.world.scenarios import SCENARIOS
 from tests.world.verdicts import Judgement, Run, attempt, judge

@@ -141,7 +141,8 @@ def test_derivatives_are_differences_of_images(name):
     coefficients, place = waves(2), Place(0.3, -0.2, 0.1e-6, 80e-9)
     stack = Stack(np.ones((4, 3, 225)), (15, 15), np.array([-0.6e-6, 0.0, 0.5e-6]), np.array([1.0, 0.0, 0.0]))
     start = oil(apodization=lm.Apodization.zernike({2: -0.2, 4: 0.1})) if name in AMPLITUDES else OIL
-    setup = Setup(start, WAVE, OIL.pupil(depth=0.0, wavelength=WAVE).emitter, PIXEL, 0.1e-6)
+    emitter = lm.Dipole(1.5, 0.4, wobble=1.0 if name not in ("wobble", "azimuth") else 0.6)
+    setup = Setup(start, WAVE, emitter, PIXEL, 0.1e-6)
     images = BeadImages(TERMS, {(6, 0): 0.1}, 1)
 
     def at(h):
@@ -194,16 +195,20 @@ def test_planes_that_the_stage_displaced_are_found_and_their_displacement_is_est
     assert found.psf_errors(**where).shape == (1, 9, 9)
 
 
-def test_a_dye_that_keeps_polarization_is_named_with_its_weights():
+def test_a_dye_that_keeps_polarization_is_estimated_besides():
     given = waves(3, 0.1)
-    x_dipole = lm.Dipole(0.5 * np.pi, 0.0, wobble=0.7)  # weights 1.6 : 0.7 : 0.7
+    x_dipole = lm.Dipole(0.5 * np.pi, 0.5, wobble=0.7)
     pupil = OIL.pupil(depth=50e-9, z=Z, wavelength=WAVE, aberrations=wavefront(given), emitter=x_dipole)
     bead = lm.psf(pupil, 15, PIXEL, method=lm.methods.Bead(0.1e-6, 1e-4), integrate=True).values
     found = fitted(NOISE.record(2e4 * bead + 10.0, seed=1), OIL, **GIVEN, terms=TERMS, priors={})
-    assert not found.reliable
-    assert found.tests[0].name == "a dye that keeps polarization"
-    weights = re.search(r"favour a dye that keeps polarization, dipole weights (.*) along x, y, z", found.message)[1]
-    assert np.allclose([float(one) for one in weights.split(" : ")], [1.6, 0.7, 0.7], atol=0.15)
+    assert found.status == "converged"
+    assert [*found.findings.get("estimated").numbers] == ["a dye that keeps polarization, wobble", "move"]
+    assert re.search(r"a dye that keeps polarization, wobble 0.[67]\d* \+- \S+ \(stated 1\)", found.message)
+    assert (found.emitter.polar, found.emitter.wobble) == (0.5 * np.pi, found.coefficients["wobble"])
+    for name, value in ("wobble", 0.7), ("azimuth", 0.5):
+        assert abs(found.coefficients[name] - value) < 3.5 * found.errors[name] < 0.3
+    pulls = [(found.coefficients[t] - a) / found.errors[t] for t, a in zip(TERMS, given, strict=True)]
+    assert np.sqrt(np.mean(np.square(pulls))) < 1.6
 
 
 def test_aberrations_and_places_are_found_from_nothing_within_their_standard_errors():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lommel.core.answers import Declined
-from lommel.estimation.favoured_effects import rounds_of
+from lommel.estimation.favoured_effects import Estimate, estimated_findings, rounds_of
 from lommel.fit.score_tests import ScoreTest
 
 CALM = Made(stands_out=lambda _: True)
@@ -70,3 +70,10 @@ def test_rivals_are_estimated_together_where_the_model_can():
     rounds = chain(tests, {"a": 6.0, "b": 10.9, "c": 5.0}, jointly=lambda fit, names: asked.append(names) or fit)
     assert (asked, rounds[-1].names) == ([("b", "a")], ("b", "a"))
     assert [test.name for test, *_ in rounds[0].tried] == ["b", "a"]
+
+
+def test_estimates_that_differ_from_nothing_by_less_than_their_error_are_left_out():
+    wobble, drift = Estimate("wobble", 0.02, 0.05, 1.0), Estimate("drift", 0.02, 0.05, 0.0)
+    (told,) = estimated_findings([wobble, drift], 1.0)
+    assert [*told.numbers] == ["wobble", "move"]  # 0 is not what was stated
+    assert estimated_findings([drift], 1.0) == []

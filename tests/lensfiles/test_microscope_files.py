@@ -143,6 +143,14 @@ def test_a_focal_surface_is_written_again_and_faults_are_named(load, tmp_path):
     assert "frame" in fault(load, more=surface.replace("[100, 80]", "[0, 80]"))
 
 
+def test_a_dipole_whose_light_was_computed_is_written_again(load, tmp_path):
+    made = dataclasses.replace(load(), emitter=lm.Dipole(0.5 * math.pi, 0.25, wobble=0.75))
+    assert made.pupil().emitter.moments.shape == (3, 3)
+    made.save(tmp_path / "again.toml")
+    again = lm.load_microscope(tmp_path / "again.toml").emitter
+    assert (again.polar, again.azimuth, again.wobble) == pytest.approx((0.5 * math.pi, 0.25, 0.75), rel=1e-11)
+
+
 def test_an_objective_that_dips_has_no_cover_glass(load):
     glass = PLAIN[PLAIN.index("[coverslip]") : PLAIN.index("[sample]")]
     found = load(("immersion = 1.518", "immersion = 1.333\ndipping = true"), ("1.3\n", "0.8\n"), (glass, ""))

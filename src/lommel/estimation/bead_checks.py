@@ -20,7 +20,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined
 from lommel.estimation import bead_images
-from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, DYE, GRADIENT, UNITS, Setup, Stack, expected
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, DIPOLE, DYE, GRADIENT, UNITS, Setup, Stack, expected
 from lommel.estimation.bead_search import (
     DRIFT,
     GROSS_CHI2,
@@ -50,7 +50,7 @@ from lommel.fit.score_tests import (
     untested_findings,
 )
 from lommel.fit.scoring import Report, covariance
-from lommel.optics.layers.emitter import emitter_of
+from lommel.optics.layers.emitter import Dipole, emitter_of
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
@@ -84,7 +84,8 @@ _CONTRADICTED = 3.5  # smallest significance (standard deviations) at which the 
 def available_constants(setup: Setup) -> list[str]:
     """Return the names of the constants that may be estimated for this microscope; an index of 1 (air) is exact."""
     objective = setup.objective
-    absent = {"coverslip": objective.coverslip is None, "diameter": setup.diameter == 0.0, "jump": True}
+    absent = {"coverslip": objective.coverslip is None, "diameter": setup.diameter == 0.0}
+    absent |= dict.fromkeys(("jump", *DIPOLE), True)  # only estimated besides
     absent["sample"] = objective.sample == 1.0
     absent["immersion"] = objective.working_distance is None or objective.immersion == 1.0
     return [name for name in CONSTANTS if not absent.get(name, False)]
@@ -371,6 +372,12 @@ def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Set
             mask = _displacements(len(model.stacks[0].z))[name]
             stacks = tuple(replace(stack, displaced=mask) for stack in model.stacks)
             model = replace(model, stacks=stacks, priors=priors | {"jump": Prior(0.0, math.inf)})
+        elif name == _POLARIZED:
+            model = replace(model, priors=priors | dict.fromkeys(DIPOLE, Prior(0.0, math.inf)))
+            # Lateral dipoles at four azimuths: the search starts at the most likely.
+            dipoles = (Dipole(0.5 * math.pi, 0.25 * math.pi * k, wobble=0.7) for k in range(4))
+            states = [replace(state, setup=replace(state.setup, emitter=dipole)) for dipole in dipoles]
+            state = max(states, key=lambda one: model.evaluate(one).log_posterior)
         elif name in ("drift", _GRADIENT):
             drifts = model.drifts or name == "drift"
             model = replace(model, drifts=drifts, gradients=model.gradients or name == _GRADIENT)
@@ -408,11 +415,10 @@ def estimates_of(first: Round, last: Round, stated: Setup) -> list[Finding]:
                 pair, zero = (getattr(place, key), float(errors[column])), known if name == "depth" else 0.0
                 estimates.append(Estimate(f"{key} of bead {j}", *pair, zero, unit, factor))
         if name not in _BEAD_EFFECTS:
-            column, known = (
-                keys.index(name if name in keys else "jump"),
-                stated.value(name) if name in CONSTANTS else 0.0,
-            )
-            estimates.append(Estimate(name, float(values[column]), float(errors[column]), known, unit, factor))
+            key = DIPOLE[0] if name == _POLARIZED else name if name in keys else "jump"
+            column, known = keys.index(key), stated.value(key) if key in CONSTANTS and key != "jump" else 0.0
+            shown = f"{name}, {key}" if name == _POLARIZED else name
+            estimates.append(Estimate(shown, float(values[column]), float(errors[column]), known, unit, factor))
     count = len(before.state.waves)
     moves = np.abs(fit.state.waves[:count] - before.state.waves) / first_errors[:count]
     return estimated_findings(estimates, float(moves.max(initial=0.0)))

@@ -41,6 +41,7 @@ DYE: Mapping[str, Dipole] = {
     for axis, azimuth in (("x", 0.0), ("y", 0.5 * math.pi), ("oblique", 0.25 * math.pi))
 }
 """Nearly isotropic dyes that prefer an axis of the camera, for derivatives by the preferred fraction."""
+DIPOLE = ("wobble", "azimuth")  # constants of a dye that keeps the polarization of its excitation
 NONLINEAR = "nonlinear"  # nonlinearity of the camera: fraction of electrons that is lost at 10^4 electrons
 _MAX_CHORDS = 160  # maximum number of chords of the pupil along which the quadrature rule integrates
 _ITERATIONS = 4  # iterations for flux and background of a plane
@@ -64,10 +65,11 @@ class Constant(NamedTuple):
 
 
 # The relative error of finite differences is quadratic in the step, and below 1e-3. The default error of the cover
-# glass is the tolerance of No. 1.5H; with a fixed thickness, errors of spherical aberration would be too small.
+# glass is the tolerance of No. 1.5H, that of the immersion is the effect of one kelvin on oil; with fixed values,
+# errors of spherical aberration would be too small.
 CONSTANTS: Mapping[str, Constant] = {
     "sample": Constant(1e-3, "", 0.05, 0.02, 3e-3),
-    "immersion": Constant(1e-4, "", 5e-3, 2e-3),
+    "immersion": Constant(1e-4, "", 5e-3, 2e-3, 5e-4),
     "coverslip": Constant(1e-6, "m", 3e-5, 5e-6, 5e-6),
     "NA": Constant(1e-3, "", 0.05, 0.02, 0.02),
     "pixel": Constant(2e-3, "m", 0.05, 0.01, 0.01, relative=True),
@@ -77,6 +79,8 @@ CONSTANTS: Mapping[str, Constant] = {
     "depth": Constant(4e-9, "m", 3e-7, 50e-9, 20e-9),
     "jump": Constant(4e-9, "m", 3e-7, 100e-9),
     "wavelength": Constant(2e-9, "m", 2e-8, 10e-9),
+    "wobble": Constant(0.01, "", 0.1, 0.3),
+    "azimuth": Constant(0.02, "rad", 0.3, math.pi),
     **{f"apodization_{n}": Constant(1e-2, "", 0.3, 0.1) for n in (2, 4, 6, 8)},
 }
 UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "rad": (1.0, " rad"), "": (1.0, "")}
@@ -110,7 +114,8 @@ class Setup:
             return self.objective.coverslip.thickness
         if name in AMPLITUDES:
             return illumination(self.objective.apodization).to_zernike().get(AMPLITUDES[name], 0.0)
-        return float(getattr(self if name in _SETUP_CONSTANTS else self.objective, name))
+        owner = self.emitter if name in DIPOLE else self if name in _SETUP_CONSTANTS else self.objective
+        return float(getattr(owner, name))
 
     def scale(self, name: str) -> float:
         """Return the unit of a constant's `size` and `prior`: its value for pixel and diameter, otherwise 1."""
@@ -121,15 +126,18 @@ class Setup:
         constant, value, objective = CONSTANTS[name], self.value(name), self.objective
         h = constant.step * (value if constant.relative else 1.0)
         immersion = max(1.0, value - 0.5 * (value - objective.NA))
-        smallest = {"diameter": 0.25 * value, "immersion": immersion, "sample": 1.0}
+        smallest = {"diameter": 0.25 * value, "immersion": immersion, "sample": 1.0, "wobble": 0.0}
         # The largest NA is below the index of the immersion.
-        largest = {"NA": value + 0.5 * (min(objective.immersion, objective.design.immersion) - value)}
+        largest = {"NA": value + 0.5 * (min(objective.immersion, objective.design.immersion) - value), "wobble": 1.0}
         return max(value - h, smallest.get(name, -math.inf)), min(value + h, largest.get(name, math.inf))
 
     def with_constant(self, name: str, value: float) -> Setup:
         """Return the microscope with another value of a constant; ValueError if that value is impossible."""
         changes: dict[str, Any] = {name: value}
-        if name not in _SETUP_CONSTANTS:
+        if name in DIPOLE:
+            assert isinstance(self.emitter, Dipole)
+            changes = {"emitter": replace(self.emitter, **changes)}
+        elif name not in _SETUP_CONSTANTS:
             changes = {"objective": changed_objective(self.objective, name, value)}
         return replace(self, **changes)
 

@@ -183,9 +183,9 @@ def estimated_findings(estimates: Sequence[Estimate], move: float, rivals: Seque
     """Return the finding on effects that were estimated because the images favour them.
 
     `move` is the largest change of another estimate, in standard errors; `rivals` explain the images as well.
-    Estimates that the images do not determine are left out.
+    Estimates within one standard error of 0 are left out where 0 is stated.
     """
-    shown = [one for one in estimates if abs(one.value) > one.error]
+    shown = [one for one in estimates if one.stated or abs(one.value) > one.error]
     words = [*map(str, shown[:_MAX_ESTIMATES]), *["..."][: len(shown) - _MAX_ESTIMATES]]
     words += [f"or as well {' or '.join(rivals[:_MAX_ESTIMATES])}"] if rivals else []
     numbers: dict[str, Any] = {

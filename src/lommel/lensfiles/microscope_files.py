@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from os import PathLike
 from typing import Annotated, Literal, TypeAlias
@@ -203,7 +203,8 @@ class Microscope:
         Returns
         -------
         Microscope
-            Copy with the fitted objective, wavelength, pixel, aberrations and standard errors, otherwise unchanged.
+            Copy with the fitted objective, wavelength, emitter, pixel, aberrations and standard errors, otherwise
+            unchanged.
         """
         errors: dict[str, float] = {}
         for name, error in found.errors.items():
@@ -469,7 +470,7 @@ def _light_sections(microscope: Microscope) -> _Sections:
     if name is not None:
         return
     if isinstance(emitter, Dipole):
-        yield "emission.dipole", vars(emitter)
+        yield "emission.dipole", asdict(emitter)
     elif isinstance(emitter, Beam) and isinstance(emitter.polarization, str):
         yield "emission.beam", {"polarization": emitter.polarization}
     else:

@@ -20,6 +20,7 @@ from unittest.mock import Mock
 
 import numpy as np
 import pytest
+from PIL import Image
 
 pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
@@ -182,6 +183,24 @@ def test_depth_of_compressed_video_is_right_within_larger_errors_or_not_known(fo
     assert found[1]["unknown"]["compressed"] == found[3]["unknown"]["compressed"] == 1.0
     assert found[2]["known"] > 0.5  # quantization near the noise is a part of the noise
     assert "and removes fainter texture; above 32 times" in found[3]["notes"][1]
+
+
+def test_the_limit_of_misfit_counts_what_compression_adds(tmp_path):
+    for number, frame in enumerate(eight_bits(recorded(1.5)), start=1):
+        Image.fromarray(frame).save(tmp_path / f"{number}.jpg", quality=90)
+    coding = video_coding.coding_of(256, np.dtype(np.uint8), "srgb", FrameNoise(white=WHITE, read=3.0), None, None)
+    given = {"noise": coding.noise, "saturation": coding.saturation, "shape": (SIDE, SIDE), "exposures": "smooth"}
+    live = TABLES([lommel_lens(lens) for lens in PAIR], 4e-6, between=(1.2, 2.0), **given)
+    estimator = video_commands.Estimator(live, coding, 1.1, sharp=False)
+    with videos.frame_pairs(tmp_path / "%d.jpg") as pairs:
+        pair = next(pairs)
+        result = estimator(pair, pairs.loss)
+        known = np.isfinite(result.depth)
+        assert np.abs((result.depth - 1.5) / result.errors)[known].max() < 3.0
+        without = estimator(pair)
+    # The median misfit is 1.2, of a loss of 12 times the noise.
+    assert result.unknown["misfit"] < 0.01
+    assert without.unknown["misfit"] > 0.4
 
 
 def test_what_moves_and_narrow_bands_have_no_depth_and_their_shares_are_stated(folder, call_lommel):

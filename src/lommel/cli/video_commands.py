@@ -170,7 +170,7 @@ def watch(
         f-number and 2 % of each focus distance.
     misfit
         Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all. Fine texture
-        raises the misfit of binned pixels, and the limit by as much.
+        raises the misfit of binned pixels, and compression that of all: the limit rises by as much.
     white
         Number of electrons at white, such as 5000; by default the full well of the camera. Without --white, --read
         and a camera that states them, the noise is estimated from the first pair.
@@ -320,12 +320,14 @@ class Estimator:
         image = self.live.sharp() * np.float32(self.coding.white / coding.white) if self.sharp else None
         depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
         estimated = np.isfinite(errors)
+        relative = video_faults.relative_loss((pair.first, pair.second), loss, coding)
         # Each block has the first cause that applies.
-        causes = self._faults(pair, frames[1], estimate, loss, coding)
+        causes = self._faults(frames[1], estimate, relative, coding)
         median = _median(misfit[estimated])
         if math.isnan(self.floor) and median > _DOUBTFUL and max(self.live.binning, default=1) > 1:
             self.floor = max(1.0, median / max(1.0, self.live.verdict().misfit))  # the verdict is without binning
-        causes |= {"misfit": estimated & (misfit > self.largest), "border": np.isnan(misfit), "known": estimated}
+        unfit = misfit > self.largest * (1.0 + video_faults.MISFIT_OF_LOSS * relative)
+        causes |= {"misfit": estimated & unfit, "border": np.isnan(misfit), "known": estimated}
         causes["flat"] = video_faults.is_flat(equal, coding)
         cause = np.select(list(causes.values()), range(len(causes)), default=len(causes))
         shares = np.bincount(cause.ravel(), minlength=len(causes) + 1) / cause.size
@@ -345,7 +347,7 @@ class Estimator:
 
     @property
     def largest(self) -> float:
-        """Largest misfit of blocks whose depth is known."""
+        """Largest misfit of blocks whose depth is known, without compression."""
         return self.limit * float(np.fmax(self.floor, 1.0))
 
     def _estimate(self, frames: tuple[Values, Values]) -> tuple[LiveDepthMap, Sequence[Values]]:
@@ -364,10 +366,12 @@ class Estimator:
         return estimate, choices[self.evens]
 
     def _faults(
-        self, pair: videos.FramePair, far: Values, estimate: LiveDepthMap, loss: float | Values, coding: Coding
+        self, far: Values, estimate: LiveDepthMap, relative: Values, coding: Coding
     ) -> dict[str, NDArray[np.bool_]]:
-        """Return the blocks of each fault of the video; compression increases the errors of the others."""
-        relative = video_faults.relative_loss((pair.first, pair.second), loss, coding)
+        """Return the blocks of each fault of the video; compression increases the errors of the others.
+
+        `relative` is the variance that compression adds, relative to noise.
+        """
         estimate.errors[:] *= np.sqrt(1.0 + np.minimum(relative, video_faults.MAX_LOSS))
         too_large = estimate.errors > self.largest_error * estimate.depth**2
         faults = {"compressed": (relative > video_faults.MAX_LOSS) | too_large}

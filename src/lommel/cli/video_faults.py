@@ -21,6 +21,12 @@ if TYPE_CHECKING:
 MAX_LOSS = 32.0
 """Largest variance that compression adds, relative to noise, of blocks with depth."""
 
+MISFIT_OF_LOSS = 0.25
+"""Largest increase of the misfit of right depth / (variance that compression adds, relative to noise), as measured.
+
+Faint details, which quantization removes, lose less than the variance of rounding.
+"""
+
 FINEST_JPEG = 1.5 / 255.0**2
 """Variance that Motion JPEG of quality 1 adds to values from 0 to 1."""
 

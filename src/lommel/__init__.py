@@ -50,9 +50,11 @@ def __dir__() -> list[str]:
 
 
 def _register_displays(kind: str) -> None:
-    """Import the modules that write files if `kind` is "file", else the modules that draw plots and tables."""
+    """Import the modules that write files if `kind` is "file", average "beads", or draw plots and tables."""
     if kind == "file":
         from lommel.io import psf_files, zernike_tables  # noqa: F401
+    elif kind == "beads":
+        from lommel.microscopy import bead_average  # noqa: F401
     else:
         from lommel.show import curves, notebook, plot, pupils  # noqa: F401
 

@@ -123,7 +123,7 @@ class ColourPSF(Measured, ColourPSFLike):
             f"error bound {bound}>"
         )
 
-    def measured(self, measure: Callable[[PSF], Found]) -> Found:
+    def apply(self, measure: Callable[[PSF], Found]) -> Found:
         """Return the result of `measure` for each channel, along an axis after the axes of the stack."""
         return cast(Found, np.stack([np.asarray(measure(psf)) for psf in self.psfs], axis=len(self.pupil.shape)))
 

@@ -17,6 +17,7 @@ from lommel.base.arrays import Array, Numbers, Values, largest
 from lommel.base.quantities import in_unit
 from lommel.base.units import pitch_in_words
 from lommel.core.answers import Declined, ToleranceError
+from lommel.measures.measured_psf import MeasuredPSF
 from lommel.measures.psf_like import PSFLike
 from lommel.methods import question
 from lommel.methods.method import Method
@@ -417,29 +418,29 @@ class Measured:
     argument. The function that a method refers to documents the error of the measure.
     """
 
-    def measured(self, measure: Callable[[PSF], Found]) -> Found:
+    def apply(self, measure: Callable[[PSF], Found]) -> Found:
         """Return the result of `measure` for each PSF."""
         raise NotImplementedError
 
     @property
     def energy(self) -> Numbers:
         """Fraction of all light that falls inside the window, which ends at the outer edges of its pixels."""
-        return self.measured(measures.energy.window_energy)
+        return self.apply(measures.energy.window_energy)
 
     @property
     def strehl(self) -> Numbers:
         """Strehl ratio: intensity on the axis divided by its value without aberration; see :func:`lommel.strehl`."""
-        return self.measured(measures.spot.axis_strehl)
+        return self.apply(measures.spot.axis_strehl)
 
     @property
     def peak_strehl(self) -> Numbers:
         """Largest value in the window, relative to the peak of the same aperture without aberration."""
-        return self.measured(measures.spot.peak_strehl)
+        return self.apply(measures.spot.peak_strehl)
 
     @property
     def centroid(self) -> NDArray[np.float64]:
         """Centroid (x, y) of all light relative to the axis; see :func:`lommel.measures.energy.image_centroid`."""
-        return self.measured(measures.energy.image_centroid)
+        return self.apply(measures.energy.image_centroid)
 
     def encircled_energy(self, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
         """Return the fraction of all light within `radius` (in the unit of the pixel), which may exceed the window.
@@ -447,7 +448,7 @@ class Measured:
         `about` is "axis" or "centroid", `of` is "image" or "optics" (without the pixel); see
         :func:`lommel.measures.energy.encircled_energy`.
         """
-        return self.measured(lambda psf: measures.energy.encircled_energy(psf, radius, about=about, of=of))
+        return self.apply(lambda psf: measures.energy.encircled_energy(psf, radius, about=about, of=of))
 
     def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
         """Return the fraction of all light within a square of side ``2 * half_width``.
@@ -455,7 +456,7 @@ class Measured:
         `about` is "axis" or "centroid", `of` is "image" or "optics"; see
         :func:`lommel.measures.energy.ensquared_energy`.
         """
-        return self.measured(lambda psf: measures.energy.ensquared_energy(psf, half_width, about=about, of=of))
+        return self.apply(lambda psf: measures.energy.ensquared_energy(psf, half_width, about=about, of=of))
 
     def energy_diameter(self, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
         """Return the diameter of the circle that contains `fraction` of all light: 0.5 for D50, 0.8 for D80.
@@ -463,14 +464,14 @@ class Measured:
         `about` is "axis" or "centroid", `of` is "image" or "optics"; see
         :func:`lommel.measures.spot.energy_diameter`.
         """
-        return self.measured(lambda psf: measures.spot.energy_diameter(psf, fraction, about=about, of=of))
+        return self.apply(lambda psf: measures.spot.energy_diameter(psf, fraction, about=about, of=of))
 
     def fwhm(self, along: str = "mean", *, of: str = "image") -> Numbers:
         """Return the full width at half maximum `along` "x", along "y", or the "mean" of both.
 
         `of` is "image" or "optics"; see :func:`lommel.measures.spot.fwhm`.
         """
-        return self.measured(lambda psf: measures.spot.fwhm(psf, along, of=of))
+        return self.apply(lambda psf: measures.spot.fwhm(psf, along, of=of))
 
     def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> NDArray[np.complex128] | np.complex128:
         """Return the optical transfer function of the image, or `of` the "optics", at frequencies `fx`, `fy`.
@@ -478,7 +479,7 @@ class Measured:
         For lenses it is computed from the wavefront, also beyond the Nyquist frequency of the pixels; see
         :func:`lommel.otf`.
         """
-        return self.measured(lambda psf: measures.transfer.image_otf(psf, fx, fy, of=of))
+        return self.apply(lambda psf: measures.transfer.image_otf(psf, fx, fy, of=of))
 
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> Numbers:
         """Return the modulation transfer function, the modulus of :meth:`otf`, for the same arguments."""
@@ -574,7 +575,7 @@ class PSF(Measured, PSFLike, display.Shown):
             f"normalize {self.normalize!r}, error bound {bound}>"
         )
 
-    def measured(self, measure: Callable[[PSF], Found]) -> Found:
+    def apply(self, measure: Callable[[PSF], Found]) -> Found:
         """Return the result of `measure` for this PSF, or for the PSF of each pupil if apertures differ."""
         if self.pupil.one_aperture:
             return measure(self)
@@ -640,6 +641,59 @@ class PSF(Measured, PSFLike, display.Shown):
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ...; see :func:`lommel.io.psf_files.save`."""
         display.save(self, path)
+
+    @staticmethod
+    def measured(
+        array: str | PathLike[str] | ArrayLike,
+        pixel: float | None = None,
+        step: float | None = None,
+        *,
+        microscope: Any = None,
+        diameter: float | None = None,
+        background: float | None = None,
+    ) -> MeasuredPSF:
+        """Return a measured PSF, for the deconvolution of stacks: the mean of beads, or a PSF of another program.
+
+        Parameters
+        ----------
+        array : path, array_like or Frames, shape (planes, height, width)
+            Stack of one bead, or of a field in which isolated beads are found, as recorded; or a PSF.
+        pixel, step : float, optional
+            Pixel in the sample and step between planes, metres; by default those of the file.
+        microscope : Microscope, optional
+            Microscope of the beads: its objective states the light of each plane, and the place of the point.
+        diameter : float, optional
+            Diameter of the beads, metres, which is removed from the PSF.
+        background : float, optional
+            Background and offset per voxel, 0 for a PSF without them; by default estimated for each bead.
+
+        Returns
+        -------
+        MeasuredPSF
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is of another type or out of range; if the voxel is not known, no bead has a peak, or more
+            than 20 % of the light is on the outermost pixels.
+
+        Notes
+        -----
+        Beads are found by :func:`lommel.detection.find_spots` in the widest window in which ten are isolated. The
+        background of a bead is the one with which its light in and around the middle of all planes is that of one
+        point through the objective; without an objective it is the median of the outer pixels of the planes in focus.
+        Beads are shifted to their mean by least squares, and averaged. A Wiener filter by the power in rings of equal
+        frequencies along z and across removes what is outside of the pass band, negative values are set to 0, and the
+        sum is 1. The point is where the PSF of the objective fits best, or at the peak. There is no error bound.
+
+        Examples
+        --------
+        >>> psf = lm.PSF.measured("beads.tif", microscope=microscope, diameter=1e-7)  # doctest: +SKIP
+        >>> found = lm.microscopy.deconvolve("stack.tif", psf)  # doctest: +SKIP
+        """
+        given = {"microscope": microscope, "diameter": diameter, "background": background}
+        result: MeasuredPSF = display.named("measured PSF", "beads")(array, pixel, step, **given)
+        return result
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:

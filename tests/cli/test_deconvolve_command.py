@@ -74,6 +74,22 @@ def test_a_gain_of_1_beside_a_known_read_noise_is_an_assumption():
         assert StackCamera(read=1.6).noise().white is None
 
 
+def test_a_stack_of_beads_is_the_psf(run, files):
+    """The bead stack, of other voxels, is found and resampled; nothing else is computed from the objective file."""
+    z, y, x = np.indices((11, 31, 31)) - np.array([5, 15, 15])[:, None, None, None]
+    bead = 40.0 + 1e4 * np.exp(-(x**2 + y**2) / 8.0 - z**2 / 6.0)
+    np.save(files / "beads.npy", np.random.default_rng(0).poisson(bead))
+    words = (files / "stack.ome.tif", files / "lens.toml", *CAMERA, "-o", files / "restored.ome.tif")
+    measured = ("--psf", files / "beads.npy", "--bead", "0.1um")
+    found = run(*words, *measured, "--psf-pixel", "0.1um", "--psf-step", "0.2um", "--json")
+    assert found.returncode in (0, 4), found.stderr
+    findings = [finding for finding in json.loads(found.stdout)["findings"] if finding["code"] == "measured_psf"]
+    assert [finding["numbers"]["pixel"] for finding in findings] == [pytest.approx(1e-7)] * 2
+    assert "the diameter of 100 nm was removed" in findings[0]["text"]
+    assert "must be stated (--psf-pixel)" in run(*words, *measured).stderr
+    assert "need --psf" in run(*words, "--bead", "0.1um").stderr
+
+
 def test_json_and_zarr(run, files):
     there = files / "restored.ome.zarr"
     words = (files / "stack.ome.tif", files / "lens.toml", *CAMERA, "--direction", "up", "--json", "-o", there)

@@ -307,7 +307,7 @@ def test_the_only_channel_of_a_recording_is_the_stack():
     expected = restored(stack, PSF, NOISE, method=few).values
     one, two = (lm.recorded.open_frames(np.stack([stack] * count)).as_channels() for count in (1, 2))
     np.testing.assert_array_equal(restored(one, PSF, NOISE, method=few).values, expected)
-    with pytest.raises(ValueError, match="stack must be one channel, got 2: channel 0, channel 1"):
+    with pytest.raises(ValueError, match="one PSF for each channel of the stack, channel 0, channel 1, got 1"):
         restored(two, PSF, NOISE)
 
 

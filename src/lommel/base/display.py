@@ -10,7 +10,7 @@ _Function = TypeVar("_Function", bound=Callable[..., object])
 
 
 def load(kind: str) -> None:
-    """Import the modules that register functions of a `kind`: "plot", "table", "file"; the package replaces this."""
+    """Import what registers functions of a `kind`, "plot", "table", "file" or "beads"; the package replaces this."""
 
 
 @singledispatch

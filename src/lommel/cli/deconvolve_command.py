@@ -18,6 +18,7 @@ from lommel.cli.instruments import CameraMaps, require_microscope, require_order
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_folder, save_figure, written
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
+from lommel.microscopy.bead_average import measured_psf
 from lommel.microscopy.deconvolution import DeconvolveOptions, run
 from lommel.recorded import stack_files
 from lommel.recorded.frames import open_frames
@@ -63,6 +64,10 @@ def deconvolve(
     *,
     outputs: Annotated[tuple[Path, ...], OUTPUT],
     figure: Annotated[Path | None, PLOT] = None,
+    psf: Annotated[Path | None, Shown(metavar="FILE")] = None,
+    psf_pixel: Annotated[float | None, Shown(length="um")] = None,
+    psf_step: Annotated[float | None, Shown(length="nm")] = None,
+    diameter: Annotated[float | None, Shown(("--bead",), length="um")] = None,
     time: Annotated[int | None, In(least=0)] = None,
     axes: Annotated[str | None, Shown(metavar="LETTERS")] = None,
     camera: StackCamera = StackCamera(),
@@ -88,6 +93,15 @@ def deconvolve(
         Restored stack: .ome.tif or .tif, both OME-TIFF, or .ome.zarr; may be repeated.
     figure
         Figure of projections before and after, and of the residual: .png, .pdf or .svg.
+    psf
+        Measured PSF instead of that of LENS: a stack of one bead or many, as the camera recorded it, or a PSF, with
+        the channels of STACK. Beads are found, registered and averaged, and the mean has the voxels of STACK.
+    psf_pixel
+        Pixel in the sample of --psf, such as 0.1um; by default from its file.
+    psf_step
+        Step between the planes of --psf, such as 200nm; by default from its file.
+    diameter
+        Diameter of the beads of --psf, such as 0.1um, which is removed.
     time
         Time point, from 0.
     axes
@@ -122,6 +136,7 @@ def deconvolve(
     Examples
     --------
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --depth 8um -o restored.ome.tif --plot restored.png
+      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --psf beads.tif --bead 0.1um -o restored.ome.tif
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --gain 0.46 --read 1.6 --offset 100 -o restored.ome.zarr
     """
     for path in outputs:
@@ -129,15 +144,23 @@ def deconvolve(
         require_folder(path)
     require_order("STACK LENS, the stack first", stack, lens)
     microscope = require_microscope("deconvolve", lens)
+    if psf is None and (psf_pixel, psf_step, diameter) != (None, None, None):
+        raise ValueError("--psf-pixel, --psf-step and --bead need --psf")
     noise = camera.noise()
     zarr_output = outputs[0] if len(outputs) == 1 and stack_files.kind_of(outputs[0]) == "zarr" else None
     start = clock.perf_counter()
     try:
         with progress("reading") as report_progress, open_frames(stack) as frames:
             recording = frames.as_channels(time=time, axes=axes)
+            beads = {"microscope": microscope, "diameter": diameter}
             result = run(
                 recording,
-                microscope,
+                microscope
+                if psf is None
+                else [
+                    measured_psf(psf, psf_pixel, psf_step, channel=channel, **beads)
+                    for channel in range(recording.shape[0])
+                ],
                 noise,
                 replace(
                     options,

@@ -79,9 +79,9 @@ class PSFGrid(Measured, PSFGridLike):
         """Return part of the stack, in all channels; `index` is a NumPy index of an array with the stack's shape."""
         return self.psf.part(index) if isinstance(self.psf, ColourPSF) else self.psf[index]
 
-    def measured(self, measure: Callable[[PSF], Any]) -> Any:
+    def apply(self, measure: Callable[[PSF], Any]) -> Any:
         """Return the value of `measure` for the PSF at each position, distance and channel."""
-        return self.psf.measured(measure)
+        return self.psf.apply(measure)
 
     def channel(self, channel: str | int) -> PSFGrid:
         """Return the grid of one `channel`, given by name or number; ValueError or KeyError for other channels."""

@@ -32,6 +32,7 @@ CODES: Mapping[str, str] = {
     "lens_scale": "blurs differ by more, or less, than the stated lenses imply",
     "many_rejected": "many sources do not follow the fit",
     "missed_light": "the model misses a part of the light: errors hold between exposures of the same set-up",
+    "measured_psf": "the PSF is a measured one: number of beads, noise, voxel and light on the rim",
     "misfit": "the images differ from the model by more than noise",
     "model_error": "images of the search differ from images with a proven error bound",
     "moved": "planes are shifted relative to the other planes",

@@ -179,7 +179,7 @@ Measured = TypeVar("Measured")
 class Measurable(Protocol):
     """A PSF or several PSFs to which a measure can be applied."""
 
-    def measured(self, measure: Callable[[PSFLike], Measured]) -> Measured:
+    def apply(self, measure: Callable[[PSFLike], Measured]) -> Measured:
         """Return the result of `measure` for each PSF."""
 
 

@@ -108,7 +108,7 @@ def otf(
     tolerance = validation.real("tol", tol, least=1e-13, below=0.1)
     if isinstance(pupil, Measurable):
         _require_default(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
-        return pupil.measured(lambda psf: image_otf(psf, fx, fy, tol=tol))
+        return pupil.apply(lambda psf: image_otf(psf, fx, fy, tol=tol))
     checked(pupil)
     x_f, y_f = frequencies(fx, fy, pupil.unit)
     pixel_transfer, blurs_used = _pixel_transfer(pupil, x_f, y_f, pixel, fill), blurs(blur)
@@ -286,7 +286,7 @@ def mtf_frequency(
                 sensor["spectrum"] = single.method
             return _first_crossing(checked(single.pupil), threshold, direction, sensor)
 
-        return pupil.measured(of_image)
+        return pupil.apply(of_image)
     return _first_crossing(checked(pupil), threshold, direction, {"pixel": pixel, "fill": fill, "blur": blurs(blur)})
 
 

@@ -20,6 +20,7 @@ from lommel.base.units import format_length, percent
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background
 from lommel.fit.findings import Finding, Findings
+from lommel.measures.measured_psf import MeasuredPSF
 from lommel.microscopy.chunks import Course, Outcome, chunk_side, restore_chunks
 from lommel.microscopy.depth_model import MAX_RIM, DepthModel, GivenPSF, PSFs
 from lommel.microscopy.held_out import estimated_held_out_steps
@@ -167,12 +168,13 @@ def deconvolve(
         Saturated voxels are ignored: by default those with the largest value of 8, 10, 12, 14 or 16 bits, if several
         voxels of an integer stack have it. NaN, masked voxels and hot pixels are ignored, too;
         :meth:`lommel.Counts.of` states masks and saturation.
-    microscope : Objective, Microscope or PSF
+    microscope : Objective, Microscope, PSF or MeasuredPSF
         Objective, or microscope from :func:`lommel.load_microscope`. A Microscope also sets modality, emitter and
         aberrations, the default depth, and the wavelength, pixel and step of files without these values. Or the PSF
         of the stack, as in :class:`lommel.microscopy.StackBlur`, the same at all depths, with the step, pixels and
-        direction of z of the recording. Its planes and window must contain the cone of light: beyond them it is
-        assumed to be dark.
+        direction of z of the recording; or a measured one (:meth:`lommel.PSF.measured`), which is resampled to the
+        voxels of the recording. A list has one PSF for each channel. Its planes and window must contain the cone of
+        light: beyond them it is assumed to be dark.
     noise : Noise, optional
         Noise of the camera, in the unit of the file; maps per pixel apply to each plane. By default estimated from
         each channel by :func:`lommel.microscopy.estimate_noise`. Counts have their own.
@@ -260,7 +262,7 @@ def run(
         header = stack.metadata
         stack, noise, mask, saturation = stack.values, stack.noise, stack.mask, stack.stated
     validation.optional("noise", noise, Noise)
-    if isinstance(microscope, PSF) and options.direction == "down":
+    if isinstance(microscope, PSF | MeasuredPSF) and options.direction == "down":
         raise ValueError("direction needs an objective, from which PSFs are computed, got a PSF")
     stated = Stated(options.depth, options.wavelength, options.pixel, options.step)
     array_mask: NDArray[np.bool_] | bool | None = False
@@ -283,6 +285,8 @@ def run(
         results: list[RestoredChannel] = []
         for number, (planes, model) in enumerate(zip(stacks, found.models, strict=True)):
             remarks = Remarks(notes if number == 0 else [])  # only the first channel adds notes
+            if isinstance(model, GivenPSF):
+                remarks.findings += model.findings
             context = prepared(
                 planes,
                 model,

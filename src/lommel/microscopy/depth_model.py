@@ -13,6 +13,8 @@ import scipy
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.fit.findings import Finding
+from lommel.measures.measured_psf import MeasuredPSF
 from lommel.measures.spot import stage
 from lommel.microscopy.modalities import confocal, light_sheet, two_photon
 from lommel.microscopy.stack_blur import (
@@ -345,13 +347,20 @@ class GivenPSF:
     """A PSF that is the same in all planes of a stack, with the attributes of :class:`DepthModel`."""
 
     spreads, depth, is_reversed = False, math.nan, False
+    wavelength: float | None
 
-    def __init__(self, psf: PSF, planes: int) -> None:
+    def __init__(self, psf: PSF | MeasuredPSF, planes: int) -> None:
         self._light, self._point = kernel_of(psf)
-        pupil: Any = psf.pupil
-        self.pixel, self.step = psf.grid.side, float(abs(np.diff(stage(psf))[0]))  # metres
-        self.aspect = self.pixel / pupil.magnification / self.step
-        self.planes, self.window = planes, (psf.shape[0], max(psf.grid.shape))
+        self.findings: Sequence[Finding] = ()
+        # Pixel in the sample and step, metres; the wavelength of a measured PSF is not known.
+        if isinstance(psf, MeasuredPSF):
+            self.pixel, self.step, self.wavelength, self.findings = psf.pixel, psf.step, None, psf.findings
+        else:
+            pupil: Any = psf.pupil
+            self.pixel, self.step = psf.grid.side / pupil.magnification, float(abs(np.diff(stage(psf))[0]))
+            self.wavelength = float(pupil.wavelength)
+        self.aspect = self.pixel / self.step
+        self.planes, self.window = planes, (self._light.shape[0], max(self._light.shape[1:]))
         self.rim = 1.0 - float(self._light[:, 1:-1, 1:-1].sum())  # fraction of the light on the rim of the window
         plane_light = self._light.sum(axis=(1, 2))
         self.keeps_light = bool(plane_light.min() > _EQUAL_LIGHT * plane_light.max())

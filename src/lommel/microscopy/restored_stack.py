@@ -123,7 +123,8 @@ class RestoredStack(FitReport):
         channels = zip(result["channels"], self.channels, stated["names"], stated["emission"], strict=False)
         for entry, channel, name, wave in channels:
             entry |= {"name": name, "wavelength": wave, "psfs": len(channel.psf_depths)}
-            entry["depths"] = [float(channel.depths.min()), float(channel.depths.max())]
+            low, high = float(channel.depths.min()), float(channel.depths.max())
+            entry["depths"] = None if np.isnan(low) else [low, high]
             entry["background"] = float(np.mean(channel.background))
         sizes = {"pixel_in_sample": stated["pixel"], "step": stated["step"]}
         return {"shape": list(self.values.shape[-3:])} | sizes | result

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple, Protocol
 
 from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
+from lommel.measures.measured_psf import MeasuredPSF
 from lommel.microscopy.depth_model import DepthModel, GivenPSF, usual_window
 from lommel.optics.layers.emitter import Emitter, emitter_of
 from lommel.optics.layers.modality import Modality
@@ -62,10 +64,11 @@ def sampled(
 ) -> Sampled:
     """Return a recording with all that its file does not state; each assumption is added to the notes.
 
-    `microscope` is an Objective, a Microscope, or the PSF of the recording; `window` are planes and pixels of PSFs.
+    `microscope` is an Objective, a Microscope, or the PSF of each channel; `window` are planes and pixels of PSFs.
     """
-    if isinstance(microscope, PSF):
-        return _with_psf(recording, microscope, stated, notes)
+    psfs = microscope if isinstance(microscope, list | tuple) else [microscope]
+    if psfs and all(isinstance(one, PSF | MeasuredPSF) and type(one) is type(psfs[0]) for one in psfs):
+        return _with_psfs(recording, psfs, stated, notes)
     lens, device = _objective(microscope)
     _, planes, height, width = recording.shape
     if planes < _LEAST_PLANES:
@@ -130,18 +133,37 @@ def _source(recording: Frames) -> str:
     return "an array" if recording.path is None else line(recording.path)
 
 
-def _with_psf(recording: Frames, psf: PSF, stated: Stated, notes: list[str]) -> Sampled:
-    """Return a recording with the voxels of its PSF."""
+def _with_psfs(recording: Frames, psfs: Sequence[PSF | MeasuredPSF], stated: Stated, notes: list[str]) -> Sampled:
+    """Return a recording with the voxels of the PSFs of its channels; measured PSFs are resampled to its own."""
+    measured = [psf for psf in psfs if isinstance(psf, MeasuredPSF)]
     for name, value in stated._asdict().items():
-        if value is not None:
+        if value is not None and not (measured and name in ("pixel", "step")):
             raise ValueError(f"{name} must not be given with a PSF, which has the sampling of the stack")
-    recording.only_channel("stack")
-    model = GivenPSF(psf, recording.shape[1])
-    pupil: Any = psf.pupil
-    sizes = {"pixel": model.pixel / pupil.magnification, "step": model.step, "emission": (float(pupil.wavelength),)}
-    notes += size_notes(recording.metadata, pixel=sizes["pixel"], step=model.step).values()
-    used = replace(recording, metadata=recording.metadata | sizes)
-    return Sampled(used, [model], "")
+    if len(psfs) != recording.shape[0]:
+        names = ", ".join(recording.metadata["names"])
+        raise ValueError(f"microscope must have one PSF for each channel of the stack, {names}, got {len(psfs)}")
+    if measured:
+        pixel, step = _measured_voxel(recording, measured[0], stated, notes)
+        psfs = [psf.resampled(pixel, step) for psf in measured]
+    models = [GivenPSF(psf, recording.shape[1]) for psf in psfs]
+    waves = [model.wavelength or wave for model, wave in zip(models, recording.metadata["emission"], strict=True)]
+    sizes = {"pixel": models[0].pixel, "step": models[0].step, "emission": tuple(waves)}
+    notes += size_notes(recording.metadata, pixel=models[0].pixel, step=models[0].step).values()
+    return Sampled(replace(recording, metadata=recording.metadata | sizes), list(models), "")
+
+
+def _measured_voxel(recording: Frames, psf: MeasuredPSF, stated: Stated, notes: list[str]) -> tuple[float, float]:
+    """Return the pixel in the sample and the step of a stack: stated, of its file, or those of its PSF."""
+    if stated.pixel is not None and psf.magnification is None:
+        raise ValueError("pixel needs the magnification: give microscope= to lm.PSF.measured")
+    in_sample = None if stated.pixel is None else stated.pixel / (psf.magnification or 1.0)
+    found = []
+    for name, value, of_psf in (("pixel", in_sample, psf.pixel), ("step", stated.step, psf.step)):
+        if value is None and (value := recording.metadata[name]) is None:
+            value = of_psf
+            notes.append(f"The stack does not state its {name}: that of the PSF was used, {format_length(value)}.")
+        found.append(value)
+    return found[0], found[1]
 
 
 def _objective(argument: Any) -> tuple[Objective, MicroscopeData | None]:

@@ -16,6 +16,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.threads import product, side_by_side
 from lommel.core import engine
 from lommel.deconvolve.linear import UNSEEN, LinearBlur, PartConsumer, Plane, PlaneOperator, Result, overlap
+from lommel.measures.measured_psf import MeasuredPSF
 from lommel.measures.spot import stage
 from lommel.optics.layers.objective import out_of_focus
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -27,7 +28,7 @@ class StackBlur(LinearBlur):
 
     Parameters
     ----------
-    psf : PSF
+    psf : PSF or MeasuredPSF
         Stack over z in equal steps, with one plane at the brightest focus of the point, and with the step and pixels
         of the recording. The same PSF is used at all depths. Values are divided by their sum, so that light is
         conserved, except for light that leaves the recording. Outside the recording the specimen is assumed to be
@@ -43,7 +44,7 @@ class StackBlur(LinearBlur):
         If an argument is of another type or out of range.
     """
 
-    def __init__(self, psf: PSF, shape: tuple[int, int, int], dtype: DTypeLike = np.float32) -> None:
+    def __init__(self, psf: PSF | MeasuredPSF, shape: tuple[int, int, int], dtype: DTypeLike = np.float32) -> None:
         values, middle = kernel_of(psf)
         if not isinstance(shape, tuple | list) or len(shape) != 3:
             raise ValueError(f"shape must be (planes, height, width), got {validation.shown(shape)}")
@@ -73,8 +74,10 @@ Kernel = tuple[Array, tuple[int, int, int]]
 """Fractions of the light of a point in voxels (z, y, x), and the index of the voxel in which the point lies."""
 
 
-def kernel_of(psf: PSF) -> Kernel:
+def kernel_of(psf: PSF | MeasuredPSF) -> Kernel:
     """Return the fraction of the light of a point in each voxel, of sum 1, and the index of the point's voxel."""
+    if isinstance(psf, MeasuredPSF):
+        return psf.values, psf.point
     validation.instance("psf", psf, PSF)
     z, pupil = stage(psf), cast(ObjectivePupil, psf.pupil)
     steps = np.diff(z)

@@ -506,7 +506,8 @@ class Solution(NamedTuple):
     """Result of a method for a photograph: light, number of steps, reason to stop, weight of the total variation.
 
     `alike` repeats the same steps for other counts, for example of another part of the photograph, and returns their
-    light.
+    light. `noise_product` is the expected sum, over the certain pixels, of noise times (light - photograph), if
+    the method knows it; `least_discrepancy` is the discrepancy of less smooth light.
     """
 
     light: Values
@@ -514,6 +515,8 @@ class Solution(NamedTuple):
     stopped: str
     alike: Callable[[PhotographLikelihood], Values]
     strength: float | None = None
+    noise_product: float | None = None
+    least_discrepancy: float | None = None
 
 
 def iterated(

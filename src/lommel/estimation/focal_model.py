@@ -37,6 +37,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.measures.transfer import otf
 from lommel.optics.lens import Lens
+from lommel.optics.pupil import Pupil
 
 Spectrum = Sequence[tuple[float, float]]  # wavelengths in metres, and weights
 # Function of a lens, vergences, a spectrum and a pixel pitch (metres), such as `transfer_curve`. It returns the OTF
@@ -238,7 +239,11 @@ def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float
     (vergences,) followed by the shape of this array.
     """
     with np.errstate(divide="ignore"):
-        pupil = lens.pupil(1.0 / np.asarray(vergence))
+        return pupil_curve(lens.pupil(1.0 / np.asarray(vergence)), spectrum, pixel)
+
+
+def pupil_curve(pupil: Pupil, spectrum: Spectrum, pixel: float) -> Callable[[Array], Array]:
+    """Return the OTF of a stack of pupils (without pixel area); see `transfer_curve`, which does so for a lens."""
     total = sum(weight for _, weight in spectrum)
     parts = []
     for wavelength, weight in spectrum:
@@ -260,6 +265,6 @@ def transfer_curve(lens: Lens, vergence: Array, spectrum: Spectrum, pixel: float
     def curve(f: Array) -> Array:
         """Return the weighted sum of the splines of all wavelengths, each 0 beyond its last node."""
         terms = (weight * np.where(f < end, spline(np.minimum(f, end)), 0.0) for end, spline, weight in parts)
-        return sum(terms, np.zeros((len(vergence), *f.shape)))
+        return sum(terms, np.zeros((*pupil.shape, *f.shape)))
 
     return curve

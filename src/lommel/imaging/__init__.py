@@ -2,6 +2,7 @@
 
 from lommel.deconvolve.algorithms import Restoration, RichardsonLucy, TotalVariation
 from lommel.deconvolve.linear import LinearBlur
+from lommel.imaging.blended import Blend
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.datasets import DatasetOptions, DatasetPicture, LensRanges, render_dataset
 from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions, depth_from_defocus
@@ -22,6 +23,7 @@ from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
 __all__ = [
     "RED_GREEN_BLUE",
+    "Blend",
     "BlurOptions",
     "CalibratedPlane",
     "DatasetOptions",

@@ -144,7 +144,7 @@ class _Scene:
         background = np.broadcast_to(observed.added, observed.counts.shape).reshape(shape)
         # Clipping at 0 would bias the mean.
         light = observed.counts.reshape(shape) - background
-        self.planes = [_fill_unknown(light[..., c], known[..., c]) for c in range(blur.channels)]
+        self.planes = [fill_unknown(light[..., c], known[..., c]) for c in range(blur.channels)]
         self._variances = [
             # Noise variance in units of light: the mean count plus the read-noise variance, divided by white.
             float(np.mean(plane) + np.mean(background[..., c])) / observed.white
@@ -271,7 +271,7 @@ def _blend_at_edges(
     return np.asarray(light + fraction * (photo - light), dtype=light.dtype)
 
 
-def _fill_unknown(plane: Values, known: NDArray[np.bool_]) -> Array:
+def fill_unknown(plane: Values, known: NDArray[np.bool_]) -> Array:
     """Return a plane in which each unknown pixel has the value of the nearest known pixel."""
     if known.all():
         return np.asarray(plane, dtype=np.float64)

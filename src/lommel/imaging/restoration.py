@@ -16,9 +16,9 @@ et al. 2008, doi:10.1109/TIP.2008.2001404). In the last term, which is small for
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,6 +30,7 @@ from lommel.base.options import HIDDEN, In, listed
 from lommel.deconvolve.algorithms import (
     MISFIT,
     STEPS,
+    ProgressCallback,
     Restoration,
     RichardsonLucy,
     TotalVariation,
@@ -39,7 +40,9 @@ from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur
 from lommel.fit.findings import Finding, Findings, untested_finding
-from lommel.imaging.blur import DepthBlur, require_lens
+from lommel.imaging.blended import Blend, UniformBlur
+from lommel.imaging.blur import DepthBlur, require_depth, require_lens, warn_of_depths
+from lommel.imaging.blur_verdict import BlurVerdict, compare_blurs
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
@@ -48,8 +51,9 @@ from lommel.imaging.photograph import (
     require_image,
     require_scene,
 )
-from lommel.imaging.settings import WindowOptions, channel_spectra
-from lommel.optics.lens import Lens
+from lommel.imaging.settings import Spectrum, WindowOptions, channel_spectra, spectra
+from lommel.optics.lens import Lens, require_round
+from lommel.optics.pupil import Pupil
 from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
 
@@ -61,10 +65,11 @@ _MAX_CHANGE_RATIO = 4.5
 _UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
 _MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
+_ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
 
 
-Method = RichardsonLucy | TotalVariation | OnePass
+Method = RichardsonLucy | TotalVariation | OnePass | Blend
 
 
 def noise_aware(
@@ -80,6 +85,7 @@ def noise_aware(
 def check_result(observed: PhotographLikelihood, result: Solution, method: Method) -> tuple[float, str]:
     """Return the share of the photograph to blend into a result (1 if rejected), and the stopping reason."""
     after, before = (observed.mean(observed.discrepancies_of(light)) for light in (result.light, observed.image))
+    after = after if result.least_discrepancy is None else result.least_discrepancy
     # Richardson-Lucy that stopped at its maximum number of steps may not fit yet.
     converged = result.stopped != STEPS or not isinstance(method, RichardsonLucy)
     misfit = converged and after - 1.0 - observed.slack > max(_MAX_MISFIT * (before - 1.0), 0.0)
@@ -112,15 +118,7 @@ def _best_share(observed: PhotographLikelihood, result: Solution) -> float:
     In comments x is the result, y the photograph, n its noise, A the blur, 1 - a the share, and E[] an expectation.
     """
     certain = observed.certain
-    expected = wiener_target(observed)
-    noise = min(expected[1], 1.0) if expected is not None else 1.0
-    sigma = np.sqrt(noise * observed.counts / (np.where(certain, observed.weight, 1.0) * observed.white))
-    signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0]), size=sigma.shape)
-    step = _DIFFERENCE_STEP * sigma * signs * certain
-    # Stein's lemma: E[x.n] is the sum of sigma^2 dx/dy, the mean of b.(dx/dy b) over random b = +-sigma.
-    perturbed = result.alike(observed.replaced(observed.light + step))
-    # E[d.n], with d = x - y: the change of y is subtracted from the change of x.
-    covariance = (sigma * signs * (perturbed - result.light - step))[certain].sum(dtype=np.float64) / _DIFFERENCE_STEP
+    covariance = _noise_product(observed, result) if result.noise_product is None else result.noise_product
     d = (result.light - observed.counts + observed.added)[certain].astype(np.float64)
     # (1 - A) x replaces (1 - A) scene, because the scene is unknown.
     sharpened = (result.light - (observed.model(result.light) - observed.added))[certain]
@@ -130,11 +128,26 @@ def _best_share(observed: PhotographLikelihood, result: Solution) -> float:
     return min(max(1.0 - (float(d @ sharpened) - float(covariance)) / square, 0.0), 1.0)
 
 
+def _noise_product(observed: PhotographLikelihood, result: Solution) -> float:
+    """Return E[d.n] for the difference d between result and photograph."""
+    certain = observed.certain
+    expected = wiener_target(observed)
+    noise = min(expected[1], 1.0) if expected is not None else 1.0
+    sigma = np.sqrt(noise * observed.counts / (np.where(certain, observed.weight, 1.0) * observed.white))
+    signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0]), size=sigma.shape)
+    step = _DIFFERENCE_STEP * sigma * signs * certain
+    # Stein's lemma: E[x.n] is the sum of sigma^2 dx/dy, the mean of b.(dx/dy b) over random b = +-sigma.
+    perturbed = result.alike(observed.replaced(observed.light + step))
+    # The change of y is subtracted from the change of x.
+    product = (sigma * signs * (perturbed - result.light - step))[certain].sum(dtype=np.float64)
+    return float(product) / _DIFFERENCE_STEP
+
+
 def _checked_method(name: str, method: object) -> Method:
-    if not isinstance(method, RichardsonLucy | TotalVariation | OnePass):
+    if not isinstance(method, Method):
         hint = "; add parentheses to the class name" if isinstance(method, type) else ""
         raise TypeError(
-            f"{name} must be RichardsonLucy(...), TotalVariation(...) or OnePass(), got "
+            f"{name} must be RichardsonLucy(...), TotalVariation(...), OnePass() or Blend(), got "
             f"{validation.shown(method)}{hint}"
         )
     return method
@@ -146,8 +159,11 @@ class RestoreOptions(WindowOptions):
 
     Parameters
     ----------
-    method : RichardsonLucy, TotalVariation or OnePass, optional
-        By default ``RichardsonLucy()``.
+    method : Blend, RichardsonLucy, TotalVariation or OnePass, optional
+        By default ``Blend()`` where the whole scene has one distance (its blur varies by at most 0.1 pixel), else
+        ``RichardsonLucy()``.
+    accept : bool, default False
+        Restore by the blur that agrees better with the photograph, where the stated blur of one distance is doubtful.
     saturation : float, optional
         Level at which pixels saturate, as a fraction of white in linear light, such as 0.95; saturated pixels are
         lower limits of the light. By default 1, for a blur operator infinity; the largest integer is always
@@ -155,6 +171,7 @@ class RestoreOptions(WindowOptions):
     """
 
     method: Annotated[Method | None, _checked_method, HIDDEN] = None
+    accept: bool = False
     saturation: Annotated[float | None, In(above=0.0, infinite=True)] = None
 
 
@@ -225,7 +242,7 @@ def restore(
     validation.instance("noise", noise, Noise)
     validation.function("progress", progress, required=False)
     image, mask = validation.parted("photo", photo, "counts")
-    method = o.method or RichardsonLucy()
+    method, uniform = o.method, None
     if isinstance(lens, LinearBlur):
         if depth is not None or pixel is not None:
             raise ValueError("depth and pixel are for a Lens, got a blur operator, which has its own")
@@ -240,23 +257,103 @@ def restore(
         distances = validation.array("depth", depth, "metres")
         require_scene("photo", image.shape, distances.shape)
         light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
-        blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
+        scene = _uniform_scene(distances, lens, pixel, channels)
+        if isinstance(scene, _UniformScene):
+            uniform, method = scene, method or Blend()
+        elif isinstance(method, Blend):
+            raise ValueError(
+                "method=Blend() needs one distance of the whole scene, got a depth map in which the diameter of the "
+                f"blur varies by {scene:.3g} pixels; use RichardsonLucy()"
+            )
+        if uniform is not None and isinstance(method, Blend):
+            warn_of_depths(lens, uniform.pixel, distances)
+            blur = uniform.blur
+        else:
+            blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
+    method = method or RichardsonLucy()
     observed = PhotographLikelihood(blur, light, noise, limit)
     before = observed.mean(observed.discrepancies_of(observed.image))
-    if isinstance(method, OnePass):
-        result = method.solve(observed, progress or silent)
-    else:  # which stops at the discrepancy that the noise makes likely
-        result = iterated(noise_aware(method, observed), observed, progress or silent)
-    share, stopped = check_result(observed, result, method)
+    result, share, stopped = _solved(observed, method, progress or silent)
+    verdict = None if uniform is None else uniform.verdict(observed, result.light)
+    if uniform is not None and verdict is not None and verdict.doubtful:
+        likelier = PhotographLikelihood(uniform.preferred(verdict).blur, light, noise, limit)
+        if o.accept:
+            observed = likelier
+            result, share, stopped = _solved(observed, Blend(), progress or silent)
+        elif verdict.decisive:
+            # By the likelier blur, the photograph may agree better with itself than with the result.
+            fits = [likelier.mean(likelier.discrepancies_of(image)) for image in (result.light, observed.image)]
+            share, stopped = (1.0, MISFIT) if fits[0] > fits[1] else (share, stopped)
     restored = blend(observed, result.light, share)
     after = observed.discrepancies_of(restored)
     discrepancy = observed.mean(after)
     values, clipped = encode_light(restored, encoding, image.dtype)
+    findings = _findings(stopped, discrepancy, 1.0 + observed.slack, verdict is not None)
     return Restoration(
         values, restored, discrepancy, tuple(map(float, after)), before, result.steps,
         stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,
-        findings=_findings(stopped, discrepancy, 1.0 + observed.slack),
+        findings=Findings([*findings, *_blur_findings(verdict, o.accept)]),
     )  # fmt: skip
+
+
+def _solved(observed: PhotographLikelihood, method: Method, report: ProgressCallback) -> tuple[Solution, float, str]:
+    """Return the result of a method, the share of the photograph to blend into it, and the stopping reason."""
+    if isinstance(method, OnePass | Blend):
+        result = method.solve(observed, report)
+    else:  # which stops at the discrepancy that the noise makes likely
+        result = iterated(noise_aware(method, observed), observed, report)
+    return result, *check_result(observed, result, method)
+
+
+class _UniformScene(NamedTuple):
+    """A scene at one distance: its pupil, defocus C_d (rad), pixel pitch (metres), spectra and shape."""
+
+    pupil: Pupil
+    defocus: float
+    pixel: float
+    spectra: Sequence[tuple[tuple[float, float], ...]]
+    shape: tuple[int, int]
+
+    @property
+    def blur(self) -> UniformBlur:
+        """Blur of the scene."""
+        return UniformBlur.of(self.shape, self.pupil, self.pixel, self.spectra)
+
+    def preferred(self, verdict: BlurVerdict) -> Self:
+        """Return the scene with the blur that a verdict prefers."""
+        return self._replace(pupil=verdict.applied(self.pupil, self.defocus))
+
+    def verdict(self, observed: PhotographLikelihood, light: Values) -> BlurVerdict:
+        """Compare the blur with others, given the restored light, by the middle channel of the photograph."""
+        model = observed.blur.forward(light)
+        recorded = observed.counts - observed.added
+        # Unknown pixels and the light that the sensor did not hold would make the photograph sharper than it is.
+        recorded = np.where(observed.weight > 0.0, recorded, model)
+        if observed.full is not None:
+            recorded = np.where(observed.full, np.maximum(recorded, model), recorded)
+        gain = np.where(observed.weight > 0.0, observed.weight, 1.0) * observed.white
+        variance = np.maximum(model + observed.added, 0.0) / gain
+        middle = len(self.spectra) // 2
+        plane, noise = (values.reshape(*self.shape, -1)[..., middle] for values in (recorded, variance))
+        return compare_blurs(self.pupil, self.defocus, self.spectra[middle], self.pixel, plane, noise)
+
+
+def _uniform_scene(depth: Array, lens: Lens, pixel: float, channels: Sequence[Spectrum]) -> _UniformScene | float:
+    """Return a scene at one distance, or the variation of the diameter of the blur, if it is above `_ONE_BLUR`."""
+    require_round("lens", lens)
+    pitch = validation.pixel(pixel, metric=True)
+    unit = lens.wavelength * lens.working_f_number
+    validation.pixel_on(pitch, unit, metric=True)
+    vergence = 1.0 / require_depth(depth)
+    with np.errstate(divide="ignore"):
+        near, far, middle = 1.0 / np.array([vergence.max(), vergence.min(), 0.5 * (vergence.max() + vergence.min())])
+    defocus = lens.defocus([near, far, middle])
+    # The diameter of the geometric blur is 8 lambda N C_d / pi.
+    variation = 8.0 / math.pi * unit * float(np.ptp(defocus)) / pitch
+    if variation > _ONE_BLUR:
+        return variation
+    shape = depth.shape[0], depth.shape[1]
+    return _UniformScene(lens.pupil(middle), float(defocus[2]), pitch, spectra("channels", channels), shape)
 
 
 def recorded(photo: Pixels, encoding: Encoding, limit: float, mask: NDArray[np.bool_] | None = None) -> Array:
@@ -290,13 +387,36 @@ def full_light(photo: Pixels, encoding: Encoding, saturation: float | None) -> f
     return float(to_light("photo", np.full((1, 3), full, dtype=photo.dtype), encoding, np.float64).min())
 
 
-def _findings(stopped: str, discrepancy: float, limit: float) -> Findings:
+def _findings(stopped: str, discrepancy: float, limit: float, blur_compared: bool) -> list[Finding]:
     """Return the findings on a restored photograph; `limit`: the largest discrepancy that noise explains."""
     numbers = {"discrepancy": discrepancy}
     if stopped == MISFIT:
         text = "depth, lens or noise do not fit the photograph, which is returned unchanged"
-        return Findings([Finding("misfit", "error", text, numbers)])
+        return [Finding("misfit", "error", text, numbers)]
     if stopped == STEPS:
         text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more steps fit better"
-        return Findings([Finding("not_settled", "error" if discrepancy > limit else "doubt", text, numbers)])
-    return Findings([untested_finding(_UNTESTED, {})])
+        return [Finding("not_settled", "error" if discrepancy > limit else "doubt", text, numbers)]
+    return [untested_finding(_UNTESTED[1:] if blur_compared else _UNTESTED, {})]
+
+
+def _blur_findings(verdict: BlurVerdict | None, accepted: bool) -> list[Finding]:
+    """Return the findings of the comparison of blurs."""
+    if verdict is None:
+        return []
+    numbers = {"factor": verdict.factor, "waves": verdict.waves, "gain": verdict.gain}
+    better = f"with {verdict.waves:+g} waves of spherical aberration" if verdict.waves else (
+        f"of {verdict.factor:g} times the stated diameter"
+    )  # fmt: skip
+    gain = f"(log-likelihood {verdict.gain:.2g} higher)"
+    if verdict.doubtful and accepted:
+        return [Finding("estimated", "note", f"restored by a blur {better} than stated {gain}", numbers)]
+    if verdict.doubtful:
+        text = (
+            f"the photograph agrees better with a blur {better} {gain}: check distance, f-number and focus; "
+            "accept=True restores by that blur"
+        )
+        return [Finding("blur_doubtful", "doubt", text, numbers)]
+    if verdict.softer:
+        text = f"the photograph is softer than stated, as by a blur {better} {gain}, or the scene is soft"
+        return [Finding("blur_compared", "note", text, numbers)]
+    return [Finding("blur_compared", "note", "other blurs were compared: none of them agrees better", numbers)]

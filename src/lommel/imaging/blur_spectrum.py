@@ -1,0 +1,201 @@
+r"""Likelihood of a blur: the power spectrum of a photograph against that of a blurred texture.
+
+The expected power at the frequency f, in units of the noise variance of a pixel, is
+
+    m(f) = c sum over k of |f - k|^-s h(f - k)^2 sinc(f - k)^2 + nu ,
+
+with the transfer function h of the lens, that of the pixel (sinc), the power ``c f^-s`` of the texture, the noise nu,
+and the frequency and its eight nearest aliases ``f - k``. The likelihood of the measured power P is Whittle's: minus
+the sum of ``n (ln m + P / m)`` over rings, each with n independent values (Whittle 1953, doi:10.1007/BF02590998). It
+is maximised over c and s for each blur. Gains in likelihood are divided by the dispersion of P / m where that is
+above 1.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import NamedTuple, Self
+
+import numpy as np
+
+from lommel.base.arrays import Array
+
+_RINGS = 96  # rings of spatial frequency from 0 to sqrt(1/2) cycles per pixel
+_WIDTH = np.sqrt(0.5) / _RINGS  # width of a ring, cycles per pixel
+_LARGEST = 1.6  # largest alias frequency, cycles per pixel
+_GRID = 128  # frequencies along each axis of a quadrant, of which the shares of rings are computed
+_SLOPES = np.arange(0.75, 4.01, 0.25)  # exponents s of the texture
+_MIN_PERIODS = 2.5  # smallest frequency that is compared, periods per side of the photograph
+_NOISES = np.geomspace(0.5, 2.0, 13)  # noise variance in units of the stated variance
+_MIN_NOISE_GAIN = 5.0  # gain in log-likelihood that another noise variance than the stated one needs
+_JOINED = 8  # rings whose mean power limits the noise
+_TINY = 1e-300
+_OPAQUE_POWER = 1e-2  # transmitted power below which more noise is distinguishable from texture
+
+
+class Texture(NamedTuple):
+    """Power spectrum ``power f^-slope`` of a texture, and the noise variance, in units of the stated variance."""
+
+    power: float
+    slope: float
+    noise: float
+
+    def spectrum(self, f: Array) -> Array:
+        """Return the power at frequencies above 0 (cycles per pixel)."""
+        return np.asarray(self.power * f**-self.slope)
+
+
+FREQUENCIES: Array = (np.arange(int(_LARGEST / _WIDTH)) + 0.5) * _WIDTH
+"""Frequencies (cycles per pixel) at which the transfer functions of blurs are given."""
+
+
+@cache
+def _shares() -> Array:
+    """Return the mean power in each ring of a unit power at each of FREQUENCIES, with its aliases and the pixel."""
+    axis = (np.arange(_GRID) + 0.5) / (2 * _GRID)
+    ring = _ring_of(np.hypot(axis[:, None], axis))
+    shares = np.zeros(_RINGS * len(FREQUENCIES))
+    for down in (0.0, 1.0, -1.0):
+        for across in (0.0, 1.0, -1.0):
+            y, x = axis[:, None] - down, axis - across
+            place = (np.hypot(y, x) / _WIDTH).astype(np.intp)
+            near = place < len(FREQUENCIES)
+            index = ring[near] * len(FREQUENCIES) + place[near]
+            shares += np.bincount(index, (np.sinc(y) * np.sinc(x))[near] ** 2, shares.size)
+    counts = np.bincount(ring.ravel(), minlength=_RINGS)
+    return np.asarray(shares.reshape(_RINGS, -1) / np.maximum(counts, 1)[:, None])
+
+
+def _ring_of(f: Array) -> Array:
+    return np.minimum((f / _WIDTH).astype(np.intp), _RINGS - 1)
+
+
+class BlurSpectrum:
+    """Power spectra of the channels of a photograph in rings, in units of the noise variance.
+
+    Parameters
+    ----------
+    power : ndarray, shape (channels, ...)
+        Power spectra in units of the noise variance.
+    f : ndarray
+        Frequencies, cycles per pixel.
+    counts : ndarray
+        Number of independent complex values at each frequency, 0 where the power is ignored.
+    """
+
+    def __init__(self, power: Array, f: Array, counts: Array) -> None:
+        ring = _ring_of(f).ravel()
+        sums = np.bincount(ring, counts.ravel(), _RINGS)
+        self._known = sums > 0.0
+        self._counts = sums[self._known]
+        rings = np.array([np.bincount(ring, (counts * p).ravel(), _RINGS) for p in power])
+        self._power = rings[:, self._known] / self._counts
+
+    @classmethod
+    def windowed(cls, planes: Array, variances: Array) -> Self:
+        """Return the spectra of planes (channels, height, width) in a Hann window, by the variance of their pixels.
+
+        Without a window the jump between opposite edges would appear as a texture of slope 2.
+        """
+        sides = planes.shape[1:]
+        window = np.outer(*(np.hanning(side + 2)[1:-1] for side in sides))
+        squares = np.square(window)
+        means = (planes * window).sum((1, 2)) / window.sum()
+        noise = (variances * squares).sum((1, 2))
+        spectra = np.fft.rfft2((planes - means[:, None, None]) * window)
+        power = (np.square(spectra.real) + np.square(spectra.imag)) / np.maximum(noise, _TINY)[:, None, None]
+        fx = np.fft.rfftfreq(sides[1])
+        f = np.hypot(np.fft.fftfreq(sides[0])[:, None], fx)
+        # All but the first and last column of half a spectrum stand for two; a real image has equal values at f and
+        # -f; and the window correlates neighbours.
+        counts = np.where((fx > 0.0) & (fx < 0.5), 1.0, 0.5) * (f >= _MIN_PERIODS / min(sides))
+        return cls(power, f, counts * squares.sum() ** 2 / (np.square(squares).sum() * planes[0].size))
+
+    @classmethod
+    def cosine(cls, power: Array, f: Array) -> Self:
+        """Return the spectra of cosine transforms, whose values are real; `f` are their frequencies."""
+        return cls(power, f, np.where(f >= _MIN_PERIODS / min(f.shape), 0.5, 0.0))
+
+    def texture(self, curve: Array, channel: int) -> Texture:
+        """Return the most likely texture of a channel and its noise, for the transfer `curve` at FREQUENCIES."""
+        measured = self._power[channel]
+        if not measured.size or not measured.max() > 0.0:
+            return Texture(0.0, 2.0, 1.0)
+        shapes = self._shapes(curve[None])
+        best, texture_noise = self._fit(shapes, channel, 1.0), 1.0
+        least = best.cost[0] - _MIN_NOISE_GAIN
+        most = self._most_noise(channel)
+        for noise in _NOISES[(most >= _NOISES if most < 1.0 else _NOISES > 1.0)]:
+            # Beyond the stated noise only where the lens transmits nothing, which texture might be.
+            if noise > 1.0 and np.square(curve[: _RINGS // 2]).min() > _OPAQUE_POWER:
+                break
+            fit = self._fit(shapes, channel, noise)
+            if fit.cost[0] < least:
+                least, best, texture_noise = fit.cost[0], fit, float(noise)
+        return best.texture(0, texture_noise)
+
+    def _most_noise(self, channel: int) -> float:
+        """Return the largest noise that the weakest frequencies allow, within three standard errors."""
+        starts = np.arange(0, len(self._counts), _JOINED)
+        counts = np.add.reduceat(self._counts, starts)
+        means = np.add.reduceat(self._power[channel] * self._counts, starts) / counts
+        return float((means * (1.0 + 3.0 / np.sqrt(counts))).min())
+
+    def likelihood(self, curves: Array, channel: int, noise: float) -> Array:
+        """Return the log-likelihood of blurs with the transfer `curves` (blurs, frequencies) at FREQUENCIES.
+
+        It is divided by the dispersion of the best blur, if that is above 1.
+        """
+        fit = self._fit(self._shapes(curves), channel, noise)
+        return np.asarray(-fit.cost / max(float(fit.dispersion[np.argmin(fit.cost)]), 1.0))
+
+    def _shapes(self, curves: Array) -> Array:
+        """Return the expected power of textures of power 1, (blurs, slopes, rings)."""
+        power = np.square(curves)[:, None] * FREQUENCIES ** -_SLOPES[:, None]
+        return np.asarray(power @ _shares()[self._known].T)
+
+    def _fit(self, shapes: Array, channel: int, noise: float) -> _Fit:
+        return _Fit.of(self._power[channel], self._counts, shapes, noise)
+
+
+class _Fit(NamedTuple):
+    """Most likely textures for several blurs: minus log-likelihood, power, slope and dispersion of each."""
+
+    cost: Array
+    power: Array
+    slope: Array
+    dispersion: Array
+
+    @classmethod
+    def of(cls, power: Array, counts: Array, shapes: Array, noise: float) -> Self:
+        """Return the fit to the measured `power` of shapes (blurs, slopes, rings)."""
+        peaks = np.maximum(shapes.max(axis=2), 1e-300)
+        unit = shapes / peaks[:, :, None]
+
+        def costs(log_power: Array, of: Array) -> Array:
+            model = np.exp(log_power)[..., None] * of[:, :, None] + noise
+            return np.asarray((np.log(model) + power / model) @ counts)
+
+        start = np.log(1e-2) + np.arange(20.0)
+        cost = costs(np.broadcast_to(start, (*peaks.shape, start.size)), unit)
+        # The three best slopes are refined.
+        order = np.argsort(cost.min(axis=2), axis=1)[:, :3]
+        rows = np.arange(len(order))[:, None]
+        of, level, step = unit[rows, order], start[cost[rows, order].argmin(axis=2)], 1.0
+        for _ in range(3):
+            tried = level[..., None] + step * np.linspace(-1.0, 1.0, 7)
+            cost = costs(tried, of)
+            level = np.take_along_axis(tried, cost.argmin(axis=2)[..., None], 2)[..., 0]
+            step /= 3.0
+        cost = cost.min(axis=2)
+        best = cost.argmin(axis=1)
+        row = np.arange(len(best))
+        slope = order[row, best]
+        factor = np.exp(level[row, best])
+        model = factor[:, None] * of[row, best] + noise
+        dispersion = np.square(power / model - 1.0) @ counts / max(power.size - 3, 1)
+        return cls(cost[row, best], factor / peaks[row, slope], _SLOPES[slope], dispersion)
+
+    def texture(self, blur: int, noise: float) -> Texture:
+        """Return the texture of one of the blurs."""
+        return Texture(float(self.power[blur]), float(self.slope[blur]), noise)

@@ -17,6 +17,7 @@ from functools import cache
 from typing import NamedTuple, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 
@@ -66,8 +67,8 @@ def _shares() -> Array:
     return np.asarray(shares.reshape(_RINGS, -1) / np.maximum(counts, 1)[:, None])
 
 
-def _ring_of(f: Array) -> Array:
-    return np.minimum((f / _WIDTH).astype(np.intp), _RINGS - 1)
+def _ring_of(f: Array) -> NDArray[np.intp]:
+    return np.asarray(np.minimum((f / _WIDTH).astype(np.intp), _RINGS - 1))
 
 
 class BlurSpectrum:
@@ -85,7 +86,7 @@ class BlurSpectrum:
 
     def __init__(self, power: Array, f: Array, counts: Array) -> None:
         ring = _ring_of(f).ravel()
-        sums = np.bincount(ring, counts.ravel(), _RINGS)
+        sums = np.bincount(ring, counts.ravel(), _RINGS).astype(np.float64)
         self._known = sums > 0.0
         self._counts = sums[self._known]
         rings = np.array([np.bincount(ring, (counts * p).ravel(), _RINGS) for p in power])

@@ -1,4 +1,4 @@
-"""Verdict on a stated blur: its likelihood beside that of other defocus, f-number and spherical aberration."""
+"""Blur of a photograph by its likelihood: a verdict on a stated blur, and an estimate of an unknown one."""
 
 from __future__ import annotations
 
@@ -24,6 +24,13 @@ _LOBES, _NODES = (
     72,
 )  # the OTF with spherical aberration is computed at _NODES frequencies up to _LOBES / diameter
 _TOL = 1e-4  # of these values
+
+
+_DIAMETERS = np.geomspace(0.6, 12.0, 75)  # pixels, from which an unknown blur is estimated
+_ERROR_FACTOR = 1.3  # standard error of ln(diameter) / that of the likelihood
+_SOFTNESS = 1.4  # softness of scenes, pixels: an error of the diameter, added in quadrature
+_MOST_ERROR = 0.08  # largest standard error of ln(diameter) of a known blur
+_VALLEY = 5.0  # log-likelihood by which another diameter must be less likely
 
 
 class BlurVerdict(NamedTuple):
@@ -80,6 +87,51 @@ def compare_blurs(
     power = np.square(curves[:, : len(FREQUENCIES) // 3]).sum(axis=1)
     gain = float(likelihood[best] - likelihood[0])
     return BlurVerdict(float(factors[best]), float(waves[best]), gain, float(power[best] / power[0]))
+
+
+class BlurEstimate(NamedTuple):
+    """Most likely defocus C_d (rad), its relative standard error, and the diameter of the blur (pixels).
+
+    `known` is False if the error is too large or another diameter is about as likely; `sign_known` is False if the
+    defocus of the other sign has the same blur.
+    """
+
+    defocus: float
+    error: float
+    diameter: float
+    known: bool
+    sign_known: bool
+
+
+def estimate_blur(
+    focused: Pupil, symmetric: bool, unit: float, spectrum: Spectrum, pixel: float, plane: Array, variance: Array
+) -> BlurEstimate:
+    """Return the most likely blur of one channel of a photograph whose distance is unknown.
+
+    `focused` is the pupil without defocus, `symmetric` states that the sign of the defocus does not change its blur,
+    and `unit` is the diameter of the blur in pixels for C_d = 1.
+    """
+    defocus = _DIAMETERS / unit
+    stack = defocus if symmetric else np.concatenate([-defocus[::-1], defocus])
+    curves = pupil_curve(_changed(focused, stack, 0.0), spectrum, pixel)(FREQUENCIES)
+    likelihood = BlurSpectrum.windowed(plane[None], variance[None]).likelihood(curves, 0, 1.0)
+    best = int(np.argmax(likelihood))
+    side = np.flatnonzero(np.sign(stack) == np.sign(stack[best]))
+    near = side[np.abs(side - best) <= 2]
+    x = np.log(np.abs(stack))
+    curvature, slope, _ = np.polyfit(x[near] - x[best], -likelihood[near], 2)
+    if curvature <= 0.0 or best in (side[0], side[-1]):
+        return BlurEstimate(float(stack[best]), math.inf, math.exp(x[best]) * unit, False, False)
+    shift = float(np.clip(-slope / (2.0 * curvature), -0.1, 0.1))
+    value = float(stack[best]) * math.exp(shift)
+    diameter = abs(value) * unit
+    error = math.hypot(_ERROR_FACTOR / math.sqrt(2.0 * curvature), 0.5 * (_SOFTNESS / diameter) ** 2)
+    # Other valleys are farther than the error; the other sign has another blur if there is spherical aberration.
+    other = np.abs(x - math.log(abs(value))) > max(4.0 / math.sqrt(2.0 * curvature), _MOST_ERROR)
+    alone = bool(likelihood[other].max(initial=-math.inf) < likelihood[best] - _VALLEY)
+    opposite = np.sign(stack) != np.sign(value)
+    sign_known = not symmetric and bool(likelihood[opposite].max() < likelihood[best] - _VALLEY)
+    return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known)
 
 
 def _changed(pupil: Pupil, defocus: float | Array, waves: float | Array) -> Pupil:

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from lommel import Noise
-from lommel.imaging import OnePass, RichardsonLucy, TotalVariation, restore
+from lommel.imaging import Blend, OnePass, RichardsonLucy, TotalVariation, restore
 from scenes import POINTS, ThinLens, averaged, lommel_lens, plane, texture
 
 SIDE, READ = 96, 3.0
 LENS = ThinLens(35e-3, 2.8, 1.35, 540e-9, 4e-6)
-METHODS = [RichardsonLucy(), TotalVariation(steps=60), OnePass()]
+METHODS = [RichardsonLucy(), TotalVariation(steps=60), OnePass(), Blend()]
 
 
 @pytest.fixture(autouse=True)
@@ -78,7 +78,7 @@ def test_blur_without_noise_is_kept_as_it_is_undone(method):
     assert found.photograph < 0.05
 
 
-@pytest.mark.parametrize("method", METHODS[:2], ids=lambda each: type(each).__name__)
+@pytest.mark.parametrize("method", [*METHODS[:2], Blend()], ids=lambda each: type(each).__name__)
 def test_unknown_pixels_are_filled_whatever_is_kept_of_the_photograph(method):
     photo, truth = seen("leaves", 0.4, 500.0)
     photo = photo.copy()
@@ -89,7 +89,8 @@ def test_unknown_pixels_are_filled_whatever_is_kept_of_the_photograph(method):
     assert found.light[40:48, 40:48].mean() == pytest.approx(truth.mean() / 1500.0, rel=0.3)
 
 
+@pytest.mark.parametrize("method", [RichardsonLucy(), Blend()], ids=lambda each: type(each).__name__)
 @pytest.mark.parametrize("gain", [0.5, 2.0])
-def test_noise_that_is_stated_wrongly_does_no_harm(gain):
+def test_noise_that_is_stated_wrongly_does_no_harm(method, gain):
     for blur in (0.4, 2.0):
-        assert loss(*seen("leaves", blur, 500.0), 500.0, blur, RichardsonLucy(), gain)[0] < 0.2
+        assert loss(*seen("leaves", blur, 500.0), 500.0, blur, method, gain)[0] < 0.2

@@ -26,7 +26,7 @@ from lommel.base.arrays import Array, Json
 from lommel.base.encoding import Encoding
 from lommel.base.units import format_length, percent, with_error
 from lommel.estimation.focal_model import FocalLight, Spectrum, transfer_curve
-from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.findings import Finding, Findings, FitReport, untested_finding
 from lommel.imaging.defocus_depth import counts_in_electrons, list_photographs
 from lommel.imaging.focal_engine import CONTRAST, UNMEASURED, Registration, processors
 from lommel.imaging.pair_noise import is_compressed
@@ -46,6 +46,7 @@ _EDGE = 0.3  # pixels: a change of the blur radius by this much, or one radian o
 _SCAN = np.arange(-12.0, 12.1, 1.5)  # common shifts of focus from which the search starts, in these units
 _TABLE = np.arange(-16.0, 16.1, 0.25)  # shifts at which transfer functions are tabulated, in these units
 _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
+_COARSE = 0.1  # last step of the search by coarse details, in these units
 _MAX_STEPS, _GAIN_STEPS = 12, 8  # steps of the search, and of the gain
 # Metres: standard error of an origin that is held. Entrance pupils lie 0 to 4 cm behind the front rim of lenses of up
 # to 85 mm, which is 2.3 cm rms from the default of 0.
@@ -301,6 +302,29 @@ class _Search:
             variance = scatter @ scatter.T * (tiles.shape[1] / (tiles.shape[1] - 1.0))
             yield _Score(tiles, curvatures, tiles.sum(axis=1), slopes, scales, variance)
 
+    def likeliest(self, at: Array) -> Array:
+        """Return parameters near the greatest likelihood of coarse details, whose valleys are wide."""
+        for _ in range(_MAX_STEPS):
+            self.weigh(at @ self.rows, _EXCESS)
+            gradients, hessians = self.derivatives(at @ self.rows)
+            if not np.isfinite(hessians).all():
+                break
+            gradient = gradients.sum(axis=1) + at / self.stated**2
+            values, axes = np.linalg.eigh(hessians.sum(axis=2) + np.diag(self.stated**-2.0))
+            step = -axes @ (axes.T @ gradient / np.maximum(np.abs(values), 1.0))
+            step *= min(1.0, _MAX_STEP / float(np.abs(step).max()))
+            cost = self._posterior(at)
+            while self._posterior(at + step) > cost and np.abs(step).max() > _COARSE:
+                step *= 0.5
+            at = at + step
+            if np.abs(step).max() <= _COARSE:
+                break
+        return at
+
+    def _posterior(self, at: Array) -> float:
+        """Return -log(likelihood) of all tiles and of the changes of what is stated."""
+        return float(self.costs(at @ self.rows).sum() + 0.5 * np.square(at / self.stated).sum())
+
     def minimum(self, at: Array, floors: Array) -> tuple[Array, list[_Score], Array, Array]:
         """Return parameters, scores of planes, the weight of gradients, and the precision; ValueError if none.
 
@@ -332,8 +356,8 @@ class _Search:
 
     def best(self) -> tuple[Array, Array, list[CalibratedPlane]]:
         """Return parameters, their covariance, and the planes; ValueError if these do not determine the focus."""
-        floors = np.full((len(self.planes), 2), _FLOOR)
-        at, scores, weight, precision = self.minimum(self.start(), floors)
+        floors, at = np.full((len(self.planes), 2), _FLOOR), self.likeliest(self.start())
+        at, scores, weight, precision = self.minimum(at, floors)
         if self._excess > 1.0:
             # What other weights change is the error of what cameras do to fine details.
             self.weigh(at @ self.rows, _CHANGE * self._excess)
@@ -418,7 +442,8 @@ class CalibratedPlane(NamedTuple):
 class FocalCalibration(FitReport):
     """Lenses calibrated by :func:`lommel.imaging.calibrate_focus`.
 
-    The findings have the codes "exchanged", "contradiction", "not_flat", "misfit", "compressed" and "stated".
+    The findings have the codes "exchanged", "contradiction", "not_flat", "misfit", "compressed", "stated", and
+    "untested" (the order of the photographs of one plane about midway between the foci).
     ``print(found)`` prints a table.
 
     Attributes
@@ -700,16 +725,24 @@ def _deviation(plane: CalibratedPlane) -> float:
 def _agrees(search: _Search) -> bool:
     """Return whether some lens near the stated one agrees."""
     try:
-        search.best()
+        return max(map(_deviation, search.best()[2])) < _DOUBTFUL
     except ValueError:
         return False
-    return True
 
 
 def _exchanged(search: _Search, at: Array, seen: Sequence[CalibratedPlane], other: _Search) -> Iterator[Finding]:
     """Yield a finding if planes or foci are off, and less in the other order of the photographs."""
     stated = np.abs(at[1:3] / search.foci).max()
     one = len(search.planes) == 1 and search.foci[0] != search.foci[1]
+    if one:  # the other order has the same blur with foci on the other side of the plane
+        mirrored = 2.0 / (seen[0].distance + search.calibrated(at)[1]) - np.add(search.foci, at[1:3])[::-1]
+        shift = float(np.abs(mirrored / search.foci - 1.0).max())
+        if shift < _MAX_SHIFT:
+            text = (
+                f"the order of the photographs (in the other one foci off by {percent(shift, 1)} agree as well; use a "
+                "plane nearer to one of the foci)"
+            )
+            yield untested_finding([text], {"other": shift})
     if stated < _MAX_SHIFT and max(map(_deviation, seen)) < _DOUBTFUL:
         return
     try:

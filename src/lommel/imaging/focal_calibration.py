@@ -739,8 +739,8 @@ def _exchanged(search: _Search, at: Array, seen: Sequence[CalibratedPlane], othe
         shift = float(np.abs(mirrored / search.foci - 1.0).max())
         if shift < _MAX_SHIFT:
             text = (
-                f"the order of the photographs (in the other one foci off by {percent(shift, 1)} agree as well; use a "
-                "plane nearer to one of the foci)"
+                f"the order of the photographs (in the other one foci off by {percent(shift, 1)} agree as well; use "
+                "a plane nearer to one of the foci)"
             )
             yield untested_finding([text], {"other": shift})
     if stated < _MAX_SHIFT and max(map(_deviation, seen)) < _DOUBTFUL:

@@ -2,8 +2,8 @@
 
 ``python benchmarks/real_pair.py FOLDER`` takes the folder with flat-0600-f4-l.png, flat-0600-f20-l.png,
 flat-1500-f4-l.png and flat-1500-f20-l.png: textured planes at 0.600 and 1.500 m by a Canon RF 50 mm f/1.8 focused at
-1 m, 768 x 512 pixels of 46.9 um, 8-bit sRGB (test data of https://github.com/LinYark/Sdirt, left views). They are not a
-part of this package.
+1 m, 768 x 512 pixels of 46.9 um, 8-bit sRGB (test data of https://github.com/LinYark/Sdirt, left views).
+They are no part of this package.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def main() -> None:
     }
     print("| lens | plane | depth found | off | off / standard error | known |\n|---|---|---|---|---|---|")
     for distance, pair in planes.items():
-        print(row("as engraved", distance, pair, STATED, PUPIL), flush=True)
+        print(row("as engraved", distance, pair, STATED, 0.0), flush=True)
     for origin in (PUPIL, None):
         for distance, other in ((0.6, 1.5), (1.5, 0.6)):
             found = lm.imaging.calibrate_focus([planes[distance]], [distance], STATED, **OPTIONS, origin=origin)

@@ -356,7 +356,22 @@ class _Search:
 
     def best(self) -> tuple[Array, Array, list[CalibratedPlane]]:
         """Return parameters, their covariance, and the planes; ValueError if these do not determine the focus."""
-        floors, at = np.full((len(self.planes), 2), _FLOOR), self.likeliest(self.start())
+        start, found, error = self.start(), list[tuple[Array, Array, list[CalibratedPlane]]](), None
+        for again in (False, True):  # where planes contradict each other
+            try:
+                found.append(self._solution(self.likeliest(start) if again else start))
+            except ValueError as failure:
+                error = error or failure
+            else:
+                if max(map(_deviation, found[-1][2])) < _DOUBTFUL:
+                    return found[-1]
+        if error is not None and not found:
+            raise error
+        return found[0]
+
+    def _solution(self, at: Array) -> tuple[Array, Array, list[CalibratedPlane]]:
+        """Return what `best` does, from one start."""
+        floors = np.full((len(self.planes), 2), _FLOOR)
         at, scores, weight, precision = self.minimum(at, floors)
         if self._excess > 1.0:
             # What other weights change is the error of what cameras do to fine details.

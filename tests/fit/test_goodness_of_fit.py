@@ -143,3 +143,13 @@ def test_slopes_unknown_pixels_and_small_windows_are_no_stripes():
     assert goodness_of_fit.stripe_findings(noise[:, :5], variance[:, :5]) == []
     noise[:, 4:9, 2:] = np.nan
     assert goodness_of_fit.stripe_findings(noise, variance)[0].numbers["size"] == pytest.approx(3.0, rel=0.15)
+
+
+@pytest.mark.parametrize(
+    ("chance", "freed", "severities"),
+    [(2e-2, True, []), (5e-3, False, ["note"]), (5e-3, True, ["doubt"]), (5e-4, False, ["doubt"])],
+)
+def test_a_rare_chi2_is_a_doubt_where_effects_are_freed(chance, freed, severities):
+    chi2 = float(goodness_of_fit.largest_plausible_chi2(0.02, chance))
+    found = goodness_of_fit.chi2_findings(chi2, 0.02, "", freed=freed)
+    assert [(one.code, one.severity) for one in found] == [("rare_chi2", severity) for severity in severities]

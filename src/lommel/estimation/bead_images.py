@@ -65,11 +65,10 @@ class Constant(NamedTuple):
 
 
 # The relative error of finite differences is quadratic in the step, and below 1e-3. The default error of the cover
-# glass is the tolerance of No. 1.5H, that of the immersion is the effect of one kelvin on oil; with fixed values,
-# errors of spherical aberration would be too small.
+# glass is the tolerance of No. 1.5H; with a fixed thickness, errors of spherical aberration would be too small.
 CONSTANTS: Mapping[str, Constant] = {
     "sample": Constant(1e-3, "", 0.05, 0.02, 3e-3),
-    "immersion": Constant(1e-4, "", 5e-3, 2e-3, 5e-4),
+    "immersion": Constant(1e-4, "", 5e-3, 2e-3),
     "coverslip": Constant(1e-6, "m", 3e-5, 5e-6, 5e-6),
     "NA": Constant(1e-3, "", 0.05, 0.02, 0.02),
     "pixel": Constant(2e-3, "m", 0.05, 0.01, 0.01, relative=True),

@@ -644,7 +644,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
         causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
-        findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
+        findings = goodness_of_fit.chi2_findings(chi2, deviation, causes, freed=bool(estimated_names))
         expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
         level_planes = (stack.planes for stack in model.level_stacks(state))
         counted, read, valid = map(np.stack, zip(*level_planes, strict=True))

@@ -138,9 +138,8 @@ class BeadOptions(FitOptions):
         Constants to estimate: name -> standard error of the prior, or (value, standard error); inf means no prior
         knowledge. Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel",
         "diameter", "blur" (variance of a Gaussian, pixels squared), "step" (factor of z), "wavelength", "depth"
-        (separate for each bead). The default is depth 20 nm, sample 0.003, immersion 0.0005, coverslip 5 um, pixel
-        1 %, diameter 10 %, and NA 0.02 if a bead is within a wavelength of the cover glass. An empty
-        mapping fixes all constants.
+        (separate for each bead). The default is depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %,
+        and NA 0.02 if a bead is within a wavelength of the cover glass. An empty mapping fixes all constants.
     """
 
     diameter: Annotated[float, In(least=0.0, most=1e-5, unit="metres"), Shown(("--bead",), length="um")] = 0.0

@@ -70,10 +70,11 @@ def chance(chi2: float, spread: float) -> float:
     return float(scipy.special.gammaincc(shape, shape * chi2))
 
 
-def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
+def chi2_findings(chi2: float, spread: float, causes: str, *, freed: bool = False) -> list[Finding]:
     """Return the finding on a chi2 that noise does not explain, or explains only with a small probability.
 
-    `causes` is a text on possible causes of a misfit, or "" if another finding has them.
+    `causes` is a text on possible causes of a misfit, or "" if another finding has them. Effects that are `freed`
+    besides those asked for may stand for another one, which they do not quite explain: a rare chi2 is then a doubt.
     """
     limit, floor = float(largest_plausible_chi2(spread)), float(smallest_plausible_chi2(spread))
     probability = chance(chi2, spread)
@@ -86,7 +87,7 @@ def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
         return [Finding("too_quiet", "doubt", text, numbers)]
     if probability < _RARE_CHANCE:
         percent = f"{100.0 * max(probability, 1e-6):.1g}"
-        severity: Severity = "doubt" if probability < SURE else "note"
+        severity: Severity = "doubt" if freed or probability < SURE else "note"
         return [Finding("rare_chi2", severity, f"noise alone exceeds this chi2 in {percent} % of fits", numbers)]
     return []
 

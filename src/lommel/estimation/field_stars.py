@@ -107,6 +107,9 @@ class FieldStars:
         self._terms: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._reader: Readout | None = None
         self._sampled_pupils: dict[tuple[object, ...], SampledPupil] = {}
+        #: The stars, parameters and images that were computed last, one set for all copies of these stars: searches
+        #: and tests begin where the last search ended.
+        self.latest: list[Any] = [None, b"", []]
         self.degrees_of_freedom = int((self.pixel_data[3].sum(axis=(1, 2)) - self.size).mean())
 
     def with_blur_profile(self, profile: BlurProfile) -> FieldStars:
@@ -497,8 +500,14 @@ class _StarModel(RowModel):
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return the PSFs of all stars, and their derivatives."""
-        arrays = self.stars.images(self.chosen, *self.parts(x), fast=fast, derivatives=self.derivative_selection)
-        return arrays[0], arrays[1:]
+        parts, selection = self.parts(x), self.derivative_selection
+        key = b"".join(np.asarray(part).tobytes() for part in (self.chosen, *parts)) + f"{selection} {fast}".encode()
+        latest = self.stars.latest
+        if latest[0] is not self.stars or latest[1] != key:
+            images = self.stars.images(self.chosen, *parts, fast=fast, derivatives=selection)
+            latest[:] = self.stars, key, images
+        values, *derivatives = latest[2]
+        return values, derivatives
 
     def with_flux_background(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background replaced by their least-squares values."""

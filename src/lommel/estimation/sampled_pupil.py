@@ -15,6 +15,7 @@ the distance moved times P and the plane wave. These derivatives are accurate to
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from functools import lru_cache
@@ -89,6 +90,8 @@ class SampledPupil:
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission))
         self._amplitude = (amplitude * (scale * width**2 / math.pi)).astype(np.complex64)
         self._terms = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
+        #: The terms, then 1, each value twice: for the real and the imaginary part of the pupil function.
+        self._factors = np.repeat(np.concatenate([self._terms, np.ones_like(self._terms[:1])]), 2, axis=-1)
         half_centers = centers[side // 2 :]
         # Cosines and sines, shape (positions, cells), for positions in the image and cells on one side of the axis.
         self._down, self._across = (
@@ -103,36 +106,38 @@ class SampledPupil:
         Derivatives are computed with respect to the terms with the indices `term_indices`.
         """
         images = np.empty((values + len(term_indices), len(edge), *self._shape), np.float32)
-        derivative_terms, terms = self._terms[list(term_indices)], self._terms[: edge.shape[1]]
+        terms = self._terms[: edge.shape[1]]
         if not len(images):
             return []
-        side = len(self._amplitude)
-        # All wavefronts share this memory: new memory for each would take as long as the transforms.
-        buffer = np.empty((1 + len(derivative_terms), *2 * (self._length or side,)), np.complex64)
-        planes = buffer[:, :side, :side]
+        factors = self._factors[[-1, *term_indices]]
+        # FFTs of one factor at a time stay in the cache; products of matrices are faster for all factors together.
+        parts = np.split(factors, len(factors)) if self._length else [factors]
+        pupil = np.empty(self._amplitude.shape, np.complex64)
         for k, coefficients in enumerate(edge.astype(np.float32)):
             phase = np.einsum("k,kyx->yx", coefficients, terms)  # several threads of BLAS would mostly wait
-            planes[0].real, planes[0].imag = np.cos(phase), np.sin(phase)
-            planes[0] *= self._amplitude
-            np.multiply(derivative_terms, planes[0], out=planes[1:])
-            field = self._fields(buffer, side)
+            pupil.real, pupil.imag = np.cos(phase), np.sin(phase)
+            pupil *= self._amplitude
+            weighted = ((part * pupil.view(np.float32)).view(np.complex64) for part in parts)
+            fields = itertools.chain.from_iterable(map(self._fields, weighted))
+            field = next(fields)
             if values:
-                images[0, k] = field[0].real ** 2 + field[0].imag ** 2
+                images[0, k] = field.real**2 + field.imag**2
             # The derivative of the field is U' = i G, where G is the field of Z P; that of the image is 2 Re(U* U').
-            images[int(values) :, k] = -2.0 * (field[0].conj() * field[1:]).imag
+            conjugate = -2.0 * field.conj()
+            for image, of_term in zip(images[int(values) :, k], fields, strict=True):
+                image[...] = (conjugate * of_term).imag
         return list(images)
 
-    def _fields(self, buffer: Values, side: int) -> Values:
-        """Return fields (n, h, w) of pupils, which are the first `side` rows and columns of `buffer` (n, :, :)."""
+    def _fields(self, pupils: Values) -> Values:
+        """Return the fields (n, h, w) of pupils (n, side, side)."""
         if self._length:
             # The origin of the transform is the first cell: this multiplies all fields by the same phase factor.
             # The first transform omits rows beyond the aperture, where the pupil function is 0.
-            buffer[:, :side, side:] = buffer[:, side:] = 0.0
-            buffer[:, :side] = scipy.fft.fft(buffer[:, :side], overwrite_x=True)
-            field: Values = scipy.fft.fft(buffer[..., : self._shape[1]], axis=-2, overwrite_x=True)
-            return field[:, : self._shape[0]]
+            rows = scipy.fft.fft(pupils, n=self._length)[..., : self._shape[1]]
+            field: Values = scipy.fft.fft(rows, n=self._length, axis=-2)[:, : self._shape[0]]
+            return field
         # Transforms with a cosine (c) or sine (s): the first letter is for rows (y), the second for columns (x).
-        (cc, sc), (cs, ss) = self._transforms(np.stack([buffer.real, buffer.imag], axis=1))
+        (cc, sc), (cs, ss) = self._transforms(np.stack([pupils.real, pupils.imag], axis=1))
         # exp(-i a) = cos a - i sin a: multiplication by -i exchanges real and imaginary parts.
         odd_across, odd_down = (np.stack([part[:, 1], -part[:, 0]], axis=1) for part in (cs, sc))
         field = unfolded([[cc, odd_across], [odd_down, -ss]], self._shape)

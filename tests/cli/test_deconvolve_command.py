@@ -59,7 +59,7 @@ def test_a_stack_is_restored_from_file_to_file(run, files, monkeypatch):
     there = files / "restored.ome.tif"
     picture = files / "restored.png"
     found = run(files / "stack.ome.tif", files / "lens.toml", *CAMERA, "-o", there, "--plot", picture)
-    assert found.returncode == 4, found.stderr
+    assert found.returncode == 3, found.stderr  # three steps leave more than the noise
     assert f"wrote {picture}" in " ".join(found.stdout.split())
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert "From the OME metadata of the file: 108 nm pixels, 250 nm planes apart." in found.stdout
@@ -82,7 +82,7 @@ def test_a_stack_of_beads_is_the_psf(run, files):
     words = (files / "stack.ome.tif", files / "lens.toml", *CAMERA, "-o", files / "restored.ome.tif")
     measured = ("--psf", files / "beads.npy", "--bead", "0.1um")
     found = run(*words, *measured, "--psf-pixel", "0.1um", "--psf-step", "0.2um", "--json")
-    assert found.returncode in (0, 4), found.stderr
+    assert found.returncode == 3, found.stderr  # three steps leave more than the noise
     findings = [finding for finding in json.loads(found.stdout)["findings"] if finding["code"] == "measured_psf"]
     assert [finding["numbers"]["pixel"] for finding in findings] == [pytest.approx(1e-7)] * 2
     assert "the diameter of 100 nm was removed" in findings[0]["text"]
@@ -94,7 +94,7 @@ def test_json_and_zarr(run, files):
     there = files / "restored.ome.zarr"
     words = (files / "stack.ome.tif", files / "lens.toml", *CAMERA, "--direction", "up", "--json", "-o", there)
     found = run(*words, "--background", 0)
-    assert found.returncode == 0, found.stderr
+    assert found.returncode == 3, found.stderr
     (channel,) = json.loads(found.stdout)["channels"]
     assert (channel["steps"], channel["background"], channel["strength"]) == (3, 0.0, None)
     assert channel["discrepancy"] < channel["before"]

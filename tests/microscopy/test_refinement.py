@@ -29,7 +29,7 @@ def one_psf(monkeypatch):
     """Take the PSF of the middle everywhere, in a small part."""
     psfs = DepthModel.psfs
     monkeypatch.setattr(DepthModel, "psfs", lambda model, margin, slabs=1: psfs(model, margin, slabs))
-    for name, value in {"_NARROWEST": 15, "_FIRST_SIDE": 18}.items():
+    for name, value in {"NARROWEST": 15, "_FIRST_SIDE": 18}.items():
         monkeypatch.setattr(refinement, name, value)
 
 

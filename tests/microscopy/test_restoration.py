@@ -365,7 +365,7 @@ def test_what_cannot_be_restored_is_refused_with_the_way_out(changes, kind, said
 
 def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypatch):
     monkeypatch.setattr(refinement, "_STEPS", 6)
-    monkeypatch.setattr(refinement, "_NARROWEST", 21)
+    monkeypatch.setattr(refinement, "NARROWEST", 21)
     monkeypatch.setattr(refinement, "_ALTERNATIVES", {"step": refinement._ALTERNATIVES["step"]})
     fine = DepthModel(OIL_60X, WAVE, PIXEL, STEP / 2, 3e-6, 16, (29, 21))
     truth = np.zeros((16, 24, 24), np.float32)

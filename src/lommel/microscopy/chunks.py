@@ -144,7 +144,7 @@ def restore_chunks(
         after = counted.mean(discrepancies)
         if settings is None:
             settings, outcome.steps, outcome.strength = iteration.course, count, iteration.strength
-            outcome.finding = _finding(counted, stopped, count, before, after, method, doubts)
+            outcome.finding = _finding(counted, stopped, count, before, after, doubts)
             outcome.stopped = _reason(outcome.finding, stopped)
         if isinstance(outcome.background, np.ndarray):
             outcome.background[tile] = np.asarray(counted.background)[inner]
@@ -181,13 +181,11 @@ def _finding(
     steps: int,
     before: float,
     discrepancy: float,
-    method: RichardsonLucy | TotalVariation,
     doubts: Sequence[str],
 ) -> Finding | None:
     """Return the finding on the convergence of the central chunk, None if there is none."""
     finding = counted.finding(reason, before, discrepancy)
-    is_settled = reason != STEPS or method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
-    if finding is not None or is_settled:
+    if finding is not None or reason != STEPS or discrepancy <= 1.0 + counted.slack:
         return finding
     # More steps would fit a wrong PSF by artefacts.
     advice = "correct the PSF first" if "psf_doubtful" in doubts else "allow more steps"

@@ -117,7 +117,7 @@ class DeconvolveOptions(Options):
     diagnosis : bool, default True
         Whether to hold out some photons, to estimate the background and the number of steps and to compare PSFs for
         other sample indices in a part of the stack; and whether to try other PSFs after a misfit. The computing time
-        increases by a factor of 2 to 4 for 20 x 40 x 40 voxels, and by a factor of 2 to 3 for 41 x 96 x 96 voxels.
+        increases by a factor of about 1.6, or more after a misfit.
     memory : float, optional
         Limit of the memory in addition to input and output, bytes; by default 2 GiB. Without `out`, input in chunks
         is in memory as a whole. A chunk larger than an eighth of the limit is nevertheless read as a whole.

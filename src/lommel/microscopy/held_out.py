@@ -21,7 +21,7 @@ from lommel.deconvolve.likelihood import TINY, PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import DepthModel, GivenPSF
-from lommel.microscopy.refinement import Progress, StackContext, TrialDeconvolution, Work, brightest
+from lommel.microscopy.refinement import NARROWEST, Progress, StackContext, TrialDeconvolution, Work, brightest
 from lommel.recorded.noise import Noise
 
 SIDE = 40
@@ -184,7 +184,8 @@ class HeldOut(TrialDeconvolution):
     """Region of a stack with its counts split into two halves."""
 
     def __init__(self, context: StackContext, progress: Progress, *, side: int = SIDE) -> None:
-        super().__init__(context, brightest(context.stack, side, context.saturation))
+        # Light beyond is blurred on a coarse grid: halves of few photons do not show the difference.
+        super().__init__(context, brightest(context.stack, side, context.saturation), widest=NARROWEST)
         self._model, self._work = cast("DepthModel", context.model), Work(progress, _USUAL_RUNS * _USUAL_STEPS)
         self._halves = Halves(self._values, self._camera, context.saturation)
 
@@ -193,22 +194,25 @@ class HeldOut(TrialDeconvolution):
         """Whether a uniform specimen agrees with the counts of the region within their noise."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
-    def best(self, label: str, model: DepthModel, fold: int = 0, course: list[StepSettings] | None = None) -> Best:
+    def best(self, label: str, model: DepthModel, fold: int = 0, similar: Best | None = None) -> Best:
         """Deconvolve a half, and return the iteration that agrees best with the other half.
 
-        The `course` of another PSF fixes the extrapolation of steps: lnL is then a smooth function of the index.
+        With the result of a `similar` PSF its steps are taken, with its extrapolation: lnL is then a smooth function
+        of the index.
         """
         progress = self._work(f"held-out photons, {label}", _USUAL_STEPS)
-        return self._halves.deconvolve_half(self.blur(model, len(self._values)), progress, fold=fold, course=course)
+        blur = self.blur(model, len(self._values))
+        if similar is None:
+            return self._halves.deconvolve_half(blur, progress, fold=fold)
+        steps = max(similar.steps, 1)
+        return self._halves.deconvolve_half(blur, progress, fold=fold, course=similar.course, steps=steps)
 
     def level(self, joint: Best) -> float:
         """Return the background of the stack from `joint`, its estimate together with the specimen."""
+        blur = self.blur(self._model, len(self._values))
 
         def continue_iteration(background: Background, start: State, steps: int) -> Best:
-            blur, progress = (
-                self.blur(self._model, len(self._values)),
-                self._work("held-out photons, background", steps),
-            )
+            progress = self._work("held-out photons, background", steps)
             return self._halves.deconvolve_half(blur, progress, background=background, start=start, steps=steps)
 
         return highest_level(joint, continue_iteration)
@@ -227,7 +231,7 @@ class HeldOut(TrialDeconvolution):
                 model = self._model.changed("sample", value)
             except ValueError:
                 return None
-            return self.best(f"index of the sample {value:.4g}", model, fold, similar.course)
+            return self.best(f"index of the sample {value:.4g}", model, fold, similar)
 
         for change in (-_INDEX_STEP, _INDEX_STEP):
             if result := result_for(change, reference):

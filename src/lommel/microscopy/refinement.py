@@ -30,7 +30,9 @@ DIRECTION_STEPS = 2.0 * _STEPS
 """Number of steps that determine the direction of z, for the progress."""
 
 _SIDES = 48, 64  # pixels: smallest and largest side of the part of the stack that is used
-_NARROWEST, _WIDEST = 33, 49  # pixels: smallest and largest side of PSFs
+NARROWEST = 33
+"""Smallest side of PSFs of trials, pixels."""
+_WIDEST = 49  # largest side, pixels
 _FIRST_SIDE = 40  # pixels: side of the part in which alternatives are compared, with the narrowest PSFs
 _MIN_MARGIN = 8  # planes
 _FAR_DEPTHS = 3  # number of depths of the tails of PSFs, which change slowly
@@ -158,7 +160,7 @@ class TrialDeconvolution:
 
     def blur(self, model: DepthModel, planes: int) -> PlaneOperator:
         """Return the blur of the part by narrower PSFs of a model, with the B-splines of the first model."""
-        side = min(max(model.window[1], _NARROWEST), self._widest)
+        side = min(max(model.window[1], NARROWEST), self._widest)
         window_planes = model.window[0]
         narrow_model = replace(model, window=(window_planes, side), planes=planes, degrees=self._degrees)
         # All models have the same splines, since other splines would change the discrepancy.
@@ -205,7 +207,7 @@ def rank_alternatives(context: StackContext, progress: Progress, *, try_reversed
     """
     model, steps = cast("DepthModel", context.model), _STEPS
     crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
-    trial = TrialDeconvolution(context, crop, widest=_NARROWEST)
+    trial = TrialDeconvolution(context, crop, widest=NARROWEST)
     track = Work(progress, steps * (1.0 + try_reversed + _USUAL_CHANGES * len(_ALTERNATIVES)))
 
     def cost(changed: DepthModel, label: str, *, reverse: bool = False) -> float:

@@ -6,7 +6,7 @@ import sys
 import time as clock
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from rich.text import Text
@@ -152,7 +152,7 @@ def deconvolve(
     try:
         with progress("reading") as report_progress, open_frames(stack) as frames:
             recording = frames.as_channels(time=time, axes=axes)
-            beads = {"microscope": microscope, "diameter": diameter}
+            beads: dict[str, Any] = {"microscope": microscope, "diameter": diameter}
             result = run(
                 recording,
                 microscope

@@ -259,7 +259,7 @@ def _registered(image: Array, reference: Array, shift: Array) -> Array:
         # image(x + shift) = light (reference(x) + slopes . gradient) + level.
         light, *slopes, _ = np.linalg.solve(normal, columns @ sampled(image, places_of(image.shape, shift)).ravel())
         shift = shift - np.clip(np.array(slopes) / max(light, 1e-3), -_MAX_SHIFT, _MAX_SHIFT)
-    return shift
+    return np.asarray(shift)
 
 
 def _summit(mean: Array) -> Array:
@@ -271,7 +271,7 @@ def _summit(mean: Array) -> Array:
     for axis, one in enumerate(np.eye(3, dtype=int)):
         low, middle, high = (smooth[tuple(peak + k * one)] for k in (-1, 0, 1))
         places[axis] += 0.5 * (low - high) / min(low - 2.0 * middle + high, -1e-300)
-    return places
+    return np.asarray(places)
 
 
 def _pass_band(mean: Array) -> tuple[Array, float]:

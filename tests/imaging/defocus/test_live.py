@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import binary_dilation, map_coordinates
 
 import lommel as lm
 from lommel.imaging import defocus_verdict
@@ -154,6 +154,20 @@ def test_a_flat_strip_does_not_take_the_depth_of_an_object_beside_it(mild):
     wall = np.where(side < -24, back, 1.0)
     found = mild(*record(plane(np.where(mask > 0.0, front, wall), MILD, 1.4, LIGHT), seed=4))
     assert np.mean(found.errors[4:-4, 14:16] < 0.05) > 0.9
+
+
+def test_a_plain_wall_has_no_depth_two_blocks_beside_an_object(mild):
+    points = SIDE * 8
+    mask = np.zeros((points, points))
+    mask[3 * points // 8 : 5 * points // 8, 3 * points // 8 : 5 * points // 8] = 1.0
+    electrons = before(texture("leaves", SIDE, seed=11), mask, 1.4, np.ones((points, points)), 1.75, MILD, LIGHT)
+    found = mild(*record(electrons, seed=4))
+    object_ = np.zeros((32, 32), bool)
+    object_[12:20, 12:20] = True
+    known = np.isfinite(found.errors)
+    assert known[object_].mean() > 0.8
+    rim = binary_dilation(object_, np.ones((3, 3)), iterations=2)
+    assert known[~rim].mean() < 0.03
 
 
 @pytest.mark.parametrize("lens", ["mild", "fast"])

@@ -437,7 +437,7 @@ class FocalStream {
     }
     // Variance to add to that of the depth at (y, x): from the slope of the depth map, and from its deviation from a plane if the
     // frames do not fit a single depth (misfit) or the texture is on one side, so that the depth may be of what is there. Infinite
-    // if it is two blocks away and no depth is known on the other side.
+    // if it is more than two blocks away and nothing on the other side has a depth by texture of its own.
     float rough(std::size_t y, std::size_t x) const {
         const auto fine = static_cast<Index>(plan_.fine), reach = fine * static_cast<Index>(plan_.window.weights.size() - 1);
         const auto i = static_cast<Index>(y), j = static_cast<Index>(x), rows = static_cast<Index>(down()),
@@ -455,12 +455,32 @@ class FocalStream {
             const float difference = after - before, sum = after + before;
             return std::abs(difference) > least_aside * sum ? difference / sum : 0.0f;
         };
+        // True if the texture of the window around `here` is more than two blocks from its centre, towards a: its energy falls like a
+        // Gaussian from a to b, or by more than the window alone makes it fall.
+        const auto borrowed = [](const FocalPlace* a, const FocalPlace* here, const FocalPlace* b) {
+            const float near = a && b ? std::max(a->texture, 0.0f) : 0.0f, own = std::max(here->texture, 0.0f);
+            if (!(near > own) || near > falling * own) {
+                return near > own;
+            }
+            const float rise = near / own, fall = std::max(b->texture, 0.0f) / own;
+            return rise * rise * rise * rise * rise * fall * fall * fall > 1.0f;
+        };
         const float lower = offset(fine, 0), right = offset(0, fine), aside = std::max(std::abs(lower), std::abs(right));
-        if (aside > far_aside) {
-            const bool vertical = aside == std::abs(lower);
-            const Index away = (vertical ? lower : right) > 0.0f ? -reach : reach, dy = vertical ? away : 0, dx = away - dy;
-            const FocalPlace *const a = at(dy, dx), *const b = at(2 * dy, 2 * dx);
-            if (a && b && !known(a) && !known(b) && !std::isnan(a->texture + b->texture)) {
+        for (const auto& [dy, dx] : {std::pair{fine, Index{0}}, {-fine, Index{0}}, {Index{0}, fine}, {Index{0}, -fine}}) {
+            if (!borrowed(at(dy, dx), &here, at(-dy, -dx))) {
+                continue;
+            }
+            bool flat = true;
+            for (Index away = 1; away <= flat_reach && flat; ++away) {
+                const Index y0 = -away * reach / fine * dy, x0 = -away * reach / fine * dx;
+                const FocalPlace* const beyond = at(y0, x0);
+                if (!beyond || std::isnan(beyond->texture)) {
+                    flat = away > 2;
+                    break;
+                }
+                flat = !known(beyond) || borrowed(at(y0 + dy, x0 + dx), beyond, at(y0 - dy, x0 - dx));
+            }
+            if (flat) {
                 return std::numeric_limits<float>::infinity();
             }
         }
@@ -492,7 +512,8 @@ class FocalStream {
     }
     using Index = std::ptrdiff_t;
     static constexpr float slope_share = 0.06f, mixed_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
-    static constexpr float beside_share = 0.25f, least_aside = 0.5f, surely_aside = 0.7f, far_aside = 0.95f;
+    static constexpr float beside_share = 0.25f, least_aside = 0.5f, surely_aside = 0.7f, falling = 4.5f;
+    static constexpr Index flat_reach = 4;  // number of windows on the other side that must have no depth of their own
 
     // Fill unknown depths with means of known depths around them, from an image pyramid, coarse to fine.
     void fill() {

@@ -41,6 +41,8 @@ class Lenses:
         Of a fiftieth of the radius.
     over_r0 : float
         The diameter over Fried's parameter; 0 without an atmosphere.
+    telescope : str
+        One of :mod:`lommel.telescopes`, or "".
     """
 
     waves: float
@@ -48,6 +50,7 @@ class Lenses:
     obscuration: float = 0.0
     vanes: int = 0
     over_r0: float = 0.0
+    telescope: str = ""
 
     @property
     def coefficients(self) -> Array:
@@ -59,11 +62,12 @@ class Lenses:
         """Return stacks that differ in the seventh digit; a pupil by itself where there is one."""
         c, made = self.coefficients, []
         spider = lm.Spider.equal(self.vanes, width=0.02) if self.vanes else None
+        stop = getattr(lm.telescopes, self.telescope)() if self.telescope else None
         for k in range(times):
             each = (1.0 - 1e-7 * k) * (c[k % len(c)] if self.count == 1 else c)
             terms = dict(zip(_TERMS, np.moveaxis(each, -1, 0), strict=True))
             wavefront = lm.Wavefront.zernike(terms, order="noll", unit="waves")
-            made.append(lm.Pupil(wavefront, obscuration=self.obscuration, spider=spider))
+            made.append(lm.Pupil(wavefront, obscuration=self.obscuration, spider=spider, stop=stop))
         return made
 
     def averaged(self, pixel: float, tol: float, *, integrate: bool = True, dtype: type = np.float32) -> Contender:
@@ -93,7 +97,9 @@ class Camera:
 
     def __str__(self) -> str:
         given = self.lenses
-        parts = [f"f/{self.f_number:g}, {self.pitch * 1e6:g} µm ({self.pixel:.2g} λN), {given.waves:g} waves rms"]
+        parts = [given.telescope] * bool(given.telescope) + [
+            f"f/{self.f_number:g}, {self.pitch * 1e6:g} µm ({self.pixel:.2g} λN), {given.waves:g} waves rms"
+        ]
         parts += [f"obscuration {given.obscuration:g}"] * (given.obscuration > 0.0)
         parts += [f"{given.vanes} vanes"] * (given.vanes > 0) + [f"D / r0 = {given.over_r0:g}"] * (
             given.over_r0 > 0.0
@@ -113,7 +119,11 @@ CAMERAS = (
     Camera(2.8, 4e-6, Lenses(0.2), 0.7),
     Camera(4.0, 6e-6, Lenses(0.1), 2.0),
     Camera(4.0, 6e-6, Lenses(0.1, count=1), None),
+    Camera(8.0, 2.2e-6, Lenses(0.1, obscuration=0.3, vanes=4), None),
+    Camera(8.0, 4.4e-6, Lenses(0.1, obscuration=0.3, vanes=4), None),
     Camera(8.0, 11.6e-6, Lenses(0.1, count=50, obscuration=0.3, vanes=4), None),
+    Camera(13.4, 3.7e-6, Lenses(0.1, count=50, telescope="vlt"), None),
+    Camera(20.2, 11e-6, Lenses(0.1, count=50, telescope="jwst"), None),
     Camera(8.0, 11.6e-6, Lenses(0.1, count=1, obscuration=0.3, vanes=4, over_r0=12.0), None),
 )
 
@@ -282,7 +292,7 @@ def error(values: NDArray[np.float64], lenses: Lenses, pixel: float) -> float:
         fine = WholeFFT(lenses, pixel, 2048, math.ceil(2.0 * pixel) + 1).image(lenses.coefficients[0])
         return float(np.abs(values - fine).max() / fine.max())
     pupils = lenses.fresh(1)[0]
-    if lenses.vanes:
+    if lenses.vanes or lenses.telescope:
         many = pupils[:_JUDGED]
         exact = intensity(lm.psf(many, SIDE, pixel, integrate=True, method=lm.methods.NonuniformFFT(1e-7)))
         return float((np.abs(values[:_JUDGED] - exact).max(axis=(1, 2)) / exact.max(axis=(1, 2))).max())

@@ -171,7 +171,7 @@ inline std::vector<lommel::Strip> strips_of(const In<double, 2>& given) {
         const double* of = given.data() + 9 * i;
         const auto begins = static_cast<lommel::Strip::Begins>(static_cast<int>(of[7]));
         require(of[2] < of[3] && of[7] >= 0.0 && of[7] <= 2.0 && (of[5] != 0.0 || of[6] != 0.0), "no such strip");
-        strips.push_back({of[0], of[1], of[2], of[3], of[4] != 0.0, of[5] != 0.0, of[6] != 0.0, begins, of[8]});
+        strips.push_back({of[0], of[1], of[2], of[3], of[4] != 0.0, of[4] == 2.0, of[5] != 0.0, of[6] != 0.0, begins, of[8]});
         const double within = begins == lommel::Strip::Begins::circle ? of[8] : 1.0;
         require(strips.back().farthest() < within, "a strip must be narrower than the disk, and than where it begins");
     }

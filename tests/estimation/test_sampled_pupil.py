@@ -5,11 +5,14 @@ And derivatives by uneven light of a pupil, against differences of images by pla
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 import lommel as lm
 from lommel.estimation import sampled_pupil
+from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.sampled_pupil import (
     ASPECT,
     FOLDS,
@@ -21,8 +24,11 @@ from lommel.estimation.sampled_pupil import (
     SampledPupil,
     changes_of,
 )
+from lommel.estimation.star_images import Unknowns
+from lommel.methods import NonuniformFFT
 from lommel.optics.grid import Grid
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import Plan
 
 TERMS = ((1, -1), (1, 1), (2, -2), (2, 0), (2, 2), (3, -1), (4, 0))
 EDGE = np.array([[0.5, 0.3, 0.8, 0.4, 0.9, 0.5, 1.1], [-0.3, 0.2, -0.9, 0.1, -0.6, -0.5, 0.7]])
@@ -144,3 +150,19 @@ def test_derivatives_are_differences_of_images(inside, defocus):
 def test_apertures_that_are_not_round_have_no_such_changes():
     assert changes_of(lm.Pupil(spider=lm.Spider(0.05, (0.0, 1.0)))) == {}
     assert changes_of(lm.Pupil(mask=lm.Mask(np.ones((64, 64))))) == {}
+
+
+def test_searches_behind_vanes_of_an_annulus_have_images_with_bounds():
+    pupil = lm.Pupil(obscuration=0.3, spider=lm.Spider.equal(4, 0.04, 0.4))
+    plan, unknowns = Plan((17, 17), 0.5, tol=1e-6), Unknowns(3, "center")
+    electrons = 1e9 * lm.psf(pupil, 17, 0.5).values[None, None]
+    arrays = electrons, np.ones_like(electrons), np.ones(electrons.shape, dtype=bool)
+    stars = FieldStars(*arrays, pupil, np.zeros(1), unknowns, 0.5, plan, blur=())
+    waves, widths, nuisance = np.full((1, 3), 0.2), np.zeros((1, 1, 0)), np.zeros((1, 4, 1))
+    found = stars.images(np.zeros(1, dtype=np.intp), waves, widths, nuisance, fast=True)
+    turned = dataclasses.replace(pupil, wavefront=lm.Wavefront.zernike({4: 0.2, 5: 0.2, 6: 0.2}, order="noll"))
+    names = list(unknowns.edge)
+    exact = lm.psf(turned, 17, 0.5, derivatives=names, method=NonuniformFFT(1e-9), dtype="f8")
+    for image, other in zip(found, (exact.values, *(exact.derivatives[name] for name in names)), strict=False):
+        # Sampled pupils are off by 1e-3.
+        np.testing.assert_allclose(image[0], other, rtol=0.0, atol=3e-5 * float(exact.values.max()))

@@ -68,9 +68,9 @@ def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, cent
     ("stop", "count", "names", "side", "expected"),
     [
         (lm.Polygon.regular(6, radius=0.98), 27, (), 65, False),  # few nodes: Fourier transforms
-        (lm.telescopes.vlt(), 9, ((2, 0), (3, 1), (4, 0)), 33, True),
-        (lm.telescopes.vlt(), 1, (), 33, False),
-        (lm.telescopes.vlt(), 1, ((3, 1), (14, 0)), 33, False),
+        (lm.telescopes.hst(), 9, ((2, 0), (3, 1), (4, 0)), 33, True),
+        (lm.telescopes.hst(), 1, (), 33, False),
+        (lm.telescopes.hst(), 1, ((3, 1), (14, 0)), 33, False),
     ],
 )
 def test_moments_are_chosen_where_they_are_cheaper(monkeypatch, stop, count, names, side, expected):

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -32,17 +35,38 @@ def vaned(seed: int, *, stack: int = 2, tilt: float = 0.0) -> lm.Pupil:
     return lm.Pupil(wavefront, obscuration=obscuration, spider=spider, apodization=gaussian)
 
 
-def quadrature(pupil: lm.Pupil, grid: Grid) -> np.ndarray:
+def offset(seed: int, *, stack: int = 1) -> tuple[lm.Pupil, list[tuple[float, float, float]]]:
+    """Return pupils whose stop lacks a disc and strips off the axis, and direction and range across of each strip."""
+    rng, start = np.random.default_rng(seed), float(np.random.default_rng(seed).uniform(0.2, 0.4))
+    turn, opening, width = rng.uniform(0.0, 6.0), rng.uniform(0.7, 1.2), rng.uniform(0.005, 0.08) * start
+    stop, vanes = lm.Disc() - lm.Disc(start), []
+    for side in (0.0, math.pi):
+        # Two vanes from a point within the obscuration, as of large telescopes; one is wider than the other.
+        x, y = (start * rng.uniform(0.3, 0.8) * each for each in (math.cos(turn + side), math.sin(turn + side)))
+        for angle, wide in ((turn + side + opening, width), (turn + side - opening, 1.5 * width)):
+            c, s = math.cos(angle), math.sin(angle)
+            stop = stop - lm.Polygon.strip((x, y), (x + 2.5 * c, y + 2.5 * s), wide)
+            middle = y * c - x * s
+            vanes.append((angle, middle - 0.5 * wide, middle + 0.5 * wide))
+    wavefront = lm.Wavefront.zernike({term: rng.normal(0.0, 0.3, stack) for term in TERMS}, normalization="rms")
+    return lm.Pupil(wavefront, stop=stop, apodization=0.4 * (seed % 2)), vanes
+
+
+def quadrature(pupil: lm.Pupil, grid: Grid, vanes: list[tuple[float, float, float]] | None = None) -> np.ndarray:
     """Return I by sums over the annulus in rings, less those over each vane across and along."""
-    r, w = gauss_legendre(60, pupil.obscuration, 1.0)
+    assert pupil.strips is not None
+    inner = pupil.strips[0]
+    r, w = gauss_legendre(60, inner, 1.0)
     theta = 2.0 * math.pi / 160 * (np.arange(160) + 0.5)
     x, y = np.outer(r, np.cos(theta)), np.outer(r, np.sin(theta))
     parts = [(x, y, np.outer(w * r, np.full(160, 2.0 / 160)))]
-    spider = pupil.spider
-    assert spider is not None
-    s, ds = gauss_legendre(14, -0.5 * spider.width, 0.5 * spider.width)
-    for angle in spider.angles:
-        start, end = np.sqrt(pupil.obscuration**2 - s**2), np.sqrt(1.0 - s**2)
+    if vanes is None:
+        spider = pupil.spider
+        assert spider is not None
+        vanes = [(angle, -0.5 * spider.width, 0.5 * spider.width) for angle in spider.angles]
+    for angle, low, high in vanes:
+        s, ds = gauss_legendre(14, low, high)
+        start, end = np.sqrt(inner**2 - s**2), np.sqrt(1.0 - s**2)
         t, dt = gauss_legendre(40, 0.0, 1.0)
         along = start[:, None] + (end - start)[:, None] * t
         c, d = math.cos(angle), math.sin(angle)
@@ -58,19 +82,49 @@ def quadrature(pupil: lm.Pupil, grid: Grid) -> np.ndarray:
     return np.asarray(np.abs(field) ** 2)
 
 
-@pytest.mark.parametrize(
-    ("seed", "tol", "dtype"),
-    [(1, 1e-2, "f4"), (2, 1e-4, "f4"), (3, 1e-5, "f4"), (4, 1e-6, "f8"), (5, 1e-8, "f8"), (6, 1e-9, "f8")],
-)
-def test_images_behind_vanes_keep_their_bounds(seed: int, tol: float, dtype: str) -> None:
-    pupil = vaned(seed, tilt=1.0)
-    pixel, shape, center = 0.3 + 0.1 * seed, (11, 14), (4.0, 8.5) if seed % 2 else None
+def within_bounds(
+    pupil: lm.Pupil, grid: Grid, tol: float, dtype: str, vanes: list[tuple[float, float, float]] | None = None
+) -> None:
+    """Require that images are within their bounds, these within the tolerance."""
+    shape, pixel, center = grid.shape, grid.pixel, grid.center
     image = lm.psf(pupil, pixel=pixel, shape=shape, center=center, method=ChordalGauss(tol), dtype=dtype, threads=1)
-    exact = quadrature(pupil, Grid(shape, pixel, center=center))
+    exact = quadrature(pupil, grid, vanes)
     found = np.asarray(image) / np.asarray(image.scale)[..., None, None]
     wrong = np.abs(found - exact).max(axis=(-2, -1)) / exact.max(axis=(-2, -1))
     assert np.all(wrong <= np.asarray(image.error_bound))
     assert np.all(np.asarray(image.error_bound) <= tol)
+
+
+@pytest.mark.parametrize(
+    ("seed", "tol", "dtype", "stack"),
+    [
+        (1, 1e-2, "f4", 2),
+        (2, 1e-4, "f4", 9),
+        (3, 1e-5, "f4", 1),
+        (4, 1e-6, "f8", 5),
+        (5, 1e-8, "f8", 2),
+        (6, 1e-9, "f8", 5),
+    ],
+)
+def test_images_behind_vanes_keep_their_bounds(seed: int, tol: float, dtype: str, stack: int) -> None:
+    grid = Grid((11, 14), 0.3 + 0.1 * seed, center=(4.0, 8.5) if seed % 2 else None)
+    within_bounds(vaned(seed, tilt=1.0, stack=stack), grid, tol, dtype)
+
+
+@pytest.mark.parametrize("first", [0.0, 1e-9, 0.5, 0.25 * math.pi, 1.3])
+@pytest.mark.parametrize(("tol", "dtype"), [(1e-5, "f4"), (1e-9, "f8")])
+def test_a_single_image_shares_weights_along_rows_and_columns(first: float, tol: float, dtype: str) -> None:
+    # More rows and columns than vectors have lanes, neither a multiple of them; pixels of several places each.
+    pupil = dataclasses.replace(vaned(8, stack=1), spider=lm.Spider.equal(4, width=0.03, first=first))
+    within_bounds(pupil, Grid((37, 18), 0.9, center=(5.0, 2.5)), tol, dtype)
+
+
+@pytest.mark.parametrize(
+    ("seed", "tol", "dtype", "stack"), [(1, 1e-4, "f4", 9), (2, 1e-5, "f4", 1), (3, 1e-8, "f8", 5)]
+)
+def test_vanes_off_the_axis_keep_their_bounds(seed: int, tol: float, dtype: str, stack: int) -> None:
+    pupil, vanes = offset(seed, stack=stack)
+    within_bounds(pupil, Grid((12, 19), 0.4 + 0.2 * seed), tol, dtype, vanes)
 
 
 @pytest.mark.parametrize("integrate", [False, True])
@@ -90,22 +144,52 @@ def test_derivatives_behind_vanes_are_those_of_the_sums_over_rows(integrate: boo
 
 
 def test_vanes_are_strips_where_they_part_within_the_obscuration() -> None:
-    def strips(spider: lm.Spider, obscuration: float = 0.3) -> np.ndarray | None:
-        return lm.Pupil(obscuration=obscuration, spider=spider).strips
+    def strips(**aperture: Any) -> int:
+        found = lm.Pupil(**aperture).strips
+        return 0 if found is None else len(found[1])
 
-    four, three = strips(lm.Spider.equal(4, width=0.02, first=0.5)), strips(lm.Spider.equal(3, width=0.02))
-    assert four is not None
-    assert three is not None
-    assert [len(four), len(three)] == [2, 3]  # opposite vanes are one strip
-    assert strips(lm.Spider.equal(4, width=0.02), obscuration=0.0) is None
-    assert strips(lm.Spider.equal(6, width=0.28)) is None  # neighbours meet outside of the obscuration
-    assert strips(lm.Spider(0.02, (0.0, 0.05))) is None
-    assert lm.Pupil(obscuration=0.3, spider=lm.Spider.equal(4, width=0.02), stop=lm.Disc()).strips is None
+    equal = lm.Spider.equal
+    assert strips(obscuration=0.3, spider=equal(4, width=0.02, first=0.5)) == 2  # opposite vanes are one strip
+    assert strips(obscuration=0.3, spider=equal(3, width=0.02)) == 3
+    assert strips(spider=equal(4, width=0.02)) == 0
+    assert strips(obscuration=0.3, spider=equal(6, width=0.28)) == 3
+    assert strips(obscuration=0.3, spider=equal(6, width=0.32)) == 0  # neighbours meet outside of the obscuration
+    assert strips(obscuration=0.3, spider=lm.Spider(0.02, (0.0, 0.05))) == 0
+    assert strips(obscuration=0.3, spider=lm.Spider(0.52, (0.0,))) == 0  # almost as wide as the obscuration
+
+
+def test_a_stop_lacks_strips_that_begin_within_its_obscuration() -> None:
+    strip, annulus = lm.Polygon.strip, lm.Disc() - lm.Disc(0.3)
+    across, half = strip((-1.5, 0.1), (1.5, 0.1), 0.02), strip((0.1, 0.0), (0.1, 2.0), 0.02)
+
+    def strips(stop: lm.Shape) -> int:
+        found = lm.Pupil(stop=stop, obscuration=0.2).strips
+        assert found is None or found[0] == 0.3
+        return 0 if found is None else len(found[1])
+
+    assert strips(annulus - across) == 1
+    assert strips(annulus - half) == 1
+    assert strips(annulus - (across | half)) == 2
+    assert strips(annulus - half - half.turned(0.5 * math.pi)) == 2
+    assert strips(annulus - half - half.turned(math.pi)) == 1
+    assert strips(annulus - half - strip((0.1, 0.0), (0.1, -2.0), 0.02)) == 1  # opposite vanes
+    assert strips(lm.Disc() & (annulus - lm.Spider.equal(4, width=0.02))) == 2
+    assert strips(annulus) == 0
+    assert strips(annulus - strip((0.1, 0.0), (0.1, 0.9), 0.02)) == 0  # ends before the rim
+    assert strips(annulus - strip((0.1, 0.4), (0.1, 2.0), 0.02)) == 0  # begins outside of the obscuration
+    assert strips(annulus - strip((0.1, -0.4), (0.1, 2.0), 0.02)) == 0  # sticks out on the other side
+    assert strips(annulus - strip((0.28, 0.0), (0.28, 2.0), 0.02)) == 0  # too far from the axis
+    assert strips(annulus - half - half.turned(0.02)) == 0  # vanes that cross
+    assert strips(annulus - lm.Polygon(((0.0, -0.1), (2.0, -0.2), (2.0, 0.2), (0.0, 0.1)))) == 0
+    assert strips(annulus - half - lm.Disc(0.05, (0.9, 0.0))) == 0
+    assert lm.Pupil(stop=annulus - half, vignetting=lm.Ellipse(0.95, 0.95)).strips is None
+    assert lm.Pupil(stop=lm.telescopes.hst()).strips is None
+    assert all(lm.Pupil(stop=stop).strips is not None for stop in (lm.telescopes.vlt(), lm.telescopes.subaru()))
 
 
 def test_sums_over_rows_compute_what_strips_do_not() -> None:
     pupil = lm.Pupil(obscuration=0.3, spider=lm.Spider.equal(4, width=0.02, first=0.5))
-    meeting = lm.Pupil(obscuration=0.1, spider=lm.Spider.equal(4, width=0.2))
+    meeting = lm.Pupil(obscuration=0.1, spider=lm.Spider.equal(4, width=0.3))
     near, far = (lm.psf(each, pixel=0.5, shape=9, tol=1e-5) for each in (pupil, meeting))
     assert isinstance(near.method, ChordalGauss)
     assert isinstance(far.method, NonuniformFFT)
@@ -113,3 +197,11 @@ def test_sums_over_rows_compute_what_strips_do_not() -> None:
     # Wide vanes and a large window take more lines than strips have.
     many = lm.Pupil(obscuration=0.5, spider=lm.Spider.equal(3, width=0.3))
     assert isinstance(lm.psf(many, pixel=4.0, shape=33, tol=1e-8, dtype="f8").method, NonuniformFFT)
+
+
+def test_a_stack_on_disk_behind_vanes_has_the_images_of_psf(tmp_path: Path) -> None:
+    pupil = vaned(9, stack=3)
+    stack = lm.psf_to(tmp_path / "vanes.zarr", pupil, shape=9, pixel=0.5, tol=1e-5)
+    np.testing.assert_allclose(
+        np.asarray(stack), np.asarray(lm.psf(pupil, shape=9, pixel=0.5, tol=1e-5)), rtol=0.0, atol=1e-6
+    )

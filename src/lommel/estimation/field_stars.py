@@ -228,7 +228,8 @@ class FieldStars:
         names = {"all": self._terms, "image": self._terms[-2:], "none": (), "others": self.extra_terms}[selection]
         others = selection == "others"
         # Sampled pupils do not support masks, and have derivatives by phases only.
-        use_proven_method = pupil.mask is not None or (pupil.circular and (others or max(samples_shape) <= SMALL))
+        quick = pupil.circular or pupil.strips is not None
+        use_proven_method = pupil.mask is not None or (quick and (others or max(samples_shape) <= SMALL))
         if use_proven_method:
             _, pixels, derivatives = prepared.images(pupil, names)
             samples = [pixels.values, *(derivative.values for derivative in derivatives)]

@@ -192,6 +192,8 @@ def fixed_order(methods: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tu
     # Different methods in different parts would cause steps (within the tolerance), visible in image differences.
     if pupil.layered:
         return methods[-1:]
+    if not pupil.circular:
+        return methods
     from lommel.core.engine import disk_costs
     from lommel.methods.averaging import samples_across
     from lommel.methods.nijboer_zernike import disk_stack, window_of

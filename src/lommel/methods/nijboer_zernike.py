@@ -163,7 +163,7 @@ def disk_stack(pupil: Pupil) -> DiskStack:
     """Return the flattened stack of a pupil with any wavefront; of its aperture, the annulus and straight vanes."""
     edge, indices = pupil.wavefront.edge, pupil.wavefront.indices
     stack = DiskStack(indices, edge.reshape(-1, len(indices)), pupil.obscuration, pupil.illumination.exponent)
-    return stack if (strips := pupil.strips) is None else stack._replace(strips=strips)
+    return stack if (cut := pupil.strips) is None else stack._replace(obscuration=cut[0], strips=cut[1])
 
 
 def window_of(pupil: Pupil, grid: Grid) -> Window:

@@ -193,9 +193,10 @@ class Pupil(BasePupil):
         return Opening(self.obscuration, self.spider, self.vignetting, self.stop)
 
     @property
-    def strips(self) -> Array | None:
-        """Strips that vanes cut out of the annulus, see `Opening.strips`; None without vanes or if not possible."""
-        return None if self.spider is None or self.mask is not None else self.opening.strips
+    def strips(self) -> tuple[float, Array] | None:
+        """Obscuration of an annulus and strips that vanes cut out of it, see `Opening.strips`; None of others."""
+        none = self.circular or self.mask is not None or (self.spider is None and self.stop is None)
+        return None if none else self.opening.strips
 
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture, for polynomials of a `degree`.
@@ -303,7 +304,7 @@ class Pupil(BasePupil):
         rho = np.linspace(self.obscuration, 1.0, 2049)
         if self.radial:
             blur = np.abs(ray_height(self.radial_terms(), rho)).max(axis=1)
-        elif self.circular:
+        elif self.circular or self.strips is not None:  # vanes hide few rays: those of the annulus
             theta = np.linspace(0.0, 2.0 * math.pi, 128, endpoint=False)
             ring = rho[:: 2048 // 64]
             blur = self._longest_gradient(np.outer(ring, np.cos(theta)), np.outer(ring, np.sin(theta)))

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "lommel/base/pi.hpp"
@@ -22,15 +23,15 @@ struct Strip {
     enum class Begins { circle, line, whole };
 
     double cosine, sine, low, high;
-    bool mirrored;  // the strip with s from -high to -low belongs to it too
+    bool mirrored, turned;  // the strip with s from -high to -low belongs to it too; that at -t, if turned
     bool ahead, behind;  // where t > 0; where t < 0
     Begins begins;
     double start;
 
     bool operator==(const Strip& other) const {
         return cosine == other.cosine && sine == other.sine && low == other.low && high == other.high &&
-               mirrored == other.mirrored && ahead == other.ahead && behind == other.behind && begins == other.begins &&
-               start == other.start;
+               mirrored == other.mirrored && turned == other.turned && ahead == other.ahead && behind == other.behind &&
+               begins == other.begins && start == other.start;
     }
     bool symmetric() const { return mirrored || low == -high; }
     bool both() const { return ahead && behind; }
@@ -99,115 +100,76 @@ struct StripPhases {
         }
         any = true;
     }
+
+    // Bounds on log |integrand| on all curves, without the waves of the window; factor: it is multiplied by a Zernike term of this
+    // degree.
+    std::vector<double> growth(const Amplitude& light, std::size_t factor) const {
+        std::vector<double> grown(ChordCurves::count, 0.0);
+        for (std::size_t k = 0; k < grown.size(); ++k) {
+            const double b = static_cast<double>(factor) * chord_curves.b[k];
+            grown[k] = (light.uniform() ? 0.0 : light.growth(chord_curves.cosh[k])) +
+                       (factor > 0 ? b + std::log1p(std::exp(-2.0 * b)) - std::log(2.0) : 0.0);
+            for (std::size_t n = 2; n < amplitudes.size(); ++n) {
+                grown[k] += amplitudes[n] * chord_curves.growth[n][k];
+            }
+        }
+        return grown;
+    }
 };
 
-// Error bounds of the field of one strip, for all phases of a stack and all points of a window.
-class StripBound {
+// What bounds for a strip take from its shape alone, at the heights b of every other curve. The integral along t is a function of
+// s on the ellipse of height b about the strip: its points are within the curve `across`, |Im t| <= aside, and e^log_length bounds
+// the length of its path. The integrand is a function of t on the ellipse of height b about an interval: its points are within the
+// curve `along`. Curves are indices, ChordCurves::count if none is high enough.
+class StripShape {
    public:
-    // factor: the integrand is multiplied by a Zernike term of this degree.
-    StripBound(const Strip& strip, const StripPhases& phases, const Amplitude& light, const VBox& window, std::size_t factor)
-        : strip_(strip), phases_(phases), light_(light), factor_(factor) {
-        const double x[2] = {window.left - phases.tilts[0][1], window.right - phases.tilts[0][0]};
-        const double y[2] = {window.top - phases.tilts[1][1], window.bottom - phases.tilts[1][0]};
-        for (const double across : x) {
-            for (const double down : y) {
-                along_ = std::max(along_, std::abs(strip.cosine * across + strip.sine * down));
-                across_ = std::max(across_, std::abs(strip.cosine * down - strip.sine * across));
-            }
-        }
-        find_coefficients();
-    }
+    struct Heights {
+        double b, aside, log_length, sinh, rest;
+        std::size_t across, along;
+    };
+    std::vector<Heights> heights;
 
-    // Bound on the error of the sum over `lines` lines, of integrals along them.
-    double across(std::size_t lines) const {
-        const double half = strip_.half(), z = across_ * half;
-        std::array<double, waves> wave;  // bound on the coefficients of exp(-i z x) in Chebyshev polynomials
-        wave[0] = 1.0;
-        for (std::size_t k = 1; k < waves; ++k) {
-            wave[k] = 0.5 * z / static_cast<double>(k) * wave[k - 1];
-        }
-        double sum = 4.0 * rest_;
-        for (std::size_t n = 0; n < kept; ++n) {
-            double off = missed(lines, n) * wave[0];
-            for (std::size_t k = 1; k < waves; ++k) {
-                off += wave[k] * (missed(lines, n + k) + missed(lines, n > k ? n - k : k - n));
-            }
-            sum += coefficients_[n] * off;
-        }
-        // The series of exp(-i z x) is cut after `waves` terms, where z / 2 < waves / 2 leaves less than twice the last one.
-        const double cut = 0.5 * z < 0.5 * static_cast<double>(waves) ? 8.0 * wave[waves - 1] : 4.0;
-        return strip_.intervals() * half / pi * (sum + cut * (strip_.longest() + rest_));
-    }
-
-    // Bound on the error of the sums over `nodes` nodes of each interval.
-    double along(std::size_t nodes) const {
-        const double half = 0.5 * strip_.longest(), part = strip_.share();
-        double best = 690.0;
+    explicit StripShape(const Strip& strip) : strip_(strip) {
+        constexpr std::size_t stride = 2;
+        const double half = 0.5 * strip.longest(), part = strip.share();
         for (std::size_t k = 0; k < ChordCurves::count; k += stride) {
             const double b = chord_curves.b[k], grown = 1.0 + part * 2.0 * std::sinh(0.5 * b) * std::sinh(0.5 * b);
-            const double found = grown_by(std::acosh(grown)) + along_ * half * std::sinh(b) -
-                                 2.0 * static_cast<double>(nodes) * b - std::log(-std::expm1(-2.0 * b));
-            best = std::min(best, found);
+            Heights made{b,
+                         0.0,
+                         0.0,
+                         half * std::sinh(b),
+                         -std::log(-std::expm1(-2.0 * b)),
+                         ChordCurves::count,
+                         above(std::acosh(grown))};
+            widen(made);
+            heights.push_back(made);
         }
-        return (strip_.high - strip_.low) * strip_.intervals() * half / pi * 64.0 / 15.0 * std::exp(best);
     }
-
-    // Bound on the error by interpolation whose weights have the root mean square error `misfit` over |t| <= 1.
-    double between(double misfit) const {
-        const double each = strip_.whole() ? 2.0 : std::sqrt(strip_.longest());
-        return (strip_.high - strip_.low) * strip_.intervals() / pi * each * misfit;
+    bool is(const Strip& other) const {
+        Strip turned = other;
+        turned.cosine = strip_.cosine;
+        turned.sine = strip_.sine;
+        return turned == strip_;
     }
+    std::size_t bytes() const { return heights.size() * sizeof(Heights); }
+    static constexpr std::size_t most_bytes = std::size_t{1} << 20;
 
    private:
-    static constexpr std::size_t kept = 28, waves = 24, stride = 2;
-
-    // Bound on the error of the Gauss rule with n nodes for the Chebyshev polynomial of degree m, over [-1, 1].
-    static double missed(std::size_t n, std::size_t m) {
-        const double square = static_cast<double>(m * m);
-        return m % 2 == 1 || m < 2 * n ? 0.0 : 2.0 + 2.0 / (square - 1.0);
+    // Index of the first curve of at least the height b.
+    static std::size_t above(double b) {
+        return static_cast<std::size_t>(std::lower_bound(chord_curves.b.begin(), chord_curves.b.end(), b) -
+                                        chord_curves.b.begin());
     }
 
-    // Bound on log |integrand|, without the waves of the window, where points of the strip are on curves of height b.
-    double grown_by(double b) const {
-        const auto at = std::lower_bound(chord_curves.b.begin(), chord_curves.b.end(), b);
-        if (at == chord_curves.b.end()) {
-            return 1e300;
-        }
-        const std::size_t k = static_cast<std::size_t>(at - chord_curves.b.begin());
-        const double factor = static_cast<double>(factor_) * b;
-        double sum = light_.uniform() ? 0.0 : light_.growth(chord_curves.cosh[k]);
-        for (std::size_t n = 2; n < phases_.amplitudes.size(); ++n) {
-            sum += phases_.amplitudes[n] * chord_curves.growth[n][k];
-        }
-        return sum + factor + std::log1p(std::exp(-2.0 * factor)) - std::log(2.0);
-    }
-
-    // Bounds on the Chebyshev coefficients of the integral along t, a function of s in the strip.
-    void find_coefficients() {
-        coefficients_.fill(2.0 * strip_.longest());
-        coefficients_[0] = strip_.longest();
-        rest_ = 1e300;
-        for (std::size_t k = 0; k < ChordCurves::count; k += stride) {
-            const double b = chord_curves.b[k], size = size_on(b);
-            if (!(size < 600.0)) {
-                continue;
-            }
-            for (std::size_t n = 1; n < kept; ++n) {
-                coefficients_[n] = std::min(coefficients_[n], 2.0 * std::exp(size - static_cast<double>(n) * b));
-            }
-            rest_ = std::min(rest_, 2.0 * std::exp(size - static_cast<double>(kept) * b) / -std::expm1(-b));
-        }
-    }
-
-    // Bound on log |integral along t| for s on the ellipse of height b about the strip.
-    double size_on(double b) const {
+    // Find what concerns s on the ellipse of height b about the strip.
+    void widen(Heights& at) const {
         constexpr std::size_t corners = 6;  // of a polygon about half of the ellipse
         constexpr double farther = 1.0352761804100831;  // 1 / cos(pi / 12)
         const double half = strip_.half(), middle = std::abs(strip_.middle());
-        const double wide = farther * half * std::cosh(b), tall = farther * half * std::sinh(b);
+        const double wide = farther * half * std::cosh(at.b), tall = farther * half * std::sinh(at.b);
         const double most = middle + wide, rim = strip_.begins == Strip::Begins::circle ? strip_.start : 1.0;
         if (!(most < 0.999 * rim) || tall > 0.7) {
-            return 1e300;
+            return;
         }
         const double slope = strip_.begins == Strip::Begins::line ? strip_.start : 0.0, more = 1.0 + slope * slope;
         double grown = 1.0;
@@ -220,20 +182,99 @@ class StripBound {
             grown = std::max(grown, more * square + far(1.0, more));
         }
         const double edge = std::sqrt(rim * rim - most * most), end = std::sqrt(1.0 - most * most);
-        const double aside = std::max(slope * tall, most * tall / edge);
-        const double length = strip_.begins == Strip::Begins::circle ? (1.0 - rim * rim) / (edge + end)
-                              : strip_.whole() ? 2.0 * std::sqrt(1.0 + tall * tall)
-                                               : std::sqrt(1.0 + tall * tall) + slope * std::hypot(most, tall);
-        return std::log(length) + grown_by(0.5 * std::acosh(grown)) + along_ * aside;
+        at.aside = std::max(slope * tall, most * tall / edge);
+        at.log_length = std::log(strip_.begins == Strip::Begins::circle ? (1.0 - rim * rim) / (edge + end)
+                                 : strip_.whole() ? 2.0 * std::sqrt(1.0 + tall * tall)
+                                                  : std::sqrt(1.0 + tall * tall) + slope * std::hypot(most, tall));
+        at.across = above(0.5 * std::acosh(grown));
     }
 
     Strip strip_;
-    const StripPhases& phases_;
-    const Amplitude& light_;
-    std::size_t factor_;
-    double along_ = 0.0, across_ = 0.0;  // largest distance of a point of the window from the tilted axis
+};
+
+// Error bounds of the field of one strip, for all phases of a stack and all points of a window.
+class StripBound {
+   public:
+    // growth: of the integrand, StripPhases::growth(); shape: that of the strip.
+    StripBound(const Strip& strip, const StripShape& shape, const StripPhases& phases, const std::vector<double>& growth,
+               const VBox& window)
+        : strip_(strip) {
+        double along = 0.0;  // largest distances of a point of the window from the tilted axis
+        const double x[2] = {window.left - phases.tilts[0][1], window.right - phases.tilts[0][0]};
+        const double y[2] = {window.top - phases.tilts[1][1], window.bottom - phases.tilts[1][0]};
+        for (const double across : x) {
+            for (const double down : y) {
+                along = std::max(along, std::abs(strip.cosine * across + strip.sine * down));
+                across_ = std::max(across_, std::abs(strip.cosine * down - strip.sine * across));
+            }
+        }
+        // Bounds on the Chebyshev coefficients of the integral along t, a function of s in the strip.
+        coefficients_.fill(2.0 * strip.longest());
+        coefficients_[0] = strip.longest();
+        for (const StripShape::Heights& at : shape.heights) {
+            along_.push_back({at.along < growth.size() ? growth[at.along] + along * at.sinh + at.rest : 1e300, at.b});
+            const double size = at.across < growth.size() ? at.log_length + growth[at.across] + along * at.aside : 1e300;
+            if (!(size < 600.0)) {
+                continue;
+            }
+            const double smaller = std::exp(-at.b);
+            double bound = 2.0 * std::exp(size);
+            for (std::size_t n = 1; n < kept; ++n) {
+                coefficients_[n] = std::min(coefficients_[n], bound *= smaller);
+            }
+            rest_ = std::min(rest_, bound * smaller / (1.0 - smaller));
+        }
+    }
+
+    // Bound on the error of the sum over `lines` lines, of integrals along them.
+    double across(std::size_t lines) const {
+        const double half = strip_.half(), z = across_ * half;
+        std::array<double, waves> wave;  // bound on the coefficients of exp(-i z x) in Chebyshev polynomials
+        wave[0] = 1.0;
+        for (std::size_t k = 1; k < waves; ++k) {
+            wave[k] = 0.5 * z / static_cast<double>(k) * wave[k - 1];
+        }
+        // The Gauss rule with n nodes is off by at most this for the Chebyshev polynomial of an even degree m >= 2 n, over [-1, 1].
+        std::array<double, kept + waves> missed{};
+        for (std::size_t m = 2 * lines; m < missed.size(); m += 2) {
+            missed[m] = 2.0 + 2.0 / static_cast<double>(m * m - 1);
+        }
+        double sum = 4.0 * rest_;
+        for (std::size_t n = 0; n < kept; ++n) {
+            double off = missed[n] * wave[0];
+            for (std::size_t k = n % 2 == 0 ? 2 : 1; k < waves; k += 2) {
+                off += wave[k] * (missed[n + k] + missed[n > k ? n - k : k - n]);
+            }
+            sum += coefficients_[n] * off;
+        }
+        // The series of exp(-i z x) is cut after `waves` terms, where z / 2 < waves / 2 leaves less than twice the last one.
+        const double cut = 0.5 * z < 0.5 * static_cast<double>(waves) ? 8.0 * wave[waves - 1] : 4.0;
+        return strip_.intervals() * half / pi * (sum + cut * (strip_.longest() + rest_));
+    }
+
+    // Bound on the error of the sums over `nodes` nodes of each interval.
+    double along(std::size_t nodes) const {
+        double best = 690.0;
+        for (const auto& [size, b] : along_) {
+            best = std::min(best, size - 2.0 * static_cast<double>(nodes) * b);
+        }
+        return (strip_.high - strip_.low) * strip_.intervals() * 0.5 * strip_.longest() / pi * 64.0 / 15.0 * std::exp(best);
+    }
+
+    // Bound on the error by interpolation whose weights have the root mean square error `misfit` over |t| <= 1.
+    double between(double misfit) const {
+        const double each = strip_.whole() ? 2.0 : std::sqrt(strip_.longest());
+        return (strip_.high - strip_.low) * strip_.intervals() / pi * each * misfit;
+    }
+
+   private:
+    static constexpr std::size_t kept = 28, waves = 24;
+
+    Strip strip_;
+    double across_ = 0.0;
+    std::vector<std::pair<double, double>> along_;  // log of the bound on the integrand on a curve of height b; b
     std::array<double, kept> coefficients_;
-    double rest_;  // bound on the sum of all further coefficients
+    double rest_ = 1e300;  // bound on the sum of all further coefficients
 };
 
 }  // namespace lommel

@@ -35,19 +35,24 @@ struct ChordalTables {
 template <class Real>
 struct ChordalScratch {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
-    Doubles coefficients;
+    Doubles coefficients, strip_coefficients;
     Values chords, row, inner, intensity;
     Values kept[2], factored, factors, fields;  // used for derivatives only
     Values lines;  // used for pixel averages only
-    Values strip_sums, strip_kept, strip_factors, strip_fields;  // used for strips only
+    Values strip_sums, strip_kept, strip_factors, strip_fields, strip_band;  // used for strips only
     Doubles sums;
 };
 
-// Tables of the strips that are cut out of the aperture; null without strips, and `factors` without derivatives.
+// Tables of the strips that are cut out of the aperture; null without strips, and `factors` without derivatives. Of a window there
+// is one table: `lone` for pupils that are computed one by one.
 template <class Real>
 struct StripTables {
     std::shared_ptr<const StripTable<Real>> window;
+    std::shared_ptr<const LoneStripTable<Real>> lone;
     std::shared_ptr<const StripTerms> terms, factors;
+
+    const std::vector<double>& weights() const { return lone != nullptr ? lone->weights : window->weights; }
+    double misfit() const { return lone != nullptr ? lone->misfit : window->misfit; }
 };
 
 // Batch of pupils. Complex amplitude of a pupil = that of the full disk - area * that of the obscuration, of relative area `area`.
@@ -110,18 +115,21 @@ struct ChordalBatch {
     // Compute the fields of all lines of the strips at the places of their tables. fold(line, sums): sums of the pupil function over
     // the points of each node, see fold_points().
     void strip_fields(const Reference<void(std::size_t line, Real* sums)>& fold) const {
-        const StripTable<Real>& table = *strips.window;
-        const std::size_t room = table.room(lanes());
-        scratch.strip_fields.resize(table.sums * room);
+        const StripTable<Real>* const window = strips.window.get();
+        const LoneStripTable<Real>* const alone = strips.lone.get();
+        const std::vector<StripLine>& lines = strips.terms->points.lines;
+        const std::size_t room = alone != nullptr ? alone->room : window->room(lanes());
+        scratch.strip_fields.resize((alone != nullptr ? alone->sums : window->sums) * room);
         Real* to = scratch.strip_fields.data();
-        for (std::size_t i = 0; i < table.lines.size(); ++i) {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
             look();
-            const StripLine& line = table.points.lines[i];
-            const std::size_t each = 4 * line.nodes * lanes();
+            const std::size_t each = 4 * lines[i].nodes * lanes();
             scratch.strip_sums.resize(2 * each);
             fold(i, scratch.strip_sums.data());
-            for (std::size_t sum = 0; sum < line.sums; ++sum, to += room) {
-                Kernels::strip_line(level, table, i, scratch.strip_sums.data() + sum * each, to);
+            for (std::size_t sum = 0; sum < lines[i].sums; ++sum, to += room) {
+                const Real* const nodes = scratch.strip_sums.data() + sum * each;
+                alone != nullptr ? Kernels::lone_strip_line(level, *alone, i, nodes, to)
+                                 : Kernels::strip_line(level, *window, i, nodes, to);
             }
         }
     }
@@ -140,15 +148,19 @@ struct ChordalBatch {
             });
         }
         prepare(0);
-        if (strips.window != nullptr) {
+        if (strips.terms != nullptr) {
             cut();
         }
+        scratch.strip_band.resize(strips.lone != nullptr ? 2 * vectors() * lanes() * lanes() : 0);
         disk_fields(0, nodes_of, [&](std::size_t y, Real* u) {
             if (obscured) {
                 Kernels::subtract(level, scratch.inner.data() + y * line, all, u);
             }
             if (strips.window != nullptr) {
                 Kernels::subtract_strips(level, *strips.window, scratch.strip_fields.data(), y, u);
+            } else if (strips.lone != nullptr) {
+                Kernels::lone_subtract_strips(level, *strips.lone, scratch.strip_fields.data(), y, scratch.strip_band.data(),
+                                              u);
             }
             sink(y, u);
         });
@@ -166,12 +178,20 @@ struct ChordalBatch {
             return to;
         };
         const auto cut = [&] {
+            const double* coefficients = scratch.coefficients.data();
+            if (lone()) {  // strips have pupils in the lanes, here the same one in all
+                scratch.strip_coefficients.resize(scratch.coefficients.size() * lanes());
+                for (std::size_t i = 0; i < scratch.strip_coefficients.size(); ++i) {
+                    scratch.strip_coefficients[i] = coefficients[i / lanes()];
+                }
+                coefficients = scratch.strip_coefficients.data();
+            }
             scratch.strip_kept.resize(keep ? 2 * strips.terms->points.x.size() * lanes() : 0);
             strip_fields([&](std::size_t i, Real* sums) {
                 const StripLine& line = strips.terms->points.lines[i];
                 Real* const kept = keep ? scratch.strip_kept.data() + 2 * line.first * lanes() : nullptr;
-                Kernels::strip_nodes(level, line, *strips.terms, strips.window->weights.data() + line.first_node,
-                                     scratch.coefficients.data(), kept, sums);
+                Kernels::strip_nodes(level, line, *strips.terms, strips.weights().data() + line.first_node, coefficients, kept,
+                                     sums);
             });
         };
         fields(prepare, nodes, cut, sink);

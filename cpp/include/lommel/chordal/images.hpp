@@ -176,9 +176,10 @@ class ChordalRenderer {
             phases.include(pairs, stack_.outer.data() + p * stack_.terms.size());
         }
         const VBox window{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()};
+        const std::vector<double> growth = phases.growth(stack_.amplitude, degree_);
         std::vector<StripBound> bounds;
         for (const Strip& strip : stack_.strips) {
-            bounds.emplace_back(strip, phases, stack_.amplitude, window, degree_);
+            bounds.emplace_back(strip, *cache<StripShape>.get(strip), phases, growth, window);
         }
         const auto all = [&](const auto& bound) {
             double sum = 0.0;
@@ -268,13 +269,17 @@ class ChordalRenderer {
             }
         }
     }
+    // Return whether these pupils are computed one by one. Places of pixels behind strips must then be equally spaced.
+    template <class Real>
+    bool one_by_one(std::size_t pupils) const {
+        return !More::wanted && !(has_strips() && nodes_ != nullptr) && ChordKernels<Real>::lone(processor_level(), pupils);
+    }
     template <class Real>
     std::vector<Group> grouped(const std::size_t* pending, std::size_t pupils, bool alike = false) const {
         const Level level = processor_level();
         std::vector<Group> groups;
         for (std::size_t first = 0; first < pupils; first += groups.back().here) {
-            const bool lone =
-                !More::wanted && !has_strips() && ChordKernels<Real>::lone(level, alike ? pupils : pupils - first);
+            const bool lone = one_by_one<Real>(alike || has_strips() ? pupils : pupils - first);
             Group next{first, lone ? 1 : std::min(ChordKernels<Real>::lanes(level), pupils - first), lone, {}, {}};
             for (std::size_t i = first; i < first + next.here; ++i) {
                 next.outer.include(states_[pending[i]].outer.count);
@@ -335,7 +340,12 @@ class ChordalRenderer {
         std::vector<Batch<Real>> batches;
         StripTables<Real> strips;
         if (has_strips() && pupils > 0) {
-            strips.window = cache<StripTable<Real>>.get(stack_.strips, strips_, stack_.amplitude, rows_, columns_, step_);
+            if (one_by_one<Real>(pupils)) {
+                strips.lone = cache<LoneStripTable<Real>>.get(stack_.strips, strips_, stack_.amplitude, rows_, columns_, step_,
+                                                              ChordKernels<Real>::lanes(level));
+            } else {
+                strips.window = cache<StripTable<Real>>.get(stack_.strips, strips_, stack_.amplitude, rows_, columns_, step_);
+            }
             strips.terms = cache<StripTerms>.get(stack_.strips, strips_, stack_.terms);
             strips.factors = More::keeps_nodes ? cache<StripTerms>.get(stack_.strips, strips_, more_.terms) : nullptr;
         }
@@ -501,8 +511,7 @@ class ChordalRenderer {
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];
         const bool single = sizeof(Real) == sizeof(float);
-        const double strips =
-            has_strips() ? strip_error_ + misfits_ * batch.strips.window->misfit + strip_rounding(p, single) : 0.0;
+        const double strips = has_strips() ? strip_error_ + misfits_ * batch.strips.misfit() + strip_rounding(p, single) : 0.0;
         return stack_.lost[p] + strips + error_bound(s.outer, batch.disks[0].terms->count, single, degree) +
                (area_ > 0.0 ? area_ * error_bound(s.inner, batch.disks[1].terms->count, single, degree) : 0.0);
     }

@@ -49,6 +49,9 @@ struct ChordKernels {
     static void strip_products(Level level, const StripLine& line, const Real* kept, const Real* factors, Real* sums);
     static void strip_line(Level level, const StripTable<Real>& table, std::size_t line, const Real* nodes, Real* to);
     static void subtract_strips(Level level, const StripTable<Real>& table, const Real* fields, std::size_t row, Real* u);
+    static void lone_strip_line(Level level, const LoneStripTable<Real>& table, std::size_t line, const Real* nodes, Real* to);
+    static void lone_subtract_strips(Level level, const LoneStripTable<Real>& table, const Real* fields, std::size_t row,
+                                     Real* band, Real* u);
 
     // Store a row of one pupil's image: to[column] = by x values[column].
     template <class T>
@@ -168,6 +171,17 @@ template <class Real>
 void ChordKernels<Real>::subtract_strips(Level level, const StripTable<Real>& table, const Real* fields, std::size_t row,
                                          Real* u) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::subtract_strips(isa, table, fields, row, u); });
+}
+template <class Real>
+void ChordKernels<Real>::lone_strip_line(Level level, const LoneStripTable<Real>& table, std::size_t line, const Real* nodes,
+                                         Real* to) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::lone_strip_line(isa, table, line, nodes, to); });
+}
+template <class Real>
+void ChordKernels<Real>::lone_subtract_strips(Level level, const LoneStripTable<Real>& table, const Real* fields,
+                                              std::size_t row, Real* band, Real* u) {
+    dispatch_widest(level,
+                    [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::lone_subtract_strips(isa, table, fields, row, band, u); });
 }
 
 template <class Real>

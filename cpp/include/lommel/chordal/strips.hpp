@@ -102,7 +102,7 @@ struct StripLine {
     std::size_t direction;  // index of its direction
     std::size_t nodes, points;  // number of nodes t >= 0, and of points +-t, +-s at each
     std::size_t first, first_node;  // places of its points, of its nodes, among those of all lines
-    bool mirrored, both;
+    bool mirrored, turned, both;  // turned: the points at -s are at -t
     std::size_t sums;
     wide s;
 };
@@ -143,6 +143,7 @@ struct StripPoints {
                                x.size(),
                                t.size(),
                                folds,
+                               strip.turned,
                                both,
                                std::size_t{s == 0 ? 1u : 2u},
                                s};
@@ -151,8 +152,9 @@ struct StripPoints {
                     t.push_back(strip.behind && !strip.ahead ? -along : along);
                     weights.push_back(half * of[j] * (end - from) / 2 * gauss[k] / pi);
                     for (std::size_t point = 0; point < line.points; ++point) {
-                        const wide u = both && point % 2 == 1 ? -t.back() : t.back();
-                        const wide v = point >= (both ? 2u : 1u) ? -s : s;
+                        const bool other = point >= (both ? 2u : 1u);
+                        const wide u = (both && point % 2 == 1) != (strip.turned && other) ? -t.back() : t.back();
+                        const wide v = other ? -s : s;
                         x.push_back(static_cast<wide>(strip.cosine) * u - static_cast<wide>(strip.sine) * v);
                         y.push_back(static_cast<wide>(strip.sine) * u + static_cast<wide>(strip.cosine) * v);
                     }
@@ -162,6 +164,17 @@ struct StripPoints {
         }
     }
 };
+
+// Quadrature weights times pupil amplitude at the nodes, [line][node].
+inline std::vector<double> strip_weights(const StripPoints& points, const Amplitude& light) {
+    std::vector<double> weights;
+    for (const StripLine& line : points.lines) {
+        for (std::size_t k = line.first_node; k < line.first_node + line.nodes; ++k) {
+            weights.push_back(static_cast<double>(points.weights[k] * light.at(line.s * line.s + points.t[k] * points.t[k])));
+        }
+    }
+    return weights;
+}
 
 // Zernike terms at the points of strips, [line][node][index in classes.order][point].
 struct StripTerms {
@@ -229,8 +242,9 @@ struct StripTable {
 
     StripTable(const std::vector<Strip>& of, const StripCount& n, const Amplitude& light, const WindowAxis& down,
                const WindowAxis& across, double pixel_step)
-        : strips(of), count(n), amplitude(light), rows(down), columns(across), step(pixel_step), points(of, n) {
-        const std::vector<double> y = places_of(rows), x = places_of(columns);
+        : strips(of), count(n), amplitude(light), rows(down), columns(across), step(pixel_step), points(of, n),
+          weights(strip_weights(points, light)) {
+        const std::vector<double> y = rows.places(step), x = columns.places(step);
         const std::size_t pixels = y.size() * x.size();
         const Interpolation interpolation(count.taps, count.spacing);
         for (std::size_t d = 0; d < points.cosines.size(); ++d) {
@@ -276,10 +290,6 @@ struct StripTable {
                 made.turns[2 * i] = static_cast<Real>(std::cos(angle));
                 made.turns[2 * i + 1] = static_cast<Real>(std::sin(angle));
             }
-            for (std::size_t k = 0; k < line.nodes; ++k) {
-                const wide s = line.s, t = points.t[line.first_node + k];
-                weights.push_back(static_cast<double>(points.weights[line.first_node + k] * amplitude.at(s * s + t * t)));
-            }
             lines.push_back(std::move(made));
             sums += line.sums;
         }
@@ -304,16 +314,131 @@ struct StripTable {
 
    private:
     double along(std::size_t d, double x, double y) const { return points.cosines[d] * x + points.sines[d] * y; }
-    std::vector<double> places_of(const WindowAxis& axis) const {
-        std::vector<double> found(axis.count);
-        for (std::size_t i = 0; i < axis.at.size(); ++i) {
-            found[axis.plus[i]] = step * axis.at[i];
-            if (axis.minus[i] != WindowAxis::none) {
-                found[axis.minus[i]] = -step * axis.at[i];
+};
+
+// Tables of the strips for a single image. The spacing of places is such that pixels of a row (of a column, for steep directions,
+// |sine| > |cosine|: its `axis`) are a whole number of places apart, `per`: vector lanes are pixels, which share the weights.
+template <class Real>
+struct LoneStripTable {
+    using Values = Aligned<Real>;
+    struct Direction {
+        bool steep;
+        double spacing;  // negative if places run against the axis
+        std::size_t places, padded, per,
+            length;  // places p >= 0, rounded up to vectors; fields are [p % per][p / per], of `length`
+        Values weights;  // [line across the axis][tap]
+        std::vector<std::int32_t> taps;  // [line across the axis][tap]: index of the first pixel's place in a field
+        std::vector<std::int32_t> slots;  // [place 1 - places .. places - 1]: index in a field
+
+        std::size_t room() const { return per * length; }
+    };
+    struct Line {
+        Values cosines, sines;  // of the phases t v: [node][place >= 0]
+        Values along[2], across;  // cosines and sines of the phases s v: along the axis; [line across it][2]
+    };
+
+    std::vector<Strip> strips;
+    StripCount count;
+    Amplitude amplitude;
+    WindowAxis rows, columns;
+    double step;
+    std::size_t lanes;
+    StripPoints points;
+    std::vector<double> weights;  // as of StripTable
+    std::vector<Direction> directions;
+    std::vector<Line> lines;
+    double misfit = 0.0;
+    std::size_t sums = 0, room = 0;  // number of sums over lines, largest number of reals of a field
+    bool steep = false;  // whether any direction is
+
+    LoneStripTable(const std::vector<Strip>& of, const StripCount& n, const Amplitude& light, const WindowAxis& down,
+                   const WindowAxis& across, double pixel_step, std::size_t in)
+        : strips(of), count(n), amplitude(light), rows(down), columns(across), step(pixel_step), lanes(in), points(of, n),
+          weights(strip_weights(points, light)) {
+        const std::vector<double> places[2] = {rows.places(step), columns.places(step)};
+        for (std::size_t d = 0; d < points.cosines.size(); ++d) {
+            look();
+            const double c = points.cosines[d], s = points.sines[d], along = std::abs(s) > std::abs(c) ? s : c;
+            const std::size_t per = static_cast<std::size_t>(std::ceil(std::abs(along) * step / count.spacing));
+            Direction made{std::abs(s) > std::abs(c), along * step / static_cast<double>(per), 0, 0, per, 0, {}, {}, {}};
+            const std::vector<double>&axis = places[made.steep ? 0 : 1], &others = places[made.steep ? 1 : 0];
+            std::vector<double> fractions, found(others.size() * count.taps);
+            std::vector<std::int64_t> low;
+            for (const double other : others) {
+                const double at = (along * axis[0] + (made.steep ? c : s) * other) / made.spacing;
+                low.push_back(static_cast<std::int64_t>(std::floor(at)));
+                fractions.push_back(at - std::floor(at));
             }
+            misfit = std::max(misfit, Interpolation(count.taps, std::abs(made.spacing)).find(fractions, found.data()));
+            made.weights = Values(found.size());
+            std::transform(found.begin(), found.end(), made.weights.begin(), [](double w) { return static_cast<Real>(w); });
+            const auto [least, most] = std::minmax_element(low.begin(), low.end());
+            const std::int64_t before = static_cast<std::int64_t>(count.taps / 2 - 1),
+                               end = *most + static_cast<std::int64_t>(per * (axis.size() - 1) + count.taps / 2);
+            made.places = static_cast<std::size_t>(std::max(std::abs(*least - before), std::abs(end))) + 1;
+            made.padded = (made.places + lanes - 1) / lanes * lanes;
+            made.length = (2 * made.places - 2) / per + 1 + lanes;
+            const auto slot = [&](std::size_t place) {
+                return static_cast<std::int32_t>(place % per * made.length + place / per);
+            };
+            for (const std::int64_t first : low) {
+                for (std::size_t k = 0; k < count.taps; ++k) {
+                    const std::int64_t place = first - before + static_cast<std::int64_t>(k + made.places) - 1;
+                    made.taps.push_back(slot(static_cast<std::size_t>(place)));
+                }
+            }
+            for (std::size_t place = 0; place < 2 * made.places - 1; ++place) {
+                made.slots.push_back(slot(place));
+            }
+            steep = steep || made.steep;
+            room = std::max(room, 2 * made.room());
+            directions.push_back(std::move(made));
         }
-        return found;
+        for (const StripLine& line : points.lines) {
+            look();
+            const Direction& of_line = directions[line.direction];
+            Line made{Values(line.nodes * of_line.padded), Values(line.nodes * of_line.padded), {}, {}};
+            for (std::size_t i = 0; i < made.cosines.size(); ++i) {
+                const wide angle = static_cast<wide>(of_line.spacing) * static_cast<wide>(i % of_line.padded) *
+                                   points.t[line.first_node + i / of_line.padded];
+                made.cosines[i] = static_cast<Real>(std::cos(angle));
+                made.sines[i] = static_cast<Real>(std::sin(angle));
+            }
+            if (line.sums == 2) {
+                const wide by[2] = {line.s * points.cosines[line.direction], -line.s * points.sines[line.direction]};
+                const std::size_t axis = of_line.steep ? 0 : 1;
+                for (Values& values : made.along) {
+                    values.assign((places[axis].size() + lanes - 1) / lanes * lanes, Real(0));
+                }
+                for (std::size_t i = 0; i < places[axis].size(); ++i) {
+                    made.along[0][i] = static_cast<Real>(std::cos(by[axis] * places[axis][i]));
+                    made.along[1][i] = static_cast<Real>(std::sin(by[axis] * places[axis][i]));
+                }
+                for (const double other : places[1 - axis]) {
+                    made.across.push_back(static_cast<Real>(std::cos(by[1 - axis] * other)));
+                    made.across.push_back(static_cast<Real>(std::sin(by[1 - axis] * other)));
+                }
+            }
+            lines.push_back(std::move(made));
+            sums += line.sums;
+        }
     }
+    bool is(const std::vector<Strip>& of, const StripCount& n, const Amplitude& light, const WindowAxis& down,
+            const WindowAxis& across, double pixel_step, std::size_t in) const {
+        return count == n && step == pixel_step && lanes == in && strips == of && amplitude == light && rows == down &&
+               columns == across;
+    }
+    std::size_t bytes() const {
+        std::size_t values = 0;
+        for (const Direction& direction : directions) {
+            values += 2 * direction.weights.size() + direction.slots.size();
+        }
+        for (const Line& line : lines) {
+            values += 2 * (line.cosines.size() + line.along[0].size()) + line.across.size();
+        }
+        return values * sizeof(Real);
+    }
+    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 };
 
 // Sum the values g at the points of a node: to sums[sum over +-s][p re, im, m re, im], where p and m are even and odd in t. With
@@ -330,6 +455,10 @@ LOMMEL_INLINE void fold_points(const StripLine& line, const V (&re)[4], const V 
         p[side][1] = both ? im[a] + im[a + 1] : im[a];
         p[side][2] = both ? re[a] - re[a + 1] : re[a];
         p[side][3] = both ? im[a] - im[a + 1] : im[a];
+    }
+    if (line.turned) {
+        p[1][2] = V{} - p[1][2];
+        p[1][3] = V{} - p[1][3];
     }
     for (std::size_t part = 0; part < 4; ++part) {
         store(sums + part * lanes, p[0][part] + p[1][part]);
@@ -434,6 +563,23 @@ LOMMEL_INLINE void strip_line(I isa, const StripTable<Real>& table, std::size_t 
     }
 }
 
+// Call of(Size<T>()) for the number of taps T of an interpolation.
+template <class F>
+LOMMEL_INLINE void for_taps(std::size_t taps, const F& of) {
+    switch (taps) {
+        case 4:
+            return of(Size<4>{});
+        case 6:
+            return of(Size<6>{});
+        case 8:
+            return of(Size<8>{});
+        case 10:
+            return of(Size<10>{});
+        default:
+            return of(Size<most_taps>{});
+    }
+}
+
 // Subtract the field of one line from a row of pixels: u[column][re, im][lane].
 template <std::size_t T, bool Two, class I, class Real>
 LOMMEL_INLINE void subtract_line(I, const StripTable<Real>& table, std::size_t line, const Real* fields, std::size_t other,
@@ -471,28 +617,155 @@ LOMMEL_INLINE void subtract_strips(I isa, const StripTable<Real>& table, const R
     const std::size_t room = table.room(Waves<I, Real>::lanes);
     for (std::size_t line = 0; line < table.lines.size(); ++line) {
         const bool two = table.points.lines[line].sums == 2;
-        const auto of = [&](auto taps) LOMMEL_INLINE_LAMBDA {
+        for_taps(table.count.taps, [&](auto taps) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t T = decltype(taps)::value;
             two ? subtract_line<T, true>(isa, table, line, fields, room, row, u)
                 : subtract_line<T, false>(isa, table, line, fields, room, row, u);
-        };
-        switch (table.count.taps) {
-            case 4:
-                of(Size<4>{});
-                break;
-            case 6:
-                of(Size<6>{});
-                break;
-            case 8:
-                of(Size<8>{});
-                break;
-            case 10:
-                of(Size<10>{});
-                break;
-            default:
-                of(Size<most_taps>{});
-        }
+        });
         fields += (two ? 2 : 1) * room;
+    }
+}
+
+// As strip_line() for a single image, whose nodes have the same values in all lanes: to[re, im][slot].
+template <class I, class Real>
+LOMMEL_INLINE void lone_strip_line(I, const LoneStripTable<Real>& table, std::size_t line, const Real* nodes, Real* to) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const typename LoneStripTable<Real>::Direction& of = table.directions[table.points.lines[line].direction];
+    const std::size_t count = table.points.lines[line].nodes;
+    const Real *const cosines = table.lines[line].cosines.data(), *const sines = table.lines[line].sines.data();
+    const std::int32_t* const middle = of.slots.data() + of.places - 1;
+    const auto block = [&](std::size_t place, auto vectors) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(vectors)::value;
+        V even[R][2] = {}, odd[R][2] = {};
+        for (std::size_t k = 0; k < count; ++k) {
+            const Real* const node = nodes + 4 * k * lanes;
+            const V p = splat<V>(node[0]), q = splat<V>(node[lanes]), m = splat<V>(node[2 * lanes]),
+                    n = splat<V>(node[3 * lanes]);
+            for (std::size_t r = 0; r < R; ++r) {
+                const std::size_t at = k * of.padded + place + r * lanes;
+                const V c = load<V>(cosines + at), s = load<V>(sines + at);
+                even[r][0] = even[r][0] + c * p;
+                even[r][1] = even[r][1] + c * q;
+                odd[r][0] = odd[r][0] + s * m;
+                odd[r][1] = odd[r][1] + s * n;
+            }
+        }
+        for (std::size_t r = 0; r < R; ++r) {
+            Real up[2][lanes], down[2][lanes];
+            store(up[0], even[r][0] + odd[r][1]);
+            store(up[1], even[r][1] - odd[r][0]);
+            store(down[0], even[r][0] - odd[r][1]);
+            store(down[1], even[r][1] + odd[r][0]);
+            const std::size_t from = place + r * lanes;
+            for (std::size_t lane = 0; lane < lanes && from + lane < of.places; ++lane) {
+                const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(from + lane);
+                for (std::size_t part = 0; part < 2; ++part) {
+                    to[part * of.room() + static_cast<std::size_t>(middle[at])] = up[part][lane];
+                    to[part * of.room() + static_cast<std::size_t>(middle[-at])] = down[part][lane];
+                }
+            }
+        }
+    };
+    std::size_t place = 0;
+    for (; place + 2 * lanes <= of.padded; place += 2 * lanes) {
+        block(place, Size<2>{});
+    }
+    if (place < of.padded) {
+        block(place, Size<1>{});
+    }
+}
+
+// Subtract the field of one line from `count` vectors of pixels along the axis of its direction, the first at the pixel `first`:
+// u[vector][re, im]. across: index of the row or column.
+template <std::size_t T, bool Two, class I, class Real>
+LOMMEL_INLINE void lone_subtract_line(I, const LoneStripTable<Real>& table, std::size_t line, const Real* fields,
+                                      std::size_t across, std::size_t first, std::size_t count, Real* u) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const typename LoneStripTable<Real>::Direction& of = table.directions[table.points.lines[line].direction];
+    const typename LoneStripTable<Real>::Line& own = table.lines[line];
+    const std::size_t im = of.room(), other = table.room;
+    V w[T];
+    const Real* from[T];
+    for (std::size_t k = 0; k < T; ++k) {
+        w[k] = splat<V>(of.weights[across * T + k]);
+        from[k] = fields + of.taps[across * T + k] + first;
+    }
+    V cb = {}, sb = {};
+    if constexpr (Two) {
+        cb = splat<V>(own.across[2 * across]);
+        sb = splat<V>(own.across[2 * across + 1]);
+    }
+    for (std::size_t i = 0; i < count * lanes; i += lanes, u += 2 * lanes) {
+        V a[2] = {}, b[2] = {};
+        for (std::size_t k = 0; k < T; ++k) {
+            const Real* const at = from[k] + i;
+            a[0] = a[0] + w[k] * load<V>(at);
+            a[1] = a[1] + w[k] * load<V>(at + im);
+            if constexpr (Two) {
+                b[0] = b[0] + w[k] * load<V>(at + other);
+                b[1] = b[1] + w[k] * load<V>(at + other + im);
+            }
+        }
+        if constexpr (Two) {
+            const V ca = load<V>(own.along[0].data() + first + i), sa = load<V>(own.along[1].data() + first + i);
+            const V c = ca * cb - sa * sb, s = sa * cb + ca * sb;
+            a[0] = c * a[0] + s * b[0];
+            a[1] = c * a[1] + s * b[1];
+        }
+        store(u, load<V>(u) - a[0]);
+        store(u + lanes, load<V>(u + lanes) - a[1]);
+    }
+}
+
+// Subtract the strips from a row of a single image: u[vector of columns][re, im]. Those of steep directions are subtracted from as
+// many rows as a vector has lanes when the first of them is asked for, in the order of rows: band[column][re, im][row of the band].
+template <class I, class Real>
+LOMMEL_INLINE void lone_subtract_strips(I isa, const LoneStripTable<Real>& table, const Real* fields, std::size_t row,
+                                        Real* band, Real* u) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t width = table.columns.count, vectors = (width + lanes - 1) / lanes, in = row % lanes;
+    const auto lines = [&](bool steep, const auto& visit) LOMMEL_INLINE_LAMBDA {
+        const Real* field = fields;
+        for (std::size_t line = 0; line < table.lines.size(); ++line) {
+            const StripLine& of = table.points.lines[line];
+            if (table.directions[of.direction].steep == steep) {
+                for_taps(table.count.taps, [&](auto taps) LOMMEL_INLINE_LAMBDA {
+                    of.sums == 2 ? visit(taps, Size<2>{}, line, field) : visit(taps, Size<1>{}, line, field);
+                });
+            }
+            field += of.sums * table.room;
+        }
+    };
+    if (table.steep && in == 0) {
+        std::fill_n(band, 2 * lanes * vectors * lanes, Real(0));
+        lines(true, [&](auto taps, auto sums, std::size_t line, const Real* field) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t x = 0; x < width; ++x) {
+                lone_subtract_line<decltype(taps)::value, decltype(sums)::value == 2>(isa, table, line, field, x, row, 1,
+                                                                                      band + 2 * x * lanes);
+            }
+        });
+    }
+    lines(false, [&](auto taps, auto sums, std::size_t line, const Real* field) LOMMEL_INLINE_LAMBDA {
+        lone_subtract_line<decltype(taps)::value, decltype(sums)::value == 2>(isa, table, line, field, row, 0, vectors, u);
+    });
+    if (table.steep) {
+        for (std::size_t i = 0; i < vectors; ++i) {
+            Real here[2][lanes];
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const Real* const at = band + 2 * (i * lanes + lane) * lanes + in;
+                here[0][lane] = at[0];
+                here[1][lane] = at[lanes];
+            }
+            Real* const to = u + 2 * i * lanes;
+            store(to, load<V>(to) + load<V>(here[0]));
+            store(to + lanes, load<V>(to + lanes) + load<V>(here[1]));
+        }
+    }
+    for (std::size_t x = width; x < vectors * lanes; ++x) {
+        u[2 * (vectors - 1) * lanes + x % lanes] = u[(2 * vectors - 1) * lanes + x % lanes] = Real(0);
     }
 }
 

@@ -192,6 +192,17 @@ struct WindowAxis {
     bool operator==(const WindowAxis& other) const { return count == other.count && center == other.center && at == other.at; }
     double low() const { return low_; }
     double high() const { return high_; }
+    // Signed distances from the axis times `step`, in order.
+    std::vector<double> places(double step) const {
+        std::vector<double> found(count);
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            found[plus[i]] = step * at[i];
+            if (minus[i] != none) {
+                found[minus[i]] = -step * at[i];
+            }
+        }
+        return found;
+    }
 
    private:
     double low_, high_;

@@ -12,7 +12,8 @@ from bisect import bisect_left
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
+from itertools import combinations
+from typing import NamedTuple, cast
 
 import numpy as np
 
@@ -22,8 +23,10 @@ from lommel.core import engine
 from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.aperture.shapes import (
     CatEye,
+    Combined,
     Disc,
     Ellipse,
+    Polygon,
     Segments,
     Shape,
     Spider,
@@ -170,11 +173,12 @@ class Opening:
         return self.spider is None and self.vignetting is None and self.stop is None
 
     @property
-    def strips(self) -> Array | None:
-        """Disjoint strips that vanes cut out of an annulus, (strips, 9); None if the aperture is another one.
+    def strips(self) -> tuple[float, Array] | None:
+        """Radius of an annulus' obscuration, and disjoint strips that vanes cut out of it, (strips, 9), or None.
 
-        Of each strip: cosine and sine of its direction; the range of distances across; 1 if it has a mirror image on
-        the other side of the axis; 1 if it lies ahead, behind the axis; 0, as it begins at a circle; its radius.
+        Vanes are those of a spider, and strips (:meth:`Polygon.strip`) that a stop lacks. Of each strip: cosine and
+        sine of its direction; the range of distances across; 2 if the strip turned by half a turn belongs to it, too;
+        1 if it lies ahead, behind the axis; 0, as it begins at a circle; its radius.
         """
         return _strips(self)
 
@@ -274,34 +278,112 @@ class Opening:
         return _raster(self)
 
 
-_WIDEST = (
-    0.8  # largest width of a vane, over that at which it is as wide as the obscuration, or meets the next one there
-)
+_FARTHEST = 0.8  # largest distance of a vane's edge from the axis, over the radius of the obscuration
+
+
+class _Vane(NamedTuple):
+    """Part of a strip: points ``t (cosine, sine) + s (-sine, cosine)`` with s from `low` to `high` and t > 0."""
+
+    cosine: float
+    sine: float
+    low: float
+    high: float
+
+    def meets(self, other: _Vane, radius: float) -> bool:
+        """Return whether the vanes may have points in common farther than `radius` from the axis."""
+        turn = self.cosine * other.sine - self.sine * other.cosine
+        if abs(turn) < 1e-6:
+            same = self.cosine * other.cosine + self.sine * other.sine > 0.0
+            return same and max(self.low, other.low) < min(self.high, other.high) + 1e-6
+        # The part with t > 0 of both of the parallelogram in which the strips cross: convex, so corners are farthest.
+        across = [(self.low, other.low), (self.low, other.high), (self.high, other.high), (self.high, other.low)]
+        normals = np.array([(-self.sine, self.cosine), (-other.sine, other.cosine)])
+        corners = [np.linalg.solve(normals, pair) for pair in across]
+        for ahead in (np.array([self.cosine, self.sine]), np.array([other.cosine, other.sine])):
+            kept = []
+            for first, second in zip(corners, corners[1:] + corners[:1], strict=True):
+                t, u = first @ ahead, second @ ahead
+                kept += [first] if t > 0.0 else []
+                kept += [first + t / (t - u) * (second - first)] if t * u < 0.0 else []
+            corners = kept
+        return any(float(np.hypot(*corner)) > radius for corner in corners)
 
 
 @lru_cache(maxsize=32)
-def _strips(opening: Opening) -> Array | None:
-    spider, start = opening.spider, opening.obscuration
-    if spider is None or opening.vignetting is not None or opening.stop is not None:
+def _strips(opening: Opening) -> tuple[float, Array] | None:
+    if opening.vignetting is not None or isinstance(opening.stop, Segments):
         return None
-    angles = np.sort(np.mod(spider.angles, 2.0 * math.pi))
-    half = 0.5 * spider.width
-    # Two vanes part where their edges cross, half / sin(angle / 2) from the axis.
-    between = np.diff(angles, append=angles[0] + 2.0 * math.pi).min() if len(angles) > 1 else math.pi
-    if half > _WIDEST * start * math.sin(0.5 * min(between, math.pi)):
+    blocked = [] if opening.stop is None else _blocked(opening.stop)
+    if blocked is None:
+        return None
+    blocked += [] if opening.spider is None else [opening.spider]
+    discs = [part.radius for part in blocked if isinstance(part, Disc)]
+    start = max([opening.obscuration, *discs])
+    vanes: list[_Vane] = []
+    for part in blocked:
+        found = [] if isinstance(part, Disc) else _vanes(part, start)
+        if found is None:
+            return None
+        vanes += found
+    apart = not any(a.meets(b, start * (1.0 - 1e-9)) for a, b in combinations(vanes, 2))
+    if not vanes or not apart or max(max(-vane.low, vane.high) for vane in vanes) > _FARTHEST * start:
         return None
     strips: list[list[float]] = []
-    for angle in angles:
-        opposite = [
-            strip for strip in strips if abs(strip[0] + math.cos(angle)) + abs(strip[1] + math.sin(angle)) < 1e-14
-        ]
-        if opposite:
+    for vane in vanes:
+        opposite = [strip for strip in strips if np.allclose(strip[:4], _opposite(vane), rtol=0.0, atol=1e-14)]
+        about = (-vane.cosine, -vane.sine, vane.low, vane.high)
+        turned = [strip for strip in strips if np.allclose(strip[:4], about, rtol=0.0, atol=1e-14)]
+        if opposite and not (opposite[0][4] or opposite[0][6]):
             opposite[0][6] = 1.0
+        elif turned and not (turned[0][4] or turned[0][6]):
+            turned[0][4] = 2.0
         else:
-            strips.append([math.cos(angle), math.sin(angle), -half, half, 0.0, 1.0, 0.0, 0.0, start])
-    found = np.array(strips)
-    found.flags.writeable = False
-    return found
+            strips.append([*vane, 0.0, 1.0, 0.0, 0.0, start])
+    array = np.array(strips)
+    array.flags.writeable = False
+    return start, array
+
+
+def _opposite(vane: _Vane) -> tuple[float, float, float, float]:
+    """Return numbers of the strip in which a vane lies at t < 0."""
+    return -vane.cosine, -vane.sine, -vane.high, -vane.low
+
+
+def _blocked(shape: Shape) -> list[Shape] | None:
+    """Return what a shape lacks of the unit disc: discs around the axis, polygons and spiders; None if more."""
+    if isinstance(shape, Combined) and shape.kind in "&-":
+        first = _blocked(shape.first)
+        second = _blocked(shape.second) if shape.kind == "&" else _united(shape.second)
+        return None if first is None or second is None else first + second
+    return [] if isinstance(shape, Disc) and shape.center == (0.0, 0.0) and shape.radius >= 1.0 else None
+
+
+def _united(shape: Shape) -> list[Shape] | None:
+    """Return the parts of a union, which are as of :func:`_blocked`."""
+    if isinstance(shape, Combined) and shape.kind == "|":
+        first, second = _united(shape.first), _united(shape.second)
+        return None if first is None or second is None else first + second
+    central = isinstance(shape, Disc) and shape.center == (0.0, 0.0)
+    return [shape] if central or isinstance(shape, Polygon | Spider) else None
+
+
+def _vanes(part: Shape, start: float) -> list[_Vane] | None:
+    """Return the vanes of a spider or a rectangle that begin within `start` and end beyond the rim; None if not."""
+    if isinstance(part, Spider):
+        half = 0.5 * part.width
+        return [_Vane(math.cos(angle), math.sin(angle), -half, half) for angle in np.mod(part.angles, 2.0 * math.pi)]
+    corners = np.array(cast("Polygon", part).corners)
+    sides = np.roll(corners, -1, axis=0) - corners
+    if len(corners) != 4 or np.abs(sides[:2] + sides[2:]).max() > 1e-14 or abs(sides[0] @ sides[1]) > 1e-14:
+        return None
+    for cosine, sine in (side / np.hypot(*side) for side in sides):
+        t, s = corners @ (cosine, sine), corners @ (-sine, cosine)
+        vane = _Vane(float(cosine), float(sine), float(s.min()), float(s.max()))
+        within = start * start - max(vane.low**2, vane.high**2)
+        if within > 0.0 and t.max() >= 1.0 and t.min() <= math.sqrt(within):
+            other = _Vane(*_opposite(vane))
+            return [vane, other] if t.min() <= -1.0 else [vane] if t.min() >= -math.sqrt(within) else None
+    return None
 
 
 @lru_cache(maxsize=4)

@@ -53,6 +53,10 @@ class Shape:
         """Return about this number of `points` (x, y) along the edge of each part, shape (points, 2)."""
         raise NotImplementedError
 
+    def _covered(self, x: Array, y: Array, half: float) -> Array:
+        """Return the fraction of cells around (`x`, `y`), as of :func:`covered`, or NaN without a closed form."""
+        return np.full(x.shape, np.nan)
+
     def to_dict(self) -> Json:
         """Return the shape in plain types, with its name."""
         return {"name": type(self).__name__, **asdict(cast("Any", self))}
@@ -205,8 +209,18 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     patterns, index = np.unique(coverage[:, cut], axis=1, return_inverse=True)
     square = half * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
     for k, pattern in enumerate(patterns.T):
+        cells = cut[index == k]
+        if (pattern == _CUT).sum() == 1:
+            # One part cuts these cells: what it covers is clear, or blocked.
+            part = int(np.flatnonzero(pattern == _CUT)[0])
+            whole = layout.combined(
+                list(np.where(pattern == _CUT, _FULL, pattern)), min, max, lambda a, b: min(a, _FULL - b)
+            )
+            own = parts[part]._covered(x[cells], y[cells], half)
+            fraction[cells] = own if whole == _FULL else 1.0 - own
+            cells = cells[np.isnan(own)]
         remainder = layout.reduced(pattern.tolist())
-        for i in cut[index == k]:
+        for i in cells:
             cell = Listed(np.zeros((0, 5)), (np.add(square, (x[i], y[i])),), (0,))
             fraction[i] = (cell & remainder).rule(0, 1e-17).weight * math.pi / (4.0 * half * half)
     return np.asarray(np.clip(fraction, 0.0, 1.0))
@@ -350,6 +364,10 @@ class Disc(Shape):
         """Return the distance of points (`x`, `y`) from the edge; negative outside."""
         return np.asarray(self.radius - np.hypot(x - self.center[0], y - self.center[1]))
 
+    def _covered(self, x: Array, y: Array, half: float) -> Array:
+        x, y = x - self.center[0], y - self.center[1]
+        return disk_overlap(self.radius, x - half, x + half, y - half, y + half) / (4.0 * half * half)
+
     def outline(self, points: int) -> list[Array]:
         """Return points along the edge."""
         t = np.arange(points) * (2.0 * math.pi / points)
@@ -463,6 +481,21 @@ class Polygon(Shape):
             # edge.
             np.minimum(least, ((qx - px) / length) * (y - py) - ((qy - py) / length) * (x - px), out=least)
         return least
+
+    def _covered(self, x: Array, y: Array, half: float) -> Array:
+        # Cells that one side cuts: the fraction on one side of a line is linear in its distance from the middle, but
+        # where the line cuts off a corner.
+        fraction, cuts = np.ones(x.shape), np.zeros(x.shape, np.intp)
+        for (px, py), (qx, qy) in zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True):
+            length = math.hypot(qx - px, qy - py)
+            a, b = half * abs(qy - py) / length, half * abs(qx - px) / length
+            inside = ((qx - px) / length) * (y - py) - ((qy - py) / length) * (x - px)
+            near = np.minimum(np.abs(inside), a + b)
+            corner = (a + b - near) ** 2 / max(8.0 * a * b, 1e-300)
+            less = np.where(near > abs(a - b), corner, 0.5 - 0.5 * near / max(a, b))
+            fraction = np.minimum(fraction, np.where(inside > 0.0, 1.0 - less, less))
+            cuts += np.abs(inside) < a + b
+        return np.where(cuts > 1, np.nan, fraction)
 
     def outline(self, points: int) -> list[Array]:
         """Return points along the edge, including the corners."""

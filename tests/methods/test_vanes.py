@@ -143,6 +143,18 @@ def test_derivatives_behind_vanes_are_those_of_the_sums_over_rows(integrate: boo
         )
 
 
+@pytest.mark.parametrize("pixel", [0.6, 2.5])
+def test_averages_of_one_and_of_many_pupils_are_the_same(pixel: float) -> None:
+    pupil = vaned(11, stack=5)
+    window: Any = {"pixel": pixel, "shape": (9, 8), "integrate": True, "dtype": "f8", "threads": 1}
+    many, other = (lm.psf(pupil, method=method, **window) for method in (ChordalGauss(1e-6), NonuniformFFT(1e-8)))
+    one = lm.psf(pupil[2], method=ChordalGauss(1e-6), **window)
+    peak = np.asarray(other).max(axis=(1, 2))
+    assert np.all(np.abs(np.asarray(many) - np.asarray(other)).max(axis=(1, 2)) <= 1.1e-6 * peak)
+    assert np.abs(np.asarray(one) - np.asarray(other)[2]).max() <= 1.1e-6 * peak[2]
+    assert float(one.error_bound) <= 1e-6
+
+
 def test_vanes_are_strips_where_they_part_within_the_obscuration() -> None:
     def strips(**aperture: Any) -> int:
         found = lm.Pupil(**aperture).strips

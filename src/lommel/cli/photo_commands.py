@@ -17,7 +17,7 @@ from lommel import imaging
 from lommel.base.arrays import Values, plain
 from lommel.base.encoding import Encoding, as_json, named, parsed, to_light
 from lommel.base.options import In, Shown, filled
-from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.command import OUTPUT, PLOT, command, length
 from lommel.cli.instruments import (
     MaskedPhotoNoise,
     PhotoCamera,
@@ -297,6 +297,7 @@ def _through_field(
 
 
 _METHODS = {
+    "blend": imaging.Blend,
     "richardson-lucy": imaging.RichardsonLucy,
     "total-variation": imaging.TotalVariation,
     "one-pass": imaging.OnePass,
@@ -304,27 +305,41 @@ _METHODS = {
 METHOD = Shown(("--method",))
 
 
+def _distance(text: str) -> float | str:
+    """Return a distance in metres, or "unknown"."""
+    return text if text == "unknown" else length("m", text)
+
+
+AT = Shown(metavar="DISTANCE|unknown", parse=_distance)
+"""Form of the distance of a whole scene."""
+
+
 @command
 @filled(photo=suffixes("photo"))
 def restore(
     photo: Path,
-    depth: Path,
+    depth: Path | None = None,
     lens: Path | None = None,
     /,
     *,
     output: Annotated[Path, OUTPUT],
+    at: Annotated[float | str | None, AT] = None,
     encoding: Annotated[Encoding | None, ENCODING] = None,
-    algorithm: Annotated[Literal["richardson-lucy", "total-variation", "one-pass"], METHOD] = "richardson-lucy",
+    algorithm: Annotated[Literal["blend", "richardson-lucy", "total-variation", "one-pass"] | None, METHOD] = None,
     restoring: imaging.RestoreOptions = imaging.RestoreOptions(),
     noise_options: MaskedPhotoNoise = MaskedPhotoNoise(),
     camera_options: PhotoCamera = PhotoCamera(),
     depth_map: imaging.DepthMapOptions = imaging.DepthMapOptions(),
 ) -> Report:
-    """Deblur a photo with a known depth map and lens.
+    """Deblur a photo with a known lens, by its depth map or distance.
 
     PHOTO is a PNG, JPEG, TIFF, EXR or HEIC, grey or RGB, neither sharpened nor denoised. DEPTH is a depth
     map of the same size, the distance of each point from the lens along the optical axis, in metres: a grey TIFF,
-    NPY, PFM, PNG or EXR. Without a lens file LENS, focal length and f-number come from the photo's EXIF.
+    NPY, PFM, PNG or EXR; with --at there is none. Without a lens file LENS, focal length and f-number come from the
+    photo's EXIF.
+
+    With one distance, the stated blur is compared with others. A photo that is sharper than stated is a doubt;
+    --accept then restores by the blur that agrees better.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
     about 1 where they differ only by noise. A larger value means that depth, lens or noise do not fit the photo: the
@@ -337,20 +352,30 @@ def restore(
     encoding
         Encoding of the photo's values, such as linear for 16 bits developed from a raw file; by default integers are
         sRGB and floats are linear.
+    at
+        Distance of the whole scene in place of DEPTH, such as 1.5m; unknown: estimated from the blur of the photo.
     algorithm
-        Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges: usually less noise
-        at the same sharpness, but ten to forty times slower; one-pass applies Wiener filters, and is as good where
-        depth has few edges.
+        Blend mixes Wiener filters and total variation for one distance, and is the default there. For depth maps,
+        Richardson-Lucy, the default, maximises the likelihood; total variation also preserves edges, but is ten to
+        forty times slower; one-pass applies Wiener filters, and is as good where depth has few edges.
     saturation
         Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), such as 0.95.
 
     Examples
     --------
+      lommel restore photo.tif phone.toml --focus 2m --at 1.5m --white 5000 --read 3 -o sharp.tif
+      lommel restore photo.tif phone.toml --focus 2m --at unknown --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     photo_files.find(output, "--output")
     with Stop().signals(), progress("reading") as status:
+        if at is not None:
+            if lens is not None:
+                raise ValueError("DEPTH cannot be combined with --at, the distance of the whole scene")
+            depth, lens = None, depth
+        elif depth is None:
+            raise ValueError("give a depth map DEPTH, or --at, the distance of the whole scene (or unknown)")
         job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
         values = job.photograph.values
         (values,) = apply_mask([values], noise_options.mask)
@@ -363,18 +388,22 @@ def restore(
 
         result = imaging.restore(
             values,
-            job.filled_depth,
+            job.filled_depth if at is None else at,
             job.lens,
             job.pixel,
             encoding=job.photograph.encoding,
             noise=noise_of(vars(noise_options), job.camera, photographs=True),
             progress=step_done,
-            options=replace(restoring, method=_METHODS[algorithm]()),
+            options=replace(restoring, method=_METHODS[algorithm]() if algorithm else None),
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(result.light))
-    facts = {"seconds": seconds, "method": algorithm} | result.to_dict() | {"clipped": clipped}
-    findings = [Wrapped(found.text) for found in result.findings.printed]
+    facts = (
+        {"seconds": seconds, "method": algorithm or ("default" if at is None else "blend")}
+        | result.to_dict()
+        | {"clipped": clipped}
+    )
+    findings = [Wrapped(with_options(found.text)) for found in result.findings.printed]
     return job.report(facts) + Report({}, findings, result.converged)
 
 
@@ -403,19 +432,24 @@ class Job:
 
     def __init__(
         self,
-        files: tuple[Path, Path, Path | None],
+        files: tuple[Path, Path | None, Path | None],
         output: Path,
         encoding: Encoding | None,
         stated: PhotoCamera,
         depth_map: imaging.DepthMapOptions,
         points: int = 1,
     ) -> None:
-        """Read the files; `points` is the number of points of the photo along each side of a pixel of the result."""
+        """Read the files, of which a depth map may be missing.
+
+        `points` is the number of points of the photo along each side of a pixel of the result.
+        """
         self._photo, depth, lens = files
         self._output = output
         self.photograph = imaging.read_photo(self._photo, encoding)
         shape = self.photograph.values.shape
-        self._depth = imaging.read_depth(depth, shape=shape, options=replace(depth_map, missing=None))
+        self._depth = np.empty((0, 0))
+        if depth is not None:
+            self._depth = imaging.read_depth(depth, shape=shape, options=replace(depth_map, missing=None))
         self.filled_depth = fill_missing(self._depth, depth_map.missing)
         if lens is not None:
             instrument = radial_instrument(lens, **vars(stated))
@@ -464,7 +498,8 @@ class Job:
             "focus_distance": finite(lens.focus_distance),
             "pixel": self.pixel,
         }
-        return told(common | depth_facts(self._depth) | facts) + written([self._output])
+        depth = depth_facts(self._depth) if self._depth.size else {}
+        return told(common | depth | facts) + written([self._output])
 
 
 def read_as(dtype: np.dtype[np.generic], bits: int, encoding: Encoding, stated: bool) -> str:

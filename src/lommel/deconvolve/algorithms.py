@@ -246,7 +246,11 @@ class Restoration(Judged):
         scene, because depth, lens or noise do not fit; between 0 and 1 if the blur is hardly larger than the noise;
         else 0.
     findings : Findings
-        Problems found: the codes "misfit", "too_quiet" and, if more steps would fit better, "not_settled".
+        Problems found: the codes "misfit", "too_quiet" and, if more steps would fit better, "not_settled"; for one
+        distance also "blur_doubtful", and "undetermined" if an unknown distance remains so.
+    distances, distance_errors : tuple of float
+        Estimates of an unknown distance, metres, the likeliest first, and their standard errors: by their blur, the
+        two sides of the focus are alike without aberrations. Empty if the distance was stated.
     """
 
     values: Pixels
@@ -261,6 +265,8 @@ class Restoration(Judged):
     clipped: float = 0.0
     photograph: float = 0.0
     findings: Findings = field(default_factory=Findings)
+    distances: tuple[float, ...] = ()
+    distance_errors: tuple[float, ...] = ()
 
     @property
     def message(self) -> str:

@@ -21,6 +21,7 @@ CODES: Mapping[str, str] = {
     "compressed": "the images are compressed (JPEG), which changes their blur and noise",
     "contradiction": "values that were stated contradict each other",
     "crowded": "many images contain other molecules in addition to the fitted molecule",
+    "distance_estimated": "the distance of the scene was estimated from its blur",
     "errors_change": "a standard error changes within one standard deviation of the estimate",
     "estimated": "a stated value, or an effect that the model lacked, is estimated: the images favour it",
     "estimated_noise": "the noise is estimated from the images, which therefore cannot test it",

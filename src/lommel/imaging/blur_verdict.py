@@ -62,7 +62,7 @@ class BlurVerdict(NamedTuple):
 
     def applied(self, pupil: Pupil, defocus: float) -> Pupil:
         """Return the preferred pupil, given the stated one and its defocus C_d (rad)."""
-        return _changed(pupil, (self.factor - 1.0) * defocus, self.waves)
+        return changed(pupil, (self.factor - 1.0) * defocus, self.waves)
 
 
 def compare_blurs(
@@ -73,7 +73,7 @@ def compare_blurs(
     `variance` is the stated noise variance of each pixel of the `plane`.
     """
     factors = np.array(_SCALES)
-    curves = pupil_curve(_changed(pupil, (factors - 1.0) * defocus, 0.0), spectrum, pixel)(FREQUENCIES)
+    curves = pupil_curve(changed(pupil, (factors - 1.0) * defocus, 0.0), spectrum, pixel)(FREQUENCIES)
     waves = np.zeros_like(factors)
     rings = BlurSpectrum.windowed(plane[None], variance[None])
     noise = rings.texture(curves[0], 0).noise
@@ -113,7 +113,7 @@ def estimate_blur(
     """
     defocus = _DIAMETERS / unit
     stack = defocus if symmetric else np.concatenate([-defocus[::-1], defocus])
-    curves = pupil_curve(_changed(focused, stack, 0.0), spectrum, pixel)(FREQUENCIES)
+    curves = pupil_curve(changed(focused, stack, 0.0), spectrum, pixel)(FREQUENCIES)
     likelihood = BlurSpectrum.windowed(plane[None], variance[None]).likelihood(curves, 0, 1.0)
     best = int(np.argmax(likelihood))
     side = np.flatnonzero(np.sign(stack) == np.sign(stack[best]))
@@ -134,7 +134,7 @@ def estimate_blur(
     return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known)
 
 
-def _changed(pupil: Pupil, defocus: float | Array, waves: float | Array) -> Pupil:
+def changed(pupil: Pupil, defocus: float | Array, waves: float | Array) -> Pupil:
     """Return a pupil, or a stack, with more defocus (rad) and spherical aberration (waves)."""
     change = Wavefront(defocus=defocus, spherical=2.0 * math.pi * np.asarray(waves)) if np.any(waves) else None
     return replace(pupil, wavefront=pupil.wavefront + (change or Wavefront(defocus=defocus)))
@@ -142,7 +142,7 @@ def _changed(pupil: Pupil, defocus: float | Array, waves: float | Array) -> Pupi
 
 def _spherical(pupil: Pupil, spectrum: Spectrum, pixel: float) -> Array:
     """Return the OTFs with spherical aberration at FREQUENCIES; frequencies beyond some lobes do not matter."""
-    aberrated = _changed(pupil, 0.0, np.array(_SPHERICAL))
+    aberrated = changed(pupil, 0.0, np.array(_SPHERICAL))
     diameter = 2.0 * float(aberrated.geometric_radius().max()) / pixel
     f = np.linspace(0.0, min(FREQUENCIES[-1], _LOBES / max(diameter, 1e-9)), _NODES)
     wavelength = float(np.average([w for w, _ in spectrum], weights=[s for _, s in spectrum]))

@@ -18,7 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Any, NamedTuple, Self
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,6 +27,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import Encoding, to_light, warn_if_bright
 from lommel.base.options import HIDDEN, In, listed
+from lommel.base.units import format_length
 from lommel.deconvolve.algorithms import (
     MISFIT,
     STEPS,
@@ -40,9 +41,9 @@ from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur
 from lommel.fit.findings import Finding, Findings, untested_finding
-from lommel.imaging.blended import Blend, UniformBlur
-from lommel.imaging.blur import DepthBlur, require_depth, require_lens, warn_of_depths
-from lommel.imaging.blur_verdict import BlurVerdict, compare_blurs
+from lommel.imaging.blended import Blend
+from lommel.imaging.blur import DepthBlur, require_lens, warn_of_depths
+from lommel.imaging.blur_verdict import BlurVerdict
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
@@ -51,9 +52,9 @@ from lommel.imaging.photograph import (
     require_image,
     require_scene,
 )
-from lommel.imaging.settings import Spectrum, WindowOptions, channel_spectra, spectra
-from lommel.optics.lens import Lens, require_round
-from lommel.optics.pupil import Pupil
+from lommel.imaging.settings import WindowOptions, channel_spectra, spectra
+from lommel.imaging.uniform_scene import DistanceEstimate, UniformScene, estimate_scene, undetermined
+from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
 
@@ -65,7 +66,6 @@ _MAX_CHANGE_RATIO = 4.5
 _UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
 _MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
-_ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
 
 
@@ -178,7 +178,7 @@ class RestoreOptions(WindowOptions):
 @listed(RestoreOptions)
 def restore(
     photo: ArrayLike,
-    depth: ArrayLike | None,
+    depth: ArrayLike | Literal["unknown"] | None,
     lens: Lens | LinearBlur,
     pixel: float | None = None,
     *,
@@ -198,8 +198,9 @@ def restore(
     photo : array_like, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. NaN
         and masked elements of a masked array mark unknown pixels.
-    depth : array_like, shape (height, width), or None
-        Distance of each point from the lens along the axis, metres; may be infinite. None for a blur operator.
+    depth : float, array_like of shape (height, width), "unknown" or None
+        Distance of the scene, or of each point, from the lens along the axis, metres; may be infinite. "unknown"
+        estimates one distance of the whole scene from the photograph. None for a blur operator.
     lens : Lens or LinearBlur
         A lens with radially symmetric aberrations; or a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
         subclass of your own, whose matrix must not have negative elements.
@@ -242,7 +243,7 @@ def restore(
     validation.instance("noise", noise, Noise)
     validation.function("progress", progress, required=False)
     image, mask = validation.parted("photo", photo, "counts")
-    method, uniform = o.method, None
+    method, uniform, estimate = o.method, None, None
     if isinstance(lens, LinearBlur):
         if depth is not None or pixel is not None:
             raise ValueError("depth and pixel are for a Lens, got a blur operator, which has its own")
@@ -254,27 +255,37 @@ def restore(
         if depth is None or pixel is None:
             raise ValueError("depth and pixel must be given with a Lens, both in metres, got None")
         limit = full_light(image, encoding, o.saturation)
-        distances = validation.array("depth", depth, "metres")
-        require_scene("photo", image.shape, distances.shape)
         light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
-        scene = _uniform_scene(distances, lens, pixel, channels)
-        if isinstance(scene, _UniformScene):
-            uniform, method = scene, method or Blend()
-        elif isinstance(method, Blend):
-            raise ValueError(
-                "method=Blend() needs one distance of the whole scene, got a depth map in which the diameter of the "
-                f"blur varies by {scene:.3g} pixels; use RichardsonLucy()"
-            )
-        if uniform is not None and isinstance(method, Blend):
-            warn_of_depths(lens, uniform.pixel, distances)
-            blur = uniform.blur
+        of_channels = spectra("channels", channels)
+        if isinstance(depth, str):
+            uniform, estimate = _estimated(depth, light, lens, pixel, of_channels, noise, limit)
+        else:
+            distances = validation.array("depth", depth, "metres")
+            if distances.ndim == 0:
+                distances = np.broadcast_to(distances, image.shape[:2])
+            require_scene("photo", image.shape, distances.shape)
+            scene = UniformScene.of(distances, lens, pixel, of_channels)
+            if isinstance(scene, UniformScene):
+                uniform = scene
+            elif isinstance(method, Blend):
+                raise ValueError(
+                    "method=Blend() needs one distance of the whole scene, got a depth map in which the diameter of "
+                    f"the blur varies by {scene:.3g} pixels; use RichardsonLucy()"
+                )
+        if uniform is not None and (estimate or method is None or isinstance(method, Blend)):
+            if estimate is None:
+                warn_of_depths(lens, uniform.pixel, distances)
+            blur, method = uniform.blur, Blend()
         else:
             blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
-    method = method or RichardsonLucy()
     observed = PhotographLikelihood(blur, light, noise, limit)
     before = observed.mean(observed.discrepancies_of(observed.image))
-    result, share, stopped = _solved(observed, method, progress or silent)
-    verdict = None if uniform is None else uniform.verdict(observed, result.light)
+    result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
+    verdict = None
+    if estimate is not None:
+        share, stopped = (share, stopped) if estimate.blur.known else (1.0, MISFIT)
+    elif uniform is not None:
+        verdict = uniform.verdict(observed, result.light)
     if uniform is not None and verdict is not None and verdict.doubtful:
         likelier = PhotographLikelihood(uniform.preferred(verdict).blur, light, noise, limit)
         if o.accept:
@@ -289,11 +300,37 @@ def restore(
     discrepancy = observed.mean(after)
     values, clipped = encode_light(restored, encoding, image.dtype)
     findings = _findings(stopped, discrepancy, 1.0 + observed.slack, verdict is not None)
+    if estimate is not None:
+        findings = _distance_findings(estimate, findings)
     return Restoration(
         values, restored, discrepancy, tuple(map(float, after)), before, result.steps,
         stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,
+        distances=estimate.distances if estimate else (), distance_errors=estimate.errors if estimate else (),
         findings=Findings([*findings, *_blur_findings(verdict, o.accept)]),
     )  # fmt: skip
+
+
+def _estimated(
+    depth: str,
+    light: Array,
+    lens: Lens,
+    pixel: float,
+    channels: Sequence[tuple[tuple[float, float], ...]],
+    noise: Noise,
+    limit: float,
+) -> tuple[UniformScene, DistanceEstimate]:
+    """Return the scene at the distance that the photograph shows, and its distance."""
+    if depth != "unknown":
+        raise ValueError(f'depth must hold metres or be "unknown", got {depth!r}')
+    shape = light.shape[0], light.shape[1]
+    observed = PhotographLikelihood(undetermined(shape, len(channels)), light, noise, limit)
+    scene, estimate = estimate_scene(observed, lens, pixel, channels, None)
+    if observed.full is not None:
+        # Saturated pixels, which make the photograph sharper, are raised by a first restoration.
+        observed = PhotographLikelihood(scene.blur, light, noise, limit)
+        first = Blend().solve(observed, silent)
+        scene, estimate = estimate_scene(observed, lens, pixel, channels, first.light)
+    return scene, estimate
 
 
 def _solved(observed: PhotographLikelihood, method: Method, report: ProgressCallback) -> tuple[Solution, float, str]:
@@ -303,57 +340,6 @@ def _solved(observed: PhotographLikelihood, method: Method, report: ProgressCall
     else:  # which stops at the discrepancy that the noise makes likely
         result = iterated(noise_aware(method, observed), observed, report)
     return result, *check_result(observed, result, method)
-
-
-class _UniformScene(NamedTuple):
-    """A scene at one distance: its pupil, defocus C_d (rad), pixel pitch (metres), spectra and shape."""
-
-    pupil: Pupil
-    defocus: float
-    pixel: float
-    spectra: Sequence[tuple[tuple[float, float], ...]]
-    shape: tuple[int, int]
-
-    @property
-    def blur(self) -> UniformBlur:
-        """Blur of the scene."""
-        return UniformBlur.of(self.shape, self.pupil, self.pixel, self.spectra)
-
-    def preferred(self, verdict: BlurVerdict) -> Self:
-        """Return the scene with the blur that a verdict prefers."""
-        return self._replace(pupil=verdict.applied(self.pupil, self.defocus))
-
-    def verdict(self, observed: PhotographLikelihood, light: Values) -> BlurVerdict:
-        """Compare the blur with others, given the restored light, by the middle channel of the photograph."""
-        model = observed.blur.forward(light)
-        recorded = observed.counts - observed.added
-        # Unknown pixels and the light that the sensor did not hold would make the photograph sharper than it is.
-        recorded = np.where(observed.weight > 0.0, recorded, model)
-        if observed.full is not None:
-            recorded = np.where(observed.full, np.maximum(recorded, model), recorded)
-        gain = np.where(observed.weight > 0.0, observed.weight, 1.0) * observed.white
-        variance = np.maximum(model + observed.added, 0.0) / gain
-        middle = len(self.spectra) // 2
-        plane, noise = (values.reshape(*self.shape, -1)[..., middle] for values in (recorded, variance))
-        return compare_blurs(self.pupil, self.defocus, self.spectra[middle], self.pixel, plane, noise)
-
-
-def _uniform_scene(depth: Array, lens: Lens, pixel: float, channels: Sequence[Spectrum]) -> _UniformScene | float:
-    """Return a scene at one distance, or the variation of the diameter of the blur, if it is above `_ONE_BLUR`."""
-    require_round("lens", lens)
-    pitch = validation.pixel(pixel, metric=True)
-    unit = lens.wavelength * lens.working_f_number
-    validation.pixel_on(pitch, unit, metric=True)
-    vergence = 1.0 / require_depth(depth)
-    with np.errstate(divide="ignore"):
-        near, far, middle = 1.0 / np.array([vergence.max(), vergence.min(), 0.5 * (vergence.max() + vergence.min())])
-    defocus = lens.defocus([near, far, middle])
-    # The diameter of the geometric blur is 8 lambda N C_d / pi.
-    variation = 8.0 / math.pi * unit * float(np.ptp(defocus)) / pitch
-    if variation > _ONE_BLUR:
-        return variation
-    shape = depth.shape[0], depth.shape[1]
-    return _UniformScene(lens.pupil(middle), float(defocus[2]), pitch, spectra("channels", channels), shape)
 
 
 def recorded(photo: Pixels, encoding: Encoding, limit: float, mask: NDArray[np.bool_] | None = None) -> Array:
@@ -399,24 +385,38 @@ def _findings(stopped: str, discrepancy: float, limit: float, blur_compared: boo
     return [untested_finding(_UNTESTED[1:] if blur_compared else _UNTESTED, {})]
 
 
+def _distance_findings(estimate: DistanceEstimate, findings: list[Finding]) -> list[Finding]:
+    """Return the findings of a photograph of unknown distance, given those of its restoration."""
+    sides = " or ".join(
+        f"{format_length(d)} +- {format_length(e, like=d)}"
+        for d, e in zip(estimate.distances, estimate.errors, strict=True)
+    )
+    numbers = {"blur": estimate.blur.diameter, "distances": estimate.distances, "errors": estimate.errors}
+    if estimate.blur.known:
+        text = f"distance estimated: {sides}, a blur of {estimate.blur.diameter:.3g} pixels"
+        return [*findings, Finding("distance_estimated", "note", text, numbers)]
+    text = "the photograph does not determine its blur, and is returned unchanged: state the distance"
+    return [Finding("undetermined", "error", text, numbers)]
+
+
 def _blur_findings(verdict: BlurVerdict | None, accepted: bool) -> list[Finding]:
     """Return the findings of the comparison of blurs."""
     if verdict is None:
         return []
     numbers = {"factor": verdict.factor, "waves": verdict.waves, "gain": verdict.gain}
-    better = f"with {verdict.waves:+g} waves of spherical aberration" if verdict.waves else (
-        f"of {verdict.factor:g} times the stated diameter"
-    )  # fmt: skip
+    better = f"{verdict.factor:g} times the stated diameter"
+    if verdict.waves:
+        better = f"{verdict.waves:+g} waves of spherical aberration"
     gain = f"(log-likelihood {verdict.gain:.2g} higher)"
     if verdict.doubtful and accepted:
-        return [Finding("estimated", "note", f"restored by a blur {better} than stated {gain}", numbers)]
+        return [Finding("estimated", "note", f"restored by a blur of {better} {gain}", numbers)]
     if verdict.doubtful:
         text = (
-            f"the photograph agrees better with a blur {better} {gain}: check distance, f-number and focus; "
+            f"the photograph agrees better with a blur of {better} {gain}: check distance, f-number and focus; "
             "accept=True restores by that blur"
         )
         return [Finding("blur_doubtful", "doubt", text, numbers)]
     if verdict.softer:
-        text = f"the photograph is softer than stated, as by a blur {better} {gain}, or the scene is soft"
+        text = f"the photograph is softer than stated, as by a blur of {better} {gain}, or the scene is soft"
         return [Finding("blur_compared", "note", text, numbers)]
     return [Finding("blur_compared", "note", "other blurs were compared: none of them agrees better", numbers)]

@@ -1,0 +1,131 @@
+"""Scenes at one distance: their blur, its comparison with other blurs, and the estimate of an unknown distance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple, Self
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Values
+from lommel.deconvolve.likelihood import PhotographLikelihood
+from lommel.estimation.focal_model import Spectrum
+from lommel.imaging.blended import UniformBlur
+from lommel.imaging.blur import require_depth
+from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict, changed, compare_blurs, estimate_blur
+from lommel.imaging.one_pass import fill_unknown
+from lommel.optics.lens import Lens, require_round
+from lommel.optics.pupil import Pupil
+
+_ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
+
+
+class UniformScene(NamedTuple):
+    """A scene at one distance: its pupil, defocus C_d (rad), pixel pitch (metres), spectra and shape."""
+
+    pupil: Pupil
+    defocus: float
+    pixel: float
+    spectra: Sequence[Spectrum]
+    shape: tuple[int, int]
+
+    @classmethod
+    def of(cls, depth: Array, lens: Lens, pixel: float, spectra: Sequence[Spectrum]) -> Self | float:
+        """Return a scene at one distance, or the variation (pixels) of the blur, if it is above `_ONE_BLUR`."""
+        unit, pitch = _pixels_per_radian(lens, pixel)
+        vergence = 1.0 / require_depth(depth)
+        ends = np.array([vergence.min(), vergence.max()])
+        with np.errstate(divide="ignore"):
+            distances = 1.0 / np.append(ends, ends.mean())
+        defocus = lens.defocus(distances)
+        variation = unit * float(np.ptp(defocus))
+        if variation > _ONE_BLUR:
+            return variation
+        shape = depth.shape[0], depth.shape[1]
+        return cls(lens.pupil(float(distances[2])), float(defocus[2]), pitch, spectra, shape)
+
+    @property
+    def blur(self) -> UniformBlur:
+        """Blur of the scene."""
+        return UniformBlur.of(self.shape, self.pupil, self.pixel, self.spectra)
+
+    def preferred(self, verdict: BlurVerdict) -> Self:
+        """Return the scene with the blur that a verdict prefers."""
+        return self._replace(pupil=verdict.applied(self.pupil, self.defocus))
+
+    def verdict(self, observed: PhotographLikelihood, light: Values) -> BlurVerdict:
+        """Compare the blur with others, given the restored light, by the middle channel of the photograph."""
+        plane, variance = _middle(observed, observed.blur.forward(light))
+        middle = self.spectra[len(self.spectra) // 2]
+        return compare_blurs(self.pupil, self.defocus, middle, self.pixel, plane, variance)
+
+
+class DistanceEstimate(NamedTuple):
+    """Distances (metres) at which the lens has the estimated blur, and their standard errors; the likeliest first."""
+
+    blur: BlurEstimate
+    distances: tuple[float, ...]
+    errors: tuple[float, ...]
+
+
+def estimate_scene(
+    observed: PhotographLikelihood, lens: Lens, pixel: float, spectra: Sequence[Spectrum], light: Values | None
+) -> tuple[UniformScene, DistanceEstimate]:
+    """Return the scene at the distance that the middle channel of a photograph shows, and its distance.
+
+    `light` is the restored light by an earlier estimate, whose blurred image replaces pixels that are not certain.
+    """
+    unit, pitch = _pixels_per_radian(lens, pixel)
+    plane, variance = _middle(observed, None if light is None else observed.blur.forward(light))
+    infinite = float(lens.defocus(math.inf))
+    pupil = changed(lens.pupil(math.inf), -infinite, 0.0)
+    middle = spectra[len(spectra) // 2]
+    found = estimate_blur(pupil, lens.aberrations.flat, unit, middle, pitch, plane, variance)
+    # C_d is linear in 1 / distance.
+    slope = float(lens.defocus(1.0)) - infinite
+    distances, errors = [], []
+    for defocus in (found.defocus,) if found.sign_known else (found.defocus, -found.defocus):
+        vergence = (defocus - infinite) / slope
+        if vergence > 0.0:
+            distances.append(1.0 / vergence)
+            errors.append(abs(defocus * found.error / slope) / vergence**2)
+    shape = observed.blur.shape
+    scene = UniformScene(changed(pupil, found.defocus, 0.0), found.defocus, pitch, spectra, shape)
+    return scene, DistanceEstimate(found, tuple(distances), tuple(errors))
+
+
+def undetermined(shape: tuple[int, int], channels: int) -> UniformBlur:
+    """Return a stand-in for an unknown blur, which leaves images as they are."""
+    return UniformBlur(shape, lambda f: np.ones((channels, *f.shape)), 0.0)
+
+
+def _pixels_per_radian(lens: Lens, pixel: float) -> tuple[float, float]:
+    """Return the diameter of the geometric blur, in pixels, for a defocus C_d of 1 rad, and the pixel pitch."""
+    require_round("lens", lens)
+    pitch = validation.pixel(pixel, metric=True)
+    unit = lens.wavelength * lens.working_f_number
+    validation.pixel_on(pitch, unit, metric=True)
+    return 8.0 / math.pi * unit / pitch, pitch
+
+
+def _middle(observed: PhotographLikelihood, model: Values | None) -> tuple[Array, Array]:
+    """Return light and noise variance of the middle channel of a photograph.
+
+    Unknown pixels, and the light that the sensor did not hold, would make the photograph sharper than it is: the
+    `model`, the blurred image of a restored scene, replaces them.
+    """
+    shape, middle = observed.blur.shape, observed.blur.channels // 2
+    added = np.broadcast_to(observed.added, observed.counts.shape)
+
+    def plane(values: Values) -> Array:
+        return np.asarray(values.reshape(*shape, -1)[..., middle], dtype=np.float64)
+
+    light, known = plane(observed.counts - added), plane(observed.weight) > 0.0
+    light = fill_unknown(light, known) if model is None else np.where(known, light, plane(model))
+    if observed.full is not None and model is not None:
+        light = np.where(plane(observed.full) > 0.0, np.maximum(light, plane(model)), light)
+    gain = np.where(known, plane(observed.weight), 1.0) * observed.white
+    mean = float(light.mean()) if model is None else plane(model)
+    return light, np.maximum(mean + plane(added), 0.0) / gain

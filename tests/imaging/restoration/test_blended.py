@@ -1,0 +1,143 @@
+"""Blend of filters for one distance, of continuous scenes that are rendered without this package."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+import scipy
+
+from lommel import Noise
+from lommel.deconvolve.likelihood import PhotographLikelihood
+from lommel.imaging import Blend, DepthBlur, RichardsonLucy, restore
+from lommel.imaging.blended import UniformBlur, _frame, _tiles
+from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
+from scenes import ThinLens, averaged, lommel_lens, plane, texture
+
+SIDE, READ = 96, 3.0
+LENS = ThinLens(35e-3, 2.8, 1.35, 540e-9, 4e-6)
+DISTANCE = 1.41  # a blur of 4.5 pixels
+
+
+@lru_cache
+def photograph(kind: str, light: float = 2000.0, distance: float = DISTANCE) -> tuple[np.ndarray, np.ndarray]:
+    """Return a photograph of a plane, white being three times its mean, and its scene averaged by the pixels."""
+    scene = texture(kind, SIDE, 7)
+    draw = np.random.default_rng(11)
+    seen = plane(scene, [LENS], distance, light)[0]
+    photo = (draw.poisson(seen) + draw.normal(0.0, READ, seen.shape)) / (3.0 * light)
+    return photo, averaged(scene) / 3.0
+
+
+def restored(photo: np.ndarray, light: float = 2000.0, depth=DISTANCE, **options):
+    noise = Noise(white=3.0 * light, read=READ)
+    return restore(photo, depth, lommel_lens(LENS), LENS.pixel, encoding="linear", noise=noise, **options)
+
+
+def decibels(light: np.ndarray, truth: np.ndarray) -> float:
+    return float(-10.0 * np.log10(np.mean(np.square(light - truth)[12:-12, 12:-12])))
+
+
+@pytest.mark.parametrize(("kind", "gain"), [("leaves", 2.5), ("pink", 0.8), ("text", 0.8)])
+def test_default_for_one_distance_is_better_than_richardson_lucy(kind, gain):
+    photo, truth = photograph(kind)
+    found, steps = (restored(photo, method=method) for method in (None, RichardsonLucy()))
+    assert found.stopped == "one pass"
+    assert found.reliable
+    assert decibels(found.light, truth) > decibels(photo, truth) + gain
+    assert decibels(found.light, truth) > decibels(steps.light, truth) - 0.05
+    assert found.light.mean() == pytest.approx(photo.mean(), rel=2e-3)
+    np.testing.assert_array_equal(restored(photo, depth=np.full(photo.shape, DISTANCE)).values, found.values)
+
+
+def test_depth_maps_have_no_blend():
+    photo, _ = photograph("leaves")
+    depth = np.full(photo.shape, DISTANCE)
+    depth[:, 40:] = 1.38
+    with pytest.raises(ValueError, match=r"Blend\(\) needs one distance .* varies by .* pixels; use RichardsonLucy"):
+        restored(photo, depth=depth, method=Blend())
+    blur = DepthBlur(depth, lommel_lens(LENS), LENS.pixel)
+    with pytest.raises(ValueError, match=r"needs a lens and one distance .* DepthBlur"):
+        Blend().solve(PhotographLikelihood(blur, photo, Noise(white=6000.0, read=READ)), print)
+    with pytest.raises(ValueError, match="radius of .* pixels, more than half"):
+        restored(photo, depth=0.4)
+
+
+def test_saturated_and_unknown_pixels_are_filled():
+    photo, truth = photograph("dots")
+    full = float(np.quantile(photo, 0.95))
+    clipped = np.minimum(photo, full)
+    clipped[40:44, 30:34] = np.nan
+    found = restored(clipped, saturation=full)
+    assert found.unknown == pytest.approx(np.mean(~(clipped < full)))
+    believed = restored(np.where(np.isnan(clipped), photo, clipped), saturation=np.inf)
+    assert np.isfinite(found.light).all()
+    assert decibels(found.light, truth) > decibels(believed.light, truth) + 0.2
+    assert found.light.max() > 1.02 * full
+    assert not found.findings.get("blur_doubtful")
+
+
+def test_colours_share_their_edges_and_types():
+    photo, truth = photograph("leaves")
+    linear = np.clip(np.stack([photo, 0.8 * photo, 0.5 * photo], axis=2), 0.0, 1.0)
+    encoded = np.rint(255.0 * np.where(linear < 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
+    noise = Noise(white=6000.0, read=READ)
+    lens = lommel_lens(LENS)
+    found = restore(encoded.astype(np.uint8), DISTANCE, lens, LENS.pixel, encoding="srgb", noise=noise)
+    assert found.values.dtype == np.uint8
+    assert found.stopped == "one pass"
+    assert decibels(found.light[..., 1] / 0.8, truth) > decibels(photo, truth) + 2.0
+
+
+def test_risk_of_weak_blur_is_that_of_the_photograph():
+    photo, truth = photograph("pink", 50.0, 1.352)
+    found = restored(photo, 50.0, depth=1.352)
+    assert 0.0 < found.photograph < 1.0
+    assert decibels(found.light, truth) > decibels(photo, truth)
+
+
+def test_uniform_blur_is_its_own_transpose_and_mirrors():
+    blur = UniformBlur((24, 32), lambda f: np.exp(-np.square(9.0 * f))[None], 3.0)
+    a, b = np.random.default_rng(0).random((2, 24, 32)).astype(np.float32)
+    assert np.vdot(blur.forward(a), b) == pytest.approx(np.vdot(a, blur.adjoint(b)), rel=1e-5)
+    # A Gaussian of this transfer function, applied to the mirrored image by convolution.
+    rms = 9.0 * np.sqrt(2.0) / (2.0 * np.pi)
+    expected = scipy.ndimage.gaussian_filter(a.astype(float), rms, mode="reflect", truncate=8.0)
+    np.testing.assert_allclose(blur.forward(a), expected, atol=2e-4)
+
+
+def test_frame_is_tight_and_tiles_sum_to_one():
+    bands, low = _frame((40, 56))
+    squares = np.square(low, dtype=float)
+    for band in bands:
+        squares[band.part] += np.square(band.gain)
+    np.testing.assert_allclose(squares, 1.0, atol=1e-6)
+    total = np.zeros((1500, 700))
+    for rows, columns, share in _tiles(total.shape):
+        total[rows, columns] += share
+    np.testing.assert_allclose(total, 1.0, atol=1e-5)
+    assert len(_tiles((1500, 700))) == 3
+
+
+def test_tiles_agree_with_the_whole(monkeypatch):
+    photo, truth = photograph("pink")
+    whole = restored(photo)
+    monkeypatch.setattr("lommel.imaging.blended._TILE", 48)
+    monkeypatch.setattr("lommel.imaging.blended._OVERLAP", 24)
+    tiled = restored(photo)
+    assert decibels(tiled.light, truth) == pytest.approx(decibels(whole.light, truth), abs=0.3)
+    assert not np.array_equal(tiled.light, whole.light)
+
+
+@pytest.mark.parametrize("slope", [1.5, 2.5])
+def test_texture_and_noise_follow_from_the_spectrum(slope):
+    draw, side = np.random.default_rng(5), 192
+    f = np.hypot(np.arange(side)[:, None], np.arange(side)) / (2.0 * side)
+    transfer = np.exp(-np.square(4.0 * f))
+    power = 3.0 * np.maximum(f, 0.5 / side) ** -slope * np.square(transfer)
+    coefficients = draw.standard_normal(f.shape) * np.sqrt(power + 0.5)
+    spectrum = BlurSpectrum.cosine(np.square(coefficients)[None], f)
+    found = spectrum.texture(np.exp(-np.square(4.0 * FREQUENCIES)), 0)
+    assert found.slope == pytest.approx(slope, abs=0.25)
+    assert found.noise == pytest.approx(0.5, rel=0.13)  # the noise was stated as 1

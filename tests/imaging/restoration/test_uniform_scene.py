@@ -1,0 +1,107 @@
+"""Stated blurs that contradict their photograph, and unknown distances; scenes are rendered without this package."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+
+from lommel import Noise
+from lommel.imaging import RichardsonLucy, restore
+from scenes import ThinLens, averaged, lommel_lens, plane, texture
+
+SIDE, LIGHT, READ = 128, 3000.0, 3.0
+LENS = ThinLens(35e-3, 2.8, 1.35, 540e-9, 4e-6)
+NOISE = Noise(white=3.0 * LIGHT, read=READ)
+
+
+def distance_of(pixels: float) -> float:
+    """Return the distance, farther than the focus, at which the geometric blur has this diameter."""
+    sensor = LENS.focal_length / (1.0 - LENS.focal_length / LENS.focus)
+    return 1.0 / (1.0 / LENS.focus - pixels * LENS.pixel / (LENS.focal_length / LENS.f_number * sensor))
+
+
+@lru_cache
+def photograph(kind: str, pixels: float, spherical: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+    lens = ThinLens(**{**vars(LENS), "spherical": spherical})
+    scene = texture(kind, SIDE, 7)
+    draw = np.random.default_rng(4)
+    seen = plane(scene, [lens], distance_of(pixels), LIGHT)[0]
+    return (draw.poisson(seen) + draw.normal(0.0, READ, seen.shape)) / (3.0 * LIGHT), averaged(scene) / 3.0
+
+
+def restored(photo: np.ndarray, depth, **options):
+    return restore(photo, depth, lommel_lens(LENS), LENS.pixel, encoding="linear", noise=NOISE, **options)
+
+
+def decibels(light: np.ndarray, truth: np.ndarray) -> float:
+    return float(-10.0 * np.log10(np.mean(np.square(light - truth)[12:-12, 12:-12])))
+
+
+@pytest.mark.parametrize("kind", ["pink", "leaves"])
+def test_stated_blur_is_compared(kind):
+    photo, _ = photograph(kind, 5.0)
+    found = restored(photo, distance_of(5.0))
+    assert found.reliable
+    assert "blur_compared" in found.findings.codes
+
+
+@pytest.mark.parametrize("method", [None, RichardsonLucy(steps=5)])
+def test_blur_that_is_stated_too_wide_is_a_doubt(method):
+    photo, truth = photograph("pink", 5.0)
+    found = restored(photo, distance_of(6.0), method=method)
+    doubt = found.findings.get("blur_doubtful")
+    assert doubt.severity == "doubt"
+    assert doubt.numbers["factor"] == pytest.approx(5.0 / 6.0, abs=0.07)
+    assert "accept=True" in doubt.text
+    accepted = restored(photo, distance_of(6.0), accept=True)
+    assert accepted.reliable
+    assert "estimated" in accepted.findings.codes
+    assert decibels(accepted.light, truth) > decibels(found.light, truth) + 0.5
+
+
+def test_blur_that_is_stated_too_small_is_a_note():
+    photo, truth = photograph("pink", 6.0)
+    found = restored(photo, distance_of(5.0))
+    assert found.reliable
+    assert "softer than stated" in found.findings.get("blur_compared").text
+    assert decibels(found.light, truth) > decibels(photo, truth)
+
+
+def test_spherical_aberration_that_is_not_stated_returns_the_photograph():
+    photo, truth = photograph("leaves", 5.0, 0.7)
+    found = restored(photo, distance_of(5.0))
+    assert "blur_doubtful" in found.findings.codes
+    assert decibels(found.light, truth) > decibels(photo, truth) - 0.5
+    accepted = restored(photo, distance_of(5.0), accept=True)
+    assert decibels(accepted.light, truth) > decibels(photo, truth) + 0.5
+
+
+@pytest.mark.parametrize("pixels", [5.0, 8.0])
+def test_unknown_distance_is_estimated_with_its_error(pixels):
+    photo, truth = photograph("leaves", pixels)
+    found = restored(photo, "unknown")
+    assert found.converged
+    assert "distance_estimated" in found.findings.codes
+    # Both sides of the focus have this blur.
+    assert len(found.distances) == len(found.distance_errors) == 2
+    k = int(np.argmin(np.abs(np.array(found.distances) - distance_of(pixels))))
+    assert abs(found.distances[k] - distance_of(pixels)) < 3.0 * found.distance_errors[k]
+    assert found.distance_errors[k] < 0.01 * distance_of(pixels)
+    known = restored(photo, distance_of(pixels))
+    assert decibels(found.light, truth) == pytest.approx(decibels(known.light, truth), abs=0.3)
+
+
+def test_photograph_without_texture_has_no_distance():
+    draw = np.random.default_rng(1)
+    photo = draw.poisson(np.full((SIDE, SIDE), LIGHT)) / (3.0 * LIGHT)
+    found = restored(photo, "unknown")
+    assert not found.converged
+    assert found.findings.codes == ("undetermined",)
+    np.testing.assert_allclose(found.light, photo, atol=1e-6)
+
+
+def test_other_words_are_no_distance():
+    with pytest.raises(ValueError, match='depth must hold metres or be "unknown", got \'far\''):
+        restored(photograph("pink", 5.0)[0], "far")

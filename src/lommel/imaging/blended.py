@@ -19,10 +19,12 @@ Saturated pixels are raised, and unknown ones replaced, by the blurred total var
 
 from __future__ import annotations
 
+import itertools
 import math
+import time
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import NamedTuple, Self
+from typing import NamedTuple, Self, TypeGuard
 
 import numpy as np
 import scipy
@@ -31,9 +33,10 @@ from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import ONE_PASS, ProgressCallback, silent
 from lommel.deconvolve.iterations import Solution
 from lommel.deconvolve.likelihood import PhotographLikelihood
-from lommel.deconvolve.linear import LinearBlur
+from lommel.deconvolve.linear import LinearBlur, copies
 from lommel.estimation.focal_model import Spectrum, pupil_curve
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
+from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.one_pass import fill_unknown
 from lommel.optics.pupil import Pupil
 
@@ -52,6 +55,10 @@ _WEIGHT_STEPS = 10  # steps of the weights from 0 to 1
 _VARIANCE_RMS = 2.0  # rms width (pixels) of the Gaussian that smooths the light of which the noise is computed
 _BORDER = 3.0  # width of the border that does not test the blur, whose light comes from beyond / radius of the blur
 _TILE, _OVERLAP = 512, 128  # stride and overlap (pixels) of the tiles of large images
+_FIELD_TILE, _FIELD_MARGIN = (
+    64,
+    24,
+)  # stride of tiles with one PSF, over the field; smallest margin around them (pixels)
 
 _Real = np.float32
 
@@ -100,35 +107,43 @@ class UniformBlur(LinearBlur):
 
 
 class Blend:
-    """Deblurring of one uniform blur by a Wiener filter, a local Wiener filter and total variation, blended.
+    """Deblurring by a Wiener filter, a local Wiener filter and total variation, blended.
 
     The weights of the three minimise the predicted squared error. The result estimates the pixel-averaged scene. The
-    whole scene must have one distance.
+    whole scene must have one distance. A :class:`FieldBlur` is uniform in tiles, of which neighbours are blended; the
+    local Wiener filter is then left out.
     """
 
     def solve(self, observed: PhotographLikelihood, tell: ProgressCallback) -> Solution:
-        """Return the sharp image of the counts `observed`, and call `tell` once; ValueError for other blurs."""
+        """Return the sharp image of the counts `observed`; ValueError for other blurs.
+
+        `tell` is called after each tile.
+        """
         blur = observed.blur
-        if not isinstance(blur, UniformBlur):
+        if isinstance(blur, UniformBlur):
+            tiles, of = _tiles(blur.shape, _TILE, _OVERLAP), _Problem.of
+        elif uniform_over_field(blur):
+            tiles, of = _tiles(blur.shape, _FIELD_TILE, _FIELD_TILE, beyond=_FIELD_TILE // 2), _FieldProblem.of
+        else:
             raise ValueError(
                 "method=Blend() needs a lens and one distance of the whole scene, got the blur "
                 f"{type(blur).__name__}; use RichardsonLucy() for this blur"
             )
         photo = _Photo.of(observed)
         light, change = np.zeros_like(photo.light), np.zeros_like(photo.light)
-        fits = []
+        fits, start = [], time.perf_counter()
         signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0], _Real), photo.light.shape)
-        for rows, columns, share in _tiles(blur.shape):
-            part = photo.part(rows, columns)
-            problem = _Problem.of(part, blur)
-            step = _PROBE * signs[:, rows, columns] * np.sqrt(problem.variances)
-            sharp, probed = problem.blended(part, step)
-            light[:, rows, columns] += share * sharp
-            fits.append(problem.fit(part, sharp, math.ceil(_BORDER * blur.radius)))
+        for k, tile in enumerate(tiles):
+            problem = of(photo, tile, blur)
+            step = _PROBE * problem.taken(signs) * np.sqrt(problem.variances)
+            sharp, probed = problem.blended(step)
+            fits.append(problem.fit(sharp))
             # The derivative times the variance, by Stein's lemma.
-            change[:, rows, columns] += share * step * (probed - sharp - step) / _PROBE**2
+            product = step * (probed - sharp - step) / _PROBE**2
+            for image, values in ((light, sharp), (change, product)):
+                image[:, tile.rows, tile.columns] += tile.share * values[:, *problem.inside]
+            tell(k + 1, math.nan, (time.perf_counter() - start) * (len(tiles) / (k + 1) - 1.0))
         certain = observed.certain
-        tell(1, math.nan, 0.0)
         # Light is not negative, but the output of a linear filter can be negative.
         result = _image(np.maximum(light, 0.0), certain.shape)
         product = float(_image(change, certain.shape)[certain].sum(dtype=np.float64))
@@ -137,6 +152,11 @@ class Blend:
             result, 1, ONE_PASS, lambda other: self.solve(other, silent).light,
             noise_product=product, least_discrepancy=float(chi2 / max(count, 1.0)),
         )  # fmt: skip
+
+
+def uniform_over_field(blur: LinearBlur) -> TypeGuard[FieldBlur]:
+    """Return True for a blur that varies over the field, but not with depth."""
+    return isinstance(blur, FieldBlur) and float(np.ptp(blur.defocus)) == 0.0
 
 
 def _cosines(planes: Values) -> Values:
@@ -163,21 +183,44 @@ def _image(planes: Values, shape: tuple[int, ...]) -> Values:
     return np.ascontiguousarray(np.moveaxis(planes, 0, 2)).reshape(shape)
 
 
-def _tiles(shape: tuple[int, int]) -> list[tuple[slice, slice, Values]]:
-    """Return rows, columns and weights of overlapping tiles; the weights sum to 1 at each pixel."""
-    sides = []
+class _Tile(NamedTuple):
+    """Rows and columns of a tile in the image, and the share of each pixel of the image that it contributes.
+
+    `first` and `last` are the corners of the tile, which may lie beyond the image.
+    """
+
+    rows: slice
+    columns: slice
+    share: Values
+    first: tuple[int, int]
+    last: tuple[int, int]
+
+
+def _tiles(shape: tuple[int, int], stride: int, overlap: int, beyond: int = 0) -> list[_Tile]:
+    """Return overlapping tiles of at least `stride`, whose shares sum to 1 at each pixel of an image.
+
+    With `beyond`, the outer tiles extend beyond the image by this number of pixels.
+    """
+    axes = []
     for side in shape:
-        count = max(1, round(side / _TILE))
-        ends = np.linspace(0, side, count + 1)
+        count = max(1, (side + 2 * beyond) // stride)
+        ends = np.rint(np.linspace(-beyond, side + beyond, count + 1)).astype(int)
         parts = []
-        for k in range(count):
-            first, last = max(round(ends[k]) - _OVERLAP // 2, 0), min(round(ends[k + 1]) + _OVERLAP // 2, side)
-            place = np.arange(first, last) + 0.5
-            rise = np.ones_like(place) if k == 0 else (place - round(ends[k])) / _OVERLAP + 0.5
-            fall = np.ones_like(place) if k == count - 1 else (round(ends[k + 1]) - place) / _OVERLAP + 0.5
-            parts.append((slice(first, last), np.clip(np.minimum(rise, fall), 0.0, 1.0).astype(_Real)))
-        sides.append(parts)
-    return [(rows, columns, down[:, None] * across) for rows, down in sides[0] for columns, across in sides[1]]
+        for k, (first, last) in enumerate(itertools.pairwise(ends.tolist())):
+            place = np.arange(side) + 0.5
+            rise = np.ones(side) if k == 0 else (place - first) / overlap + 0.5
+            fall = np.ones(side) if k == count - 1 else (last - place) / overlap + 0.5
+            share = np.clip(np.minimum(rise, fall), 0.0, 1.0).astype(_Real)
+            start, stop = first - overlap // 2, last + overlap // 2
+            if not beyond:
+                start, stop = max(start, 0), min(stop, side)
+            inside = slice(max(start, 0), min(stop, side))
+            parts.append((inside, share[inside], start, stop))
+        axes.append(parts)
+    return [
+        _Tile(rows, columns, down[:, None] * across, (top, left), (bottom, right))
+        for (rows, down, top, bottom), (columns, across, left, right) in itertools.product(*axes)
+    ]
 
 
 class _Photo(NamedTuple):
@@ -203,100 +246,152 @@ class _Photo(NamedTuple):
         full = np.zeros(shape, dtype=bool) if observed.full is None else observed.full.reshape(shape) & known
         return cls(planes, variances.astype(_Real), ~np.moveaxis(known, 2, 0), np.moveaxis(full, 2, 0))
 
-    def part(self, rows: slice, columns: slice) -> Self:
-        """Return a part of the planes."""
-        return type(self)(*(values[:, rows, columns] for values in self))
+    def part(self, place: tuple[Array, Array]) -> Self:
+        """Return the part of the planes at these rows and columns."""
+        return type(self)(*(values[:, *place] for values in self))
 
 
 class _Problem:
-    """Transfer functions, texture and noise of a part of a photograph, and its estimates."""
+    """Transfer functions, texture and noise of a part of a photograph, and its estimates.
 
-    def __init__(self, part: _Photo, transfer: Values, curve: Array) -> None:
-        self.h, self._curve = transfer, curve
-        self.shape = part.light.shape[1], part.light.shape[2]
+    `inside` is the part without the margin beyond its tile, and `border` the width (pixels) of what does not test the
+    blur.
+    """
+
+    _periodic = False
+
+    def __init__(
+        self, photo: _Photo, tile: _Tile, margin: int, transfer: Callable[[tuple[int, int]], Values], curve: Array
+    ) -> None:
+        sides = photo.light.shape[1:]
+        ends = zip(tile.first, tile.last, strict=True)
+        width = margin + max(0, -min(tile.first), *(e - side for e, side in zip(tile.last, sides, strict=True)))
+        rows, columns = (
+            copies(side, width)[start - margin + width : stop + margin + width]
+            for side, (start, stop) in zip(sides, ends, strict=True)
+        )
+        self.place = rows[:, None], columns
+        part = photo.part(self.place)
+        self.shape = len(rows), len(columns)
+        self.inside = tuple(
+            slice(part.start - start + margin, part.stop - start + margin)
+            for part, start in zip((tile.rows, tile.columns), tile.first, strict=True)
+        )
+        self.h, self._curve, self._part = transfer(self.shape), curve, part
+        self._squared = np.square(self.h.real) + np.square(self.h.imag)
+        self._certain = ~(part.unknown | part.full)
+        self.border = margin
         self._stated = np.maximum(part.variances.mean((1, 2), keepdims=True), 1e-30)
-        self._describe(part.light, part.variances)
+        self._describe(part.light)
+        if not self._certain.all():
+            self._fill()
 
     @classmethod
-    def of(cls, part: _Photo, blur: UniformBlur) -> Self:
-        """Return the problem of a part, after filling its unknown and saturated pixels."""
-        shape = part.light.shape[1], part.light.shape[2]
-        transfer = blur.transfer if shape == blur.shape else blur.on(shape)
-        problem = cls(part, transfer, blur.curve(FREQUENCIES))
-        if part.full.any() or part.unknown.any():
-            problem._fill(part)
+    def of(cls, photo: _Photo, tile: _Tile, blur: UniformBlur) -> Self:
+        """Return the problem of a part of a photograph."""
+        problem = cls(photo, tile, 0, blur.on, blur.curve(FREQUENCIES))
+        problem.border = math.ceil(_BORDER * blur.radius)
         return problem
 
-    def _describe(self, light: Values, variances: Values) -> None:
-        """Estimate texture and noise of the light."""
-        f = _frequency(self.shape)
+    def taken(self, planes: Values) -> Values:
+        """Return the part of other planes."""
+        return planes[:, *self.place]
+
+    def _transformed(self, planes: Values) -> Values:
+        return _cosines(planes)
+
+    def _inverted(self, spectra: Values) -> Values:
+        return _inverse(spectra)
+
+    def _axes(self) -> tuple[Array, Array]:
+        return _axes(self.shape)
+
+    def _tapered(self, light: Values) -> Values:
+        """Return the light with borders that suit the transform."""
+        return light
+
+    def _spectrum(self, light: Values) -> BlurSpectrum:
+        """Return the power spectrum of the light."""
         power = np.square(_cosines(light), dtype=np.float64) / self._stated
-        spectrum = BlurSpectrum.cosine(power, f)
+        return BlurSpectrum.cosine(power, _frequency(self.shape))
+
+    def _blurred(self, planes: Values) -> Values:
+        return self._inverted(self.h * self._transformed(planes))
+
+    def _describe(self, light: Values) -> None:
+        """Estimate texture and noise of the light."""
+        spectrum = self._spectrum(light)
         textures = [spectrum.texture(curve, c) for c, curve in enumerate(self._curve)]
         noise = np.array([texture.noise for texture in textures], _Real)[:, None, None]
-        self.light, self.variances = light, variances * noise
+        self.light, self.variances = light, self._part.variances * noise
         self.mean = self._stated.astype(_Real) * noise
-        f = np.maximum(f, 0.5 / max(self.shape))
+        f = np.maximum(np.hypot(*self._axes()), 0.5 / max(self.shape))
         self._power = np.array([t.spectrum(f) / t.noise for t in textures], _Real)
 
-    def _fill(self, part: _Photo) -> None:
+    def _fill(self) -> None:
         """Replace unknown pixels and raise saturated ones by the blurred total variation, and describe the result."""
-        filled = part.light.copy()
+        part, filled = self._part, self._part.light.copy()
 
         def raised(spectrum: Values) -> Values:
-            model = _inverse(self.h * spectrum)
+            model = self._inverted(self.h * spectrum)
             np.copyto(filled, model, where=part.unknown)
             np.copyto(filled, np.maximum(part.light, model), where=part.full)
-            return _cosines(filled)
+            return self._transformed(self._tapered(filled))
 
-        spectrum = _cosines(filled)
-        self._variation(spectrum, _inverse(self._wiener() * spectrum), _FILLING_STEPS, raised)
-        self._describe(filled, part.variances)
+        spectrum = self._transformed(self._tapered(filled))
+        self._variation(spectrum, self._inverted(self._wiener() * spectrum), _FILLING_STEPS, raised)
+        self._describe(filled)
 
-    def blended(self, part: _Photo, step: Values) -> tuple[Values, Values]:
+    def blended(self, step: Values) -> tuple[Values, Values]:
         """Return the blend of the estimates for the light, and with the same weights for the light plus `step`."""
         estimates, probed = self._estimates(self.light), self._estimates(self.light + step)
-        weights = self._weights(estimates, probed, step, ~(part.unknown | part.full))
+        weights = self._weights(estimates, probed, step)
         return np.tensordot(weights, estimates, 1), np.tensordot(weights, probed, 1)
 
-    def fit(self, part: _Photo, light: Values, border: int) -> tuple[float, float]:
-        """Return the sum of chi-squared of the pixels inside a border, and their number, where `light` fits best.
+    def fit(self, light: Values) -> tuple[float, float]:
+        """Return the sum of chi-squared of the pixels inside the border, and their number, where `light` fits best.
 
         The result is smoother than the scene. What is left of the photograph is therefore filtered once more.
         """
-        for _ in range(2):
-            residual = self.light - _inverse(self.h * _cosines(light))
-            light = light + _inverse(self._wiener() * _cosines(residual))
-        inside = tuple(slice(min(border, side // 4), side - min(border, side // 4)) for side in self.shape)
-        terms = np.where(part.unknown | part.full, 0.0, np.square(residual) / part.variances)[:, *inside]
+        residual = self._tapered(self.light) - self._blurred(light)
+        light = light + self._inverted(self._wiener() * self._transformed(residual))
+        residual = self.light - self._blurred(light)
+        widths = (min(self.border, side // 4) for side in self.shape)
+        inside = tuple(slice(width, side - width) for width, side in zip(widths, self.shape, strict=True))
+        terms = np.where(self._certain, np.square(residual) / self._part.variances, 0.0)[:, *inside]
         return float(terms.sum(dtype=np.float64)), float(np.count_nonzero(terms))
 
-    def _weights(self, estimates: Values, probed: Values, step: Values, certain: Values) -> Values:
+    def _weights(self, estimates: Values, probed: Values, step: Values) -> Values:
         """Return the weights of the smallest risk, averaged with equal weights."""
+        certain = np.zeros_like(self._certain)
+        certain[:, *self.inside] = self._certain[:, *self.inside]
         scale = np.broadcast_to(1.0 / np.sqrt(self.mean), certain.shape)[certain]
 
         def blurred(images: Values) -> Array:
-            seen = [_inverse(self.h * _cosines(image))[certain] * scale for image in images]
-            return np.asarray(seen, dtype=np.float64)
+            return np.array([self._blurred(image)[certain] * scale for image in images], dtype=np.float64)
 
         q = blurred(estimates)
         covariance = (blurred(probed) - q) @ (step[certain] * scale).astype(np.float64) / _PROBE**2
         squares, product = q @ q.T, q @ (self.light[certain] * scale).astype(np.float64) - covariance
-        n = _WEIGHT_STEPS
-        weights = np.array([(i, j, n - i - j) for i in range(n + 1) for j in range(n + 1 - i)]) / n
+        steps = range(_WEIGHT_STEPS + 1)
+        weights = np.array([w for w in itertools.product(steps, repeat=len(q)) if sum(w) == _WEIGHT_STEPS])
+        weights = weights / _WEIGHT_STEPS
         risk = np.einsum("vi,ij,vj->v", weights, squares, weights) - 2.0 * weights @ product
-        return (0.5 * weights[np.argmin(risk)] + 0.5 / len(q)).astype(_Real)
+        return np.asarray(0.5 * weights[np.argmin(risk)] + 0.5 / len(q), dtype=_Real)
 
     def _estimates(self, light: Values) -> Values:
-        """Return the three estimates, (3, channels, height, width)."""
-        spectrum = _cosines(light)
-        wiener = _inverse(self._wiener() * spectrum)
-        local = np.stack([self._local_wiener(c, plane) for c, plane in enumerate(spectrum)])
-        return np.stack([wiener, local, self._variation(spectrum, wiener, _STEPS)])
+        """Return the estimates, (number, channels, height, width)."""
+        spectrum = self._transformed(self._tapered(light))
+        wiener = self._inverted(self._wiener() * spectrum)
+        return np.stack([wiener, *self._local(spectrum), self._variation(spectrum, wiener, _STEPS)])
+
+    def _local(self, spectrum: Values) -> list[Values]:
+        """Return the local Wiener filter of a `spectrum`."""
+        return [np.stack([self._local_wiener(c, plane) for c, plane in enumerate(spectrum)])]
 
     def _wiener(self, noise: float = 1.0) -> Values:
         """Return the Wiener filter for a fraction of the noise; it keeps the mean."""
-        gain = self._power * self.h / (self._power * np.square(self.h) + _Real(noise))
+        gain = self._power * self.h.conj() / (self._power * self._squared + _Real(noise))
         gain[:, 0, 0] = 1.0
         return gain
 
@@ -306,11 +401,11 @@ class _Problem:
         filtered = self._wiener(_PILOT_NOISE)[channel]
         transmitted, start = filtered * self.h[channel], filtered * spectrum
         relative = self.variances[channel] / self.mean[channel]
-        variances = {count: _reduced(relative, count) for count in {band.count for band in bands}}
+        variances = {sides: _reduced(relative, sides) for sides in {band.sides for band in bands}}
         result, coefficients = low * start, []
         for b in bands:
             values = _inverse(b.gain * start[b.part])
-            noise = variances[b.count] * (self.mean[channel] * np.mean(np.square(b.gain * filtered[b.part])))
+            noise = variances[b.sides] * (self.mean[channel] * np.mean(np.square(b.gain * filtered[b.part])))
             energy = _smooth(np.square(values), _LOCAL_RMS[0] * b.scale)
             shrunk = values * np.maximum(energy - noise, 0.0) / np.maximum(energy, 1e-30)
             result[b.part] += b.gain * _cosines(shrunk)
@@ -327,12 +422,12 @@ class _Problem:
         self, spectrum: Values, start: Values, steps: int, renewed: Callable[[Values], Values] | None = None
     ) -> Values:
         """Return the minimum of the total variation of all channels together; `renewed` replaces the `spectrum`."""
-        fy, fx = _axes(self.shape)
+        fy, fx = self._axes()
         laplacian = (4.0 * np.sin(np.pi * fy) ** 2 + 4.0 * np.sin(np.pi * fx) ** 2).astype(_Real)
-        precision = np.square(self.h) / self.mean
-        data = self.h * spectrum / self.mean
+        precision, weighted = self._squared / self.mean, self.h.conj() / self.mean
+        data = weighted * spectrum
         light, penalty, target = start, _Real(0.0), len(start) * _STRENGTH
-        gradient = _gradient(light)
+        gradient = self._gradient(light)
         dual = np.zeros_like(gradient)
         for k in range(steps):
             if k % _RENEWED == 0:
@@ -343,31 +438,101 @@ class _Problem:
                     dual *= before / penalty
                     inverse = 1.0 / (precision + penalty * laplacian + _Real(1e-12))
                 if renewed is not None and k:
-                    data = self.h * renewed(_cosines(light)) / self.mean
+                    data = weighted * renewed(self._transformed(light))
             # Shrinkage of the gradient by lambda / penalty, for all channels together.
             dual += gradient
             norm = np.sqrt(np.square(dual).sum((0, 1)))
             split = dual * np.maximum(1.0 - _Real(strength / penalty) / np.maximum(norm, 1e-12), 0.0)
             dual -= split
-            light = _inverse((data + penalty * _cosines(_divergence(split - dual))) * inverse)
-            gradient = _gradient(light)
+            light = self._inverted((data + penalty * self._transformed(_divergence(split - dual))) * inverse)
+            gradient = self._gradient(light)
         return light
 
-
-def _gradient(planes: Values) -> Values:
-    """Return the differences to the next row and to the next column, 0 at the last ones."""
-    gradient = np.zeros((2, *planes.shape), planes.dtype)
-    np.subtract(planes[:, 1:], planes[:, :-1], out=gradient[0, :, :-1])
-    np.subtract(planes[:, :, 1:], planes[:, :, :-1], out=gradient[1, :, :, :-1])
-    return gradient
+    def _gradient(self, planes: Values) -> Values:
+        """Return the differences to the next row and column; at the last ones they are 0 unless periodic."""
+        gradient = np.zeros((2, *planes.shape), planes.dtype)
+        np.subtract(planes[:, 1:], planes[:, :-1], out=gradient[0, :, :-1])
+        np.subtract(planes[:, :, 1:], planes[:, :, :-1], out=gradient[1, :, :, :-1])
+        if self._periodic:
+            gradient[0, :, -1] = planes[:, 0] - planes[:, -1]
+            gradient[1, :, :, -1] = planes[:, :, 0] - planes[:, :, -1]
+        return gradient
 
 
 def _divergence(field: Values) -> Values:
-    """Return the transpose of `_gradient`."""
+    """Return the transpose of the gradient."""
     planes = -field[0] - field[1]
     planes[:, 1:] += field[0, :, :-1]
     planes[:, :, 1:] += field[1, :, :, :-1]
+    # 0 unless periodic
+    planes[:, 0] += field[0, :, -1]
+    planes[:, :, 0] += field[1, :, :, -1]
     return np.asarray(planes)
+
+
+class _FieldProblem(_Problem):
+    """A part with any PSF, by Fourier transforms; its borders are tapered."""
+
+    _periodic = True
+
+    @classmethod
+    def of(cls, photo: _Photo, tile: _Tile, blur: FieldBlur) -> Self:
+        """Return the problem of a tile, with the PSF of its centre."""
+        row, column = (
+            min(max((start + stop) // 2, 0), side - 1)
+            for start, stop, side in zip(tile.first, tile.last, blur.shape, strict=True)
+        )
+        windows = np.array([blur.window(row, column, c) for c in range(blur.channels)])
+        half = windows.shape[-1] // 2
+
+        def transfer(shape: tuple[int, int]) -> Values:
+            planes = np.zeros((len(windows), *shape), _Real)
+            planes[:, : 2 * half + 1, : 2 * half + 1] = windows
+            fy, fx = _fourier_axes(shape)
+            # Windows include the pixel, which is a part of the scene that is estimated.
+            return scipy.fft.rfft2(np.roll(planes, (-half, -half), (1, 2))) / (np.sinc(fy) * np.sinc(fx)).astype(
+                _Real
+            )
+
+        return cls(photo, tile, max(2 * half, _FIELD_MARGIN), transfer, _radial(transfer, half))
+
+    def _transformed(self, planes: Values) -> Values:
+        return np.asarray(scipy.fft.rfft2(planes))
+
+    def _inverted(self, spectra: Values) -> Values:
+        return np.asarray(scipy.fft.irfft2(spectra, self.shape))
+
+    def _axes(self) -> tuple[Array, Array]:
+        return _fourier_axes(self.shape)
+
+    def _tapered(self, light: Values) -> Values:
+        down, across = (
+            np.minimum((np.minimum(np.arange(side), np.arange(side)[::-1]) + 1.0) / (0.6 * self.border), 1.0)
+            for side in self.shape
+        )
+        share = np.multiply.outer(down, across).astype(_Real)
+        return share * light + (1.0 - share) * self._blurred(light)
+
+    def _spectrum(self, light: Values) -> BlurSpectrum:
+        return BlurSpectrum.windowed(light, self._part.variances)
+
+    def _local(self, spectrum: Values) -> list[Values]:
+        return []
+
+
+def _fourier_axes(shape: tuple[int, int]) -> tuple[Array, Array]:
+    return np.fft.fftfreq(shape[0])[:, None], np.fft.rfftfreq(shape[1])
+
+
+def _radial(transfer: Callable[[tuple[int, int]], Values], half: int) -> Array:
+    """Return the rms of transfer functions over all directions at FREQUENCIES, 0 beyond those of pixels."""
+    side = max(256, 4 * half)
+    values = np.square(np.abs(transfer((side, side)), dtype=np.float64))
+    spacing = FREQUENCIES[1] - FREQUENCIES[0]
+    ring = (np.hypot(*_fourier_axes((side, side))) / spacing).astype(np.intp).ravel()
+    counts = np.bincount(ring, minlength=len(FREQUENCIES))
+    sums = np.array([np.bincount(ring, plane.ravel(), len(FREQUENCIES)) for plane in values])
+    return np.asarray(np.sqrt(sums / np.maximum(counts, 1))[:, : len(FREQUENCIES)])
 
 
 class _Band(NamedTuple):
@@ -378,7 +543,7 @@ class _Band(NamedTuple):
     scale: float
 
     @property
-    def count(self) -> tuple[int, ...]:
+    def sides(self) -> tuple[int, ...]:
         """Shape of the part."""
         return self.gain.shape
 

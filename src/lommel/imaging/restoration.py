@@ -41,7 +41,7 @@ from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur
 from lommel.fit.findings import Finding, Findings, untested_finding
-from lommel.imaging.blended import Blend
+from lommel.imaging.blended import Blend, uniform_over_field
 from lommel.imaging.blur import DepthBlur, require_lens, warn_of_depths
 from lommel.imaging.blur_verdict import BlurVerdict
 from lommel.imaging.occlusion import Occlusion
@@ -250,6 +250,7 @@ def restore(
         limit = full_light(image, encoding, math.inf if o.saturation is None else o.saturation)
         light, blur = recorded(image, encoding, limit, mask), lens
         blur.require(light, "photo", missing=True)
+        method = method or (Blend() if uniform_over_field(blur) else None)
     else:
         require_lens(lens, "photo, depth, lens, pixel")
         if depth is None or pixel is None:

@@ -188,5 +188,5 @@ class TestOverTheField:
         photo = NOISE.record(5000.0 * FieldBlur(self.FIELD, scene.shape, 4e-6, energy=0.995).forward(scene), 2)
         blur = FieldBlur(self.FIELD, scene.shape, 4e-6)
         found = restore(photo, None, blur, encoding="linear", noise=NOISE, saturation=1.0)
-        assert found.stopped == "noise"
+        assert found.stopped == "one pass"
         assert _error(found.values, scene) < 0.9 * _error(photo, scene)

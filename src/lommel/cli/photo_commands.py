@@ -34,6 +34,7 @@ from lommel.cli.messages import given_flags, with_options
 from lommel.cli.output import progress, save_figure, written
 from lommel.estimation.depth_precision import CONTRAST, WINDOW, best_depth_foci, depth_precision
 from lommel.imaging.field_blur import FieldPhotographOptions
+from lommel.imaging.settings import channel_spectra
 from lommel.io import photos as photo_files
 from lommel.io.depth_maps import fill_missing
 from lommel.io.registry import suffixes
@@ -324,6 +325,7 @@ def restore(
     *,
     output: Annotated[Path, OUTPUT],
     at: Annotated[float | str | None, AT] = None,
+    field: Annotated[Path | None, Shown(metavar="FILE")] = None,
     encoding: Annotated[Encoding | None, ENCODING] = None,
     algorithm: Annotated[Literal["blend", "richardson-lucy", "total-variation", "one-pass"] | None, METHOD] = None,
     restoring: imaging.RestoreOptions = imaging.RestoreOptions(),
@@ -354,6 +356,9 @@ def restore(
         sRGB and floats are linear.
     at
         Distance of the whole scene in place of DEPTH, such as 1.5m; unknown: estimated from the blur of the photo.
+    field
+        Aberrations over the field in place of DEPTH: a table as written by lommel fit-field (.csv), or a lens file
+        with a section [field]. The axis is in the middle of the photo.
     algorithm
         Blend mixes Wiener filters and total variation for one distance, and is the default there. For depth maps,
         Richardson-Lucy, the default, maximises the likelihood; total variation also preserves edges, but is ten to
@@ -365,14 +370,17 @@ def restore(
     --------
       lommel restore photo.tif phone.toml --focus 2m --at 1.5m --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif phone.toml --focus 2m --at unknown --white 5000 --read 3 -o sharp.tif
+      lommel restore photo.tif phone.toml --field field.csv --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     photo_files.find(output, "--output")
     with Stop().signals(), progress("reading") as status:
-        if at is not None:
+        if at is not None and field is not None:
+            raise ValueError("--at cannot be combined with --field, which states the defocus")
+        if at is not None or field is not None:
             if lens is not None:
-                raise ValueError("DEPTH cannot be combined with --at, the distance of the whole scene")
+                raise ValueError(f"DEPTH cannot be combined with --{'field' if at is None else 'at'}")
             depth, lens = None, depth
         elif depth is None:
             raise ValueError("give a depth map DEPTH, or --at, the distance of the whole scene (or unknown)")
@@ -386,25 +394,43 @@ def restore(
             elapsed = time.perf_counter() - start
             status(f"step {step}, discrepancy {discrepancy:.3g}", elapsed / max(elapsed + remaining, 1e-9))
 
+        chosen = replace(restoring, method=_METHODS[algorithm]() if algorithm else None)
+        place: tuple[Any, ...] = job.filled_depth if at is None else at, job.lens, job.pixel
+        if field is not None:
+            place = None, _field_blur(field, job), None
+            chosen = replace(chosen, saturation=chosen.saturation or 1.0)
         result = imaging.restore(
             values,
-            job.filled_depth if at is None else at,
-            job.lens,
-            job.pixel,
+            *place,
             encoding=job.photograph.encoding,
             noise=noise_of(vars(noise_options), job.camera, photographs=True),
             progress=step_done,
-            options=replace(restoring, method=_METHODS[algorithm]() if algorithm else None),
+            options=chosen,
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(result.light))
     facts = (
-        {"seconds": seconds, "method": algorithm or ("default" if at is None else "blend")}
+        {"seconds": seconds, "method": algorithm or ("blend" if depth is None else "default")}
         | result.to_dict()
         | {"clipped": clipped}
     )
     findings = [Wrapped(with_options(found.text)) for found in result.findings.printed]
     return job.report(facts) + Report({}, findings, result.converged)
+
+
+def _field_blur(path: Path, job: Job) -> imaging.FieldBlur:
+    """Return the blur of a photograph by a table of wavefronts over the field, or by a lens file with one."""
+    from lommel.lensfiles.tables import read_csv
+
+    if path.suffix.lower() == ".toml":
+        field = instrument_of(path).field()
+    else:
+        pupil = job.lens.pupil()
+        table = read_csv(path, "noll")
+        field = table.field_map(pupil, unit="waves", normalization="rms", direction="x") + pupil.wavefront
+    shape = job.photograph.values.shape
+    channels = channel_spectra(shape, job.lens.wavelength)
+    return imaging.FieldBlur(field, (shape[0], shape[1]), job.pixel, channels=channels)
 
 
 def read_alike(paths: Sequence[Path], encoding: Encoding | None) -> list[imaging.Photograph]:

@@ -23,11 +23,12 @@ import itertools
 import math
 import time
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple, Self, TypeGuard
 
 import numpy as np
 import scipy
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import ONE_PASS, ProgressCallback, silent
@@ -119,28 +120,28 @@ class Blend:
 
         `tell` is called after each tile.
         """
-        blur = observed.blur
+        blur, photo = observed.blur, _Photo.of(observed)
         if isinstance(blur, UniformBlur):
-            tiles, of = _tiles(blur.shape, _TILE, _OVERLAP), _Problem.of
+            tiles = _tiles(blur.shape, _TILE, _OVERLAP)
+            problem_of: Callable[[_Tile], _Problem] = partial(_Problem.uniform, photo, blur)
         elif uniform_over_field(blur):
-            tiles, of = _tiles(blur.shape, _FIELD_TILE, _FIELD_TILE, beyond=_FIELD_TILE // 2), _FieldProblem.of
+            tiles = _tiles(blur.shape, _FIELD_TILE, _FIELD_TILE, beyond=_FIELD_TILE // 2)
+            problem_of = partial(_FieldProblem.at_centre, photo, blur)
         else:
             raise ValueError(
                 "method=Blend() needs a lens and one distance of the whole scene, got the blur "
                 f"{type(blur).__name__}; use RichardsonLucy() for this blur"
             )
-        photo = _Photo.of(observed)
         light, change = np.zeros_like(photo.light), np.zeros_like(photo.light)
         fits, start = [], time.perf_counter()
         signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0], _Real), photo.light.shape)
         for k, tile in enumerate(tiles):
-            problem = of(photo, tile, blur)
+            problem = problem_of(tile)
             step = _PROBE * problem.taken(signs) * np.sqrt(problem.variances)
             sharp, probed = problem.blended(step)
             fits.append(problem.fit(sharp))
             # The derivative times the variance, by Stein's lemma.
-            product = step * (probed - sharp - step) / _PROBE**2
-            for image, values in ((light, sharp), (change, product)):
+            for image, values in ((light, sharp), (change, step * (probed - sharp - step) / _PROBE**2)):
                 image[:, tile.rows, tile.columns] += tile.share * values[:, *problem.inside]
             tell(k + 1, math.nan, (time.perf_counter() - start) * (len(tiles) / (k + 1) - 1.0))
         certain = observed.certain
@@ -246,7 +247,7 @@ class _Photo(NamedTuple):
         full = np.zeros(shape, dtype=bool) if observed.full is None else observed.full.reshape(shape) & known
         return cls(planes, variances.astype(_Real), ~np.moveaxis(known, 2, 0), np.moveaxis(full, 2, 0))
 
-    def part(self, place: tuple[Array, Array]) -> Self:
+    def part(self, place: tuple[NDArray[np.int64], NDArray[np.int64]]) -> Self:
         """Return the part of the planes at these rows and columns."""
         return type(self)(*(values[:, *place] for values in self))
 
@@ -287,15 +288,15 @@ class _Problem:
             self._fill()
 
     @classmethod
-    def of(cls, photo: _Photo, tile: _Tile, blur: UniformBlur) -> Self:
-        """Return the problem of a part of a photograph."""
+    def uniform(cls, photo: _Photo, blur: UniformBlur, tile: _Tile) -> Self:
+        """Return the problem of a tile of a photograph."""
         problem = cls(photo, tile, 0, blur.on, blur.curve(FREQUENCIES))
         problem.border = math.ceil(_BORDER * blur.radius)
         return problem
 
     def taken(self, planes: Values) -> Values:
         """Return the part of other planes."""
-        return planes[:, *self.place]
+        return np.asarray(planes[:, *self.place])
 
     def _transformed(self, planes: Values) -> Values:
         return _cosines(planes)
@@ -393,7 +394,7 @@ class _Problem:
         """Return the Wiener filter for a fraction of the noise; it keeps the mean."""
         gain = self._power * self.h.conj() / (self._power * self._squared + _Real(noise))
         gain[:, 0, 0] = 1.0
-        return gain
+        return np.asarray(gain)
 
     def _local_wiener(self, channel: int, spectrum: Values) -> Values:
         """Return the plane of a `spectrum`, filtered and shrunk twice in the frame."""
@@ -476,7 +477,7 @@ class _FieldProblem(_Problem):
     _periodic = True
 
     @classmethod
-    def of(cls, photo: _Photo, tile: _Tile, blur: FieldBlur) -> Self:
+    def at_centre(cls, photo: _Photo, blur: FieldBlur, tile: _Tile) -> Self:
         """Return the problem of a tile, with the PSF of its centre."""
         row, column = (
             min(max((start + stop) // 2, 0), side - 1)
@@ -490,9 +491,8 @@ class _FieldProblem(_Problem):
             planes[:, : 2 * half + 1, : 2 * half + 1] = windows
             fy, fx = _fourier_axes(shape)
             # Windows include the pixel, which is a part of the scene that is estimated.
-            return scipy.fft.rfft2(np.roll(planes, (-half, -half), (1, 2))) / (np.sinc(fy) * np.sinc(fx)).astype(
-                _Real
-            )
+            spectra = scipy.fft.rfft2(np.roll(planes, (-half, -half), (1, 2)))
+            return np.asarray(spectra / (np.sinc(fy) * np.sinc(fx)).astype(_Real))
 
         return cls(photo, tile, max(2 * half, _FIELD_MARGIN), transfer, _radial(transfer, half))
 
@@ -521,7 +521,7 @@ class _FieldProblem(_Problem):
 
 
 def _fourier_axes(shape: tuple[int, int]) -> tuple[Array, Array]:
-    return np.fft.fftfreq(shape[0])[:, None], np.fft.rfftfreq(shape[1])
+    return np.asarray(np.fft.fftfreq(shape[0]))[:, None], np.asarray(np.fft.rfftfreq(shape[1]))
 
 
 def _radial(transfer: Callable[[tuple[int, int]], Values], half: int) -> Array:
@@ -576,4 +576,4 @@ def _reduced(plane: Values, shape: tuple[int, ...]) -> Values:
     if plane.shape == shape:
         return plane
     coarse = _inverse(_cosines(plane)[: shape[0], : shape[1]]) * math.sqrt(math.prod(shape) / plane.size)
-    return np.maximum(coarse, plane.min()).astype(_Real)
+    return np.asarray(np.maximum(coarse, plane.min()), dtype=_Real)

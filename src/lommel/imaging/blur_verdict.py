@@ -16,7 +16,20 @@ from lommel.measures.transfer import otf
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
-_SCALES = 1.0, 0.6, 0.7, 0.8, 0.9, 0.95, 1.05, 1.1, 1.2, 1.35  # factors of the defocus; the first is as stated
+_SCALES = (
+    1.0,
+    0.3,
+    0.45,
+    0.6,
+    0.7,
+    0.8,
+    0.9,
+    0.95,
+    1.05,
+    1.1,
+    1.2,
+    1.35,
+)  # factors of the defocus; the first is as stated
 _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are compared if another defocus is likelier
 _MIN_GAIN, _DECISIVE = 6.0, 20.0  # gains in log-likelihood from which another blur is preferred, and is tested
 _LOBES, _NODES = (

@@ -60,7 +60,7 @@ def test_depth_maps_have_no_blend():
     blur = DepthBlur(depth, lommel_lens(LENS), LENS.pixel)
     with pytest.raises(ValueError, match=r"needs a lens and one distance .* DepthBlur"):
         Blend().solve(PhotographLikelihood(blur, photo, Noise(white=6000.0, read=READ)), print)
-    with pytest.raises(ValueError, match="radius of .* pixels, more than half"):
+    with pytest.raises(ValueError, match=r"radius of .* pixels, more than half"):
         restored(photo, depth=0.4)
 
 

@@ -103,5 +103,5 @@ def test_photograph_without_texture_has_no_distance():
 
 
 def test_other_words_are_no_distance():
-    with pytest.raises(ValueError, match='depth must hold metres or be "unknown", got \'far\''):
+    with pytest.raises(ValueError, match="depth must hold metres or be \"unknown\", got 'far'"):
         restored(photograph("pink", 5.0)[0], "far")

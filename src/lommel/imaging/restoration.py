@@ -282,6 +282,9 @@ def restore(
     observed = PhotographLikelihood(blur, light, noise, limit)
     before = observed.mean(observed.discrepancies_of(observed.image))
     result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
+    if o.method is None and stopped == MISFIT and isinstance(lens, LinearBlur) and isinstance(method, Blend):
+        # A PSF that varies within tiles is no misfit.
+        result, share, stopped = _solved(observed, RichardsonLucy(), progress or silent)
     verdict = None
     if estimate is not None:
         share, stopped = (share, stopped) if estimate.blur.known else (1.0, MISFIT)

@@ -6,7 +6,16 @@ import numpy as np
 import pytest
 
 from lommel import FieldMap, Lens, Noise
-from lommel.imaging import DepthBlur, FieldBlur, Occlusion, RichardsonLucy, TotalVariation, depth_of_field, restore
+from lommel.imaging import (
+    Blend,
+    DepthBlur,
+    FieldBlur,
+    Occlusion,
+    RichardsonLucy,
+    TotalVariation,
+    depth_of_field,
+    restore,
+)
 from lommel.imaging.restoration import full_light, recorded
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -190,3 +199,13 @@ class TestOverTheField:
         found = restore(photo, None, blur, encoding="linear", noise=NOISE, saturation=1.0)
         assert found.stopped == "one pass"
         assert _error(found.values, scene) < 0.9 * _error(photo, scene)
+
+    def test_psfs_that_vary_within_tiles_are_no_misfit(self) -> None:
+        field = FieldMap.from_seidel(2e-4, W220=6.0, wavelength=550e-9, f_number=4.0)
+        scene = _scene()
+        photo = NOISE.record(5000.0 * FieldBlur(field, scene.shape, 4e-6, energy=0.995).forward(scene), 2)
+        blur = FieldBlur(field, scene.shape, 4e-6)
+        found = restore(photo, None, blur, encoding="linear", noise=NOISE, saturation=1.0)
+        assert found.stopped == "noise"
+        blended = restore(photo, None, blur, encoding="linear", noise=NOISE, saturation=1.0, method=Blend())
+        assert blended.stopped.startswith("misfit")

@@ -36,7 +36,7 @@ from lommel.deconvolve.iterations import Solution
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur, copies
 from lommel.estimation.focal_model import Spectrum, pupil_curve
-from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
+from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum, cosine_axes
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.one_pass import fill_unknown
 from lommel.optics.pupil import Pupil
@@ -96,7 +96,7 @@ class UniformBlur(LinearBlur):
 
     def on(self, shape: tuple[int, int]) -> Values:
         """Return the transfer functions at the frequencies of the cosine transform of another shape."""
-        return self.curve(_frequency(shape)).astype(_Real)
+        return self.curve(np.hypot(*cosine_axes(shape))).astype(_Real)
 
     def forward(self, image: Values) -> Values:
         """Return the blurred image."""
@@ -166,14 +166,6 @@ def _cosines(planes: Values) -> Values:
 
 def _inverse(planes: Values) -> Values:
     return np.asarray(scipy.fft.idctn(planes, axes=(-2, -1), norm="ortho"))
-
-
-def _axes(shape: tuple[int, int]) -> tuple[Array, Array]:
-    return np.arange(shape[0])[:, None] / (2.0 * shape[0]), np.arange(shape[1]) / (2.0 * shape[1])
-
-
-def _frequency(shape: tuple[int, int]) -> Array:
-    return np.asarray(np.hypot(*_axes(shape)))
 
 
 def _smooth(plane: Values, rms: float) -> Values:
@@ -305,7 +297,7 @@ class _Problem:
         return _inverse(spectra)
 
     def _axes(self) -> tuple[Array, Array]:
-        return _axes(self.shape)
+        return cosine_axes(self.shape)
 
     def _tapered(self, light: Values) -> Values:
         """Return the light with borders that suit the transform."""
@@ -313,8 +305,7 @@ class _Problem:
 
     def _spectrum(self, light: Values) -> BlurSpectrum:
         """Return the power spectrum of the light."""
-        power = np.square(_cosines(light), dtype=np.float64) / self._stated
-        return BlurSpectrum.cosine(power, _frequency(self.shape))
+        return BlurSpectrum.cosine(light, self._stated)
 
     def _blurred(self, planes: Values) -> Values:
         return self._inverted(self.h * self._transformed(planes))
@@ -555,7 +546,7 @@ def _frame(shape: tuple[int, int]) -> tuple[list[_Band], Values]:
     The sum of all squares is 1. Bands of low frequencies are sampled more coarsely: a part of a cosine transform is
     that of a smaller image.
     """
-    fy, fx = _axes(shape)
+    fy, fx = cosine_axes(shape)
     octave = np.log2(np.maximum(np.hypot(fy, fx), 1e-6) / 0.5)
     direction = np.arctan2(fy, fx) * (_DIRECTIONS - 1) / (0.5 * np.pi)
     bands, above = [], np.ones(shape)

@@ -17,15 +17,16 @@ from functools import cache
 from typing import NamedTuple, Self
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 
 _RINGS = 96  # rings of spatial frequency from 0 to sqrt(1/2) cycles per pixel
 _WIDTH = np.sqrt(0.5) / _RINGS  # width of a ring, cycles per pixel
 _LARGEST = 1.6  # largest alias frequency, cycles per pixel
 _GRID = 128  # frequencies along each axis of a quadrant, of which the shares of rings are computed
-_SLOPES = np.arange(0.75, 4.01, 0.25)  # exponents s of the texture
+_SLOPES = np.arange(0.0, 4.01, 0.25)  # exponents s of the texture
 _MIN_PERIODS = 2.5  # smallest frequency that is compared, periods per side of the photograph
 _NOISES = np.geomspace(0.5, 2.0, 13)  # noise variance in units of the stated variance
 _MIN_NOISE_GAIN = 5.0  # gain in log-likelihood that another noise variance than the stated one needs
@@ -48,6 +49,11 @@ class Texture(NamedTuple):
 
 FREQUENCIES: Array = (np.arange(int(_LARGEST / _WIDTH)) + 0.5) * _WIDTH
 """Frequencies (cycles per pixel) at which the transfer functions of blurs are given."""
+
+
+def cosine_axes(shape: tuple[int, ...]) -> tuple[Array, Array]:
+    """Return the frequencies (cycles per pixel) of a cosine transform down and across an image."""
+    return np.arange(shape[0])[:, None] / (2.0 * shape[0]), np.arange(shape[1]) / (2.0 * shape[1])
 
 
 @cache
@@ -113,9 +119,13 @@ class BlurSpectrum:
         return cls(power, f, counts * squares.sum() ** 2 / (np.square(squares).sum() * planes[0].size))
 
     @classmethod
-    def cosine(cls, power: Array, f: Array) -> Self:
-        """Return the spectra of cosine transforms, whose values are real; `f` are their frequencies."""
-        return cls(power, f, np.where(f >= _MIN_PERIODS / min(f.shape), 0.5, 0.0))
+    def cosine(cls, planes: Values, variances: Array) -> Self:
+        """Return the spectra of planes that are mirrored at their edges, by the variances of their channels."""
+        power = np.square(scipy.fft.dctn(planes, axes=(1, 2), norm="ortho"), dtype=np.float64)
+        f = np.hypot(*cosine_axes(planes.shape[1:]))
+        # The values of cosine transforms are real.
+        counts = np.where(f >= _MIN_PERIODS / min(f.shape), 0.5, 0.0)
+        return cls(power / np.maximum(variances, _TINY).reshape(-1, 1, 1), f, counts)
 
     def texture(self, curve: Array, channel: int) -> Texture:
         """Return the most likely texture of a channel and its noise, for the transfer `curve` at FREQUENCIES."""
@@ -134,6 +144,12 @@ class BlurSpectrum:
             if fit.cost[0] < least:
                 least, best, texture_noise = fit.cost[0], fit, float(noise)
         return best.texture(0, texture_noise)
+
+    def residual(self, curve: Array, texture: Texture) -> float:
+        """Return the residual power expected of the Wiener filter, in units of the stated noise variance."""
+        power = np.square(curve) * texture.spectrum(FREQUENCIES)
+        signal = _shares()[self._known] @ power
+        return float(self._counts @ (texture.noise**2 / (texture.noise + signal)) / self._counts.sum())
 
     def _most_noise(self, channel: int) -> float:
         """Return the largest noise that the weakest frequencies allow, within three standard errors."""

@@ -6,18 +6,15 @@ variance of white noise / its stated variance, and ``S(f) = c f^-s`` the power s
 (:mod:`lommel.imaging.focal_tables`). The coefficients of the polynomials are computed at a few depths, as one table
 for each depth, and interpolated between these depths.
 
-The estimates of c, s and nu maximise the likelihood of the measured power in rings, which are annuli of spatial
-frequency. The model of this power is ``c f^-s <h^2> + nu``, where <h^2> is the mean of h^2 over all pixels (Whittle
-1953, doi:10.1007/BF02590998). Noise above the stated noise is distinguishable from texture only at frequencies that
-are transmitted at no depth; without such frequencies nu is at most 1.
+The estimates of c, s and nu are those of :mod:`lommel.imaging.blur_spectrum`, for the mean of h^2 over all pixels.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple, Self
+from typing import Self
 
 import numpy as np
 import scipy
@@ -28,8 +25,9 @@ from lommel.deconvolve.algorithms import ONE_PASS, ProgressCallback, silent
 from lommel.deconvolve.iterations import Solution
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur
-from lommel.estimation.focal_model import LARGEST, Band, FocalLight, FocalModel, transfer_curve
+from lommel.estimation.focal_model import LARGEST, FocalLight, FocalModel, transfer_curve
 from lommel.imaging.blur import DepthBlur
+from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum, Texture
 from lommel.imaging.focal_engine import processors
 from lommel.imaging.focal_tables import SharpTables, Taps
 from lommel.imaging.occlusion import Occlusion
@@ -38,25 +36,11 @@ _STEP = 0.75  # radians of defocus between tables
 _MAX_TABLES = 961  # largest number of tables
 _DEGREES, _GOOD_LOSS = (12, 24, 48), 0.1  # polynomial degrees in the order tried; loss (dB) at which the search stops
 _MIN_ERROR = 0.01  # mean squared error / pixel variance, added to errors before losses are computed
-_BLOCK, _MAX_BLOCKS = 256, 8  # blocks whose spectra are averaged: side (pixels), largest number along an axis
-_RINGS, _MIN_PERIODS = 14, 3.0  # number of rings; inner edge of the first ring, in periods per block
-_BAND = 48  # number of frequencies from 0 to 1/2 cycle per pixel along an axis
-_TEXTURE_SLOPES = (2.0, 1.0, 3.0, 0.0)  # candidate slopes s of the power spectrum, the most common one first
-_MIN_GAIN = 5.0  # increase of the log-likelihood required of a later slope in this list
-_OPAQUE_POWER, _MAX_NOISE = 1e-2, 8.0  # transmitted fraction of power below which nu may exceed 1; largest nu then
 _EDGE_POWER = 4.0  # power of texture at depth edges / power elsewhere
 _EDGE_STEP = 1.5  # depth difference, in units of the table spacing, that counts as a depth edge
 _LOCAL_RMS = 3.0  # rms width, in pixels, of the Gaussian that averages residuals locally
 _DISTANCES = (2, 6, 16)  # distances in pixels from which a filter collects light
 _MIN_SIDE, _MULTIPLE = 160, 16  # smallest side of a filtered image; every side is a multiple of _MULTIPLE (pixels)
-
-
-class Texture(NamedTuple):
-    """Texture with the power spectrum ``power f^-slope``, and the noise variance, in units of the stated variance."""
-
-    power: float  # power c at one cycle per pixel
-    slope: float  # exponent s
-    noise: float  # nu: 1 if the noise is as stated
 
 
 @dataclass(frozen=True)
@@ -71,7 +55,7 @@ class _Light(FocalLight):
 
     def power(self, f: Array) -> Array:
         """Return the power of the texture, in units of the noise variance."""
-        return np.asarray(self.texture.power / self.texture.noise * _power_law(f, self.texture.slope))
+        return self.texture.spectrum(np.maximum(f, 1.0 / LARGEST)) / self.texture.noise
 
 
 _MAX_LOSS = 1.0  # largest loss (dB), over all distances, of the polynomials relative to the exact Wiener filter
@@ -158,10 +142,17 @@ class _Scene:
 
     def texture(self, channel: int) -> Texture:
         """Return the estimated texture of a channel, which includes the noise."""
-        return _estimate_texture(self.planes[channel], self._transmitted(channel), self._variances[channel])
+        return self._spectrum(channel).texture(self._transmitted(channel), 0)
 
-    def _transmitted(self, channel: int) -> _Transmission:
-        return _Transmission.of(self._curves[channel], self.places, len(self.vergence))
+    def _spectrum(self, channel: int) -> BlurSpectrum:
+        """Return the power spectrum of a channel."""
+        return BlurSpectrum.cosine(self.planes[channel][None], np.array(self._variances[channel]))
+
+    def _transmitted(self, channel: int) -> Array:
+        """Return the rms transfer function of all pixels at FREQUENCIES."""
+        count = len(self.vergence)
+        weights = np.bincount(np.rint(self.places).astype(int).ravel(), minlength=count) / self.places.size
+        return np.asarray(np.sqrt(weights @ np.square(self._curves[channel](FREQUENCIES))))
 
     def model(self, channel: int, texture: Texture) -> FocalModel:
         """Return the model of a channel. Light with the blur of other depths is treated as noise."""
@@ -175,9 +166,8 @@ class _Scene:
 
     def target(self, channel: int) -> float:
         """Return the residual power of a channel expected of the Wiener filter, in units of the stated variance."""
-        texture, transmission = self.texture(channel), self._transmitted(channel)
-        signal = texture.power * transmission.photograph_power(texture.slope)
-        return float((texture.noise**2 / (texture.noise + signal)) @ transmission.band.share)
+        spectrum, transmitted = self._spectrum(channel), self._transmitted(channel)
+        return spectrum.residual(transmitted, spectrum.texture(transmitted, 0))
 
 
 def wiener_target(observed: PhotographLikelihood) -> tuple[float, float] | None:
@@ -277,88 +267,6 @@ def fill_unknown(plane: Values, known: NDArray[np.bool_]) -> Array:
         return np.asarray(plane, dtype=np.float64)
     nearest = scipy.ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True)
     return np.asarray(plane[tuple(nearest)], dtype=np.float64)
-
-
-def _spectrum(plane: Array) -> tuple[Array, Array]:
-    """Return the frequency in cycles per pixel and the power spectrum of a plane, averaged over windowed blocks."""
-    sides = [min(side, _BLOCK) for side in plane.shape]
-    starts = [
-        np.unique(np.linspace(0, length - side, min(-(-length // side), _MAX_BLOCKS)).astype(int))
-        for length, side in zip(plane.shape, sides, strict=True)
-    ]
-    # Hann windows: without them the jump between opposite edges of a block would appear as a texture of slope 2.
-    window = np.outer(*(np.hanning(side + 2)[1:-1] for side in sides))
-    window /= math.sqrt(np.square(window).sum())
-    total = np.zeros((sides[0], sides[1] // 2 + 1))
-    for top in starts[0]:
-        for left in starts[1]:
-            part = plane[top : top + sides[0], left : left + sides[1]]
-            total += np.square(np.abs(np.fft.rfft2((part - part.mean()) * window)))
-    f = np.hypot(np.fft.fftfreq(sides[0])[:, None], np.fft.rfftfreq(sides[1]))
-    return f, total / (len(starts[0]) * len(starts[1]))
-
-
-class _Transmission(NamedTuple):
-    """Power transmitted by the lens, averaged over all pixels, in the band and in eight alias bands."""
-
-    band: Band
-    f: Array  # (9, frequencies): cycles per pixel
-    power: Array  # (9, frequencies): squared transfer function
-
-    @classmethod
-    def of(cls, curve: Callable[[Array], Array], places: NDArray[np.float32], count: int) -> Self:
-        """Return the transmission; `curve` returns the transfer function of each table."""
-        band = Band.of(_BAND)
-        weights = np.bincount(np.rint(places).astype(int).ravel(), minlength=count) / places.size
-        fs, powers = [], []
-        # Sampling at the pixels folds the eight nearest alias bands into the band.
-        for shift_x in (0.0, -1.0, 1.0):
-            for shift_y in (0.0, -1.0, 1.0):
-                x, y = band.fx - shift_x, band.fy - shift_y
-                fs.append(np.hypot(x, y))
-                powers.append(weights @ np.square(curve(fs[-1])) * np.square(np.sinc(x) * np.sinc(y)))
-        return cls(band, np.array(fs), np.array(powers))
-
-    def photograph_power(self, slope: float) -> Array:
-        """Return the power spectrum of the photograph of a texture with the power ``f^-slope``."""
-        return np.asarray((self.power * _power_law(self.f, slope)).sum(axis=0))
-
-
-def _power_law(f: Array, slope: float) -> Array:
-    return np.asarray(np.maximum(f, 1.0 / LARGEST) ** -slope)
-
-
-def _estimate_texture(plane: Array, transmission: _Transmission, variance: float) -> Texture:
-    """Return the most likely texture of a plane with the stated `variance`; its power is 0 for fewer than 3 rings."""
-    f, power = _spectrum(plane)
-    edges = np.append(np.geomspace(_MIN_PERIODS / min(*plane.shape, _BLOCK), 0.5, _RINGS), 0.75)
-    ring_of_f, ring_of_band = np.digitize(f, edges), np.digitize(transmission.f[0], edges)
-    rings = [k for k in range(1, len(edges)) if (ring_of_f == k).sum() > 8 and (ring_of_band == k).any()]
-    count = np.array([float((ring_of_f == k).sum()) for k in rings])
-    measured = np.array([power[ring_of_f == k].mean() for k in rings]) / max(variance, 1e-300)
-    if len(rings) < 3 or not measured.max() > 0.0:
-        return Texture(0.0, _TEXTURE_SLOPES[0], 1.0)
-    share = transmission.band.share
-
-    def ring_means(values: Array) -> Array:
-        return np.array([(values * share)[ring_of_band == k].sum() / share[ring_of_band == k].sum() for k in rings])
-
-    # Whittle's negative log-likelihood: sum over rings of n (log S + P / S), with n frequencies in the ring, the
-    # model S and the measured power P.
-    min_noise = min(1.0, float(measured.min()))
-    max_noise = _MAX_NOISE if ring_means(transmission.power[0]).min() < _OPAQUE_POWER else 1.0
-    noise = np.geomspace(min_noise, max(max_noise, min_noise * 1.0001), 40)[:, None, None]
-    min_cost, texture = math.inf, Texture(0.0, _TEXTURE_SLOPES[0], 1.0)
-    for slope in _TEXTURE_SLOPES:
-        shape = ring_means(transmission.photograph_power(slope))
-        factors = np.geomspace(1e-4, 1e6, 120)[:, None] / max(shape.max(), 1e-300)
-        model = factors * shape + noise
-        cost = (count * (np.log(model) + measured / model)).sum(axis=2)
-        a, b = np.unravel_index(np.argmin(cost), cost.shape)
-        # The most common slope is tried first; another slope must be clearly more likely.
-        if cost[a, b] < min_cost - _MIN_GAIN:
-            min_cost, texture = float(cost[a, b]), Texture(float(factors[b, 0]), slope, float(noise[a, 0, 0]))
-    return texture
 
 
 def _filter_plane(tables: SharpTables, plane: Array, places: NDArray[np.float32], threads: int) -> Values:

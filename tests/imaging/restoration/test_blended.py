@@ -137,7 +137,8 @@ def test_texture_and_noise_follow_from_the_spectrum(slope):
     transfer = np.exp(-np.square(4.0 * f))
     power = 3.0 * np.maximum(f, 0.5 / side) ** -slope * np.square(transfer)
     coefficients = draw.standard_normal(f.shape) * np.sqrt(power + 0.5)
-    spectrum = BlurSpectrum.cosine(np.square(coefficients)[None], f)
+    plane = scipy.fft.idctn(coefficients, norm="ortho")
+    spectrum = BlurSpectrum.cosine(plane[None], np.ones(1))
     found = spectrum.texture(np.exp(-np.square(4.0 * FREQUENCIES)), 0)
     assert found.slope == pytest.approx(slope, abs=0.25)
     assert found.noise == pytest.approx(0.5, rel=0.13)  # the noise was stated as 1

@@ -612,8 +612,8 @@ def sharpen(
 
     Wiener filters in one pass, at video rate. CLIP is a video file, numbered images (a folder or frames/%04d.tif)
     or a photo, in grey or colour. LENS is a lens file. Blur wider than about 40 pixels is removed only in part;
-    `lommel restore --at` takes longer and removes more. Ctrl-C, SIGTERM or a closed terminal ends the command and leaves a
-    complete file.
+    `lommel restore --at` takes longer and removes more. Ctrl-C, SIGTERM or a closed terminal ends the command and
+    leaves a complete file.
 
     Parameters
     ----------

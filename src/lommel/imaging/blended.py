@@ -474,12 +474,14 @@ class _FieldProblem(_Problem):
             min(max((start + stop) // 2, 0), side - 1)
             for start, stop, side in zip(tile.first, tile.last, blur.shape, strict=True)
         )
-        windows = np.array([blur.window(row, column, c) for c in range(blur.channels)])
-        half = windows.shape[-1] // 2
+        windows = [blur.window(row, column, c) for c in range(blur.channels)]
+        half = max(len(window) for window in windows) // 2
 
         def transfer(shape: tuple[int, int]) -> Values:
             planes = np.zeros((len(windows), *shape), _Real)
-            planes[:, : 2 * half + 1, : 2 * half + 1] = windows
+            for plane, window in zip(planes, windows, strict=True):
+                first = half - len(window) // 2
+                plane[first : first + len(window), first : first + len(window)] = window
             fy, fx = _fourier_axes(shape)
             # Windows include the pixel, which is a part of the scene that is estimated.
             spectra = scipy.fft.rfft2(np.roll(planes, (-half, -half), (1, 2)))

@@ -209,3 +209,12 @@ class TestOverTheField:
         assert found.stopped == "noise"
         blended = restore(photo, None, blur, encoding="linear", noise=NOISE, saturation=1.0, method=Blend())
         assert blended.stopped.startswith("misfit")
+
+    def test_windows_of_colours_may_differ(self) -> None:
+        scene = _scene(3)
+        blur = FieldBlur(self.FIELD, scene.shape[:2], 4e-6, channels=[450e-9, 550e-9, 650e-9])
+        photo = np.moveaxis(NOISE.record(5000.0 * np.moveaxis(blur.forward(scene), 2, 0), 2), 0, 2)
+        found = restore(photo, None, blur, encoding="linear", noise=NOISE, saturation=1.0)
+        assert len({bank.half for bank in blur.banks}) > 1
+        assert found.stopped == "one pass"
+        assert _error(found.values, scene) < 0.95 * _error(photo, scene)

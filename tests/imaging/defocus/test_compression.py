@@ -6,6 +6,7 @@ import io
 
 import numpy as np
 import pytest
+import scipy.ndimage
 from PIL import Image
 
 from lommel.cli.instruments import FrameNoise
@@ -27,6 +28,14 @@ def test_blocks_of_jpeg_are_found_and_only_these(quality):
         values = np.asarray(Image.open(file))
     # Cropping moves the edges of blocks.
     assert is_compressed((values[3:, 5:] / 255.0) ** 2.2) == (quality is not None)
+
+
+@pytest.mark.parametrize("period", [4, 6, 12])
+def test_printed_lines_are_not_compressed(period):
+    rng = np.random.default_rng(5)
+    ink = rng.uniform(0.0, 1.0, (240, 200)) * (np.arange(240) % period < 0.7 * period)[:, None]
+    page = scipy.ndimage.gaussian_filter(1.0 - 0.7 * ink, 0.8)
+    assert not is_compressed(page + rng.normal(0.0, 0.01, page.shape))
 
 
 def test_a_verdict_by_which_nothing_is_tested_is_not_reliable():

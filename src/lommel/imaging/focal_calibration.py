@@ -11,7 +11,7 @@ tiles (Huber 1967, White 1982, doi:10.2307/1912526).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from os import PathLike
@@ -56,11 +56,15 @@ _PUPIL = 1e-3  # metres: standard error of an origin that is stated
 _FLOOR = 0.002  # units: standard error of each plane that tiles do not show
 _EXCESS, _CHANGE = 300.0, 0.1  # assumed power of noise of finished photographs / that of `_ASSUMED`, and its change
 _MAX_ERROR = 4.0  # units: standard error of the shift of foci above which planes do not determine it
-_HELD = 0.5  # standard error of what is stated after calibration / before, above which it is called held
+# Standard error of what is stated after calibration / before: above these, planes determine it in part, or hardly.
+_PART, _HELD = 0.5, 0.9
 _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
+_UNLIKELY = (
+    3.0  # deviation of the lens of one plane from the stated one, standard errors, above which another is sought
+)
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
-_MAX_MISFIT = 1.8  # misfit above which the photographs do not follow the noise
+_MAX_MISFIT, _WRONG_MISFIT = 1.8, 6.0  # misfits above which the photographs do not follow the noise, and the lens
 _MIN_CHANGE = 0.2  # least change of the mean log(energy) of tiles by shifts of the foci
 _UNDETERMINED = (
     "photographs do not determine the focus: use planes with more texture or light, or farther from the foci"
@@ -325,15 +329,23 @@ class _Search:
         """Return -log(likelihood) of all tiles and of the changes of what is stated."""
         return float(self.costs(at @ self.rows).sum() + 0.5 * np.square(at / self.stated).sum())
 
-    def minimum(self, at: Array, floors: Array) -> tuple[Array, list[_Score], Array, Array]:
+    def minimum(self, at: Array, floors: Array, steady: bool = False) -> tuple[Array, list[_Score], Array, Array]:
         """Return parameters, scores of planes, the weight of gradients, and the precision; ValueError if none.
 
         Parameters minimise the squares of gradients over their variances plus those of the changes of what is stated.
-        `floors` are standard errors that tiles do not show, units, (planes, directions).
+        `floors` are standard errors that tiles do not show, units, (planes, directions). With `steady`, slopes and
+        variances are those of the start: gradients vanish at saddles, too, where a plane is in focus.
         """
+        first: list[_Score] = []
         for _ in range(_MAX_STEPS):
             self.weigh(at @ self.rows, self._excess)
             scores = list(self._scores(at))
+            if steady:
+                first = first or scores
+                scores = [
+                    new._replace(slopes=old.slopes, scales=old.scales, variance=old.variance)
+                    for new, old in zip(scores, first, strict=True)
+                ]
             slopes = np.vstack([score.slopes for score in scores])
             more = [np.diag((score.scales * floor) ** 2) for score, floor in zip(scores, floors, strict=True)]
             variance = scipy.linalg.block_diag(*(score.variance + x for score, x in zip(scores, more, strict=True)))
@@ -357,22 +369,46 @@ class _Search:
     def best(self) -> tuple[Array, Array, list[CalibratedPlane]]:
         """Return parameters, their covariance, and the planes; ValueError if these do not determine the focus."""
         start, found, error = self.start(), list[tuple[Array, Array, list[CalibratedPlane]]](), None
-        for again in (False, True):  # where planes contradict each other
+        for again in (False, True):  # where planes contradict each other, or one plane what is stated
             try:
-                found.append(self._solution(self.likeliest(start) if again else start))
+                found.append(self._solution(self._likeliest_near(start) if again else start, again))
             except ValueError as failure:
                 error = error or failure
             else:
-                if max(map(_deviation, found[-1][2])) < _DOUBTFUL:
+                at, _, planes = found[-1]
+                if max(map(_deviation, planes)) < _DOUBTFUL and (len(planes) > 1 or self._is_near(at)):
                     return found[-1]
         if error is not None and not found:
             raise error
-        return found[0]
+        return min(found, key=lambda one: self._common_cost(one[0], [each[0] for each in found]))
 
-    def _solution(self, at: Array) -> tuple[Array, Array, list[CalibratedPlane]]:
-        """Return what `best` does, from one start."""
+    def moved(self, at: Array) -> float:
+        """Return the deviation of one plane's lens from what is stated, standard errors; 0 for more planes."""
+        return float(np.linalg.norm(at / self.stated)) if len(self.planes) == 1 else 0.0
+
+    def _is_near(self, at: Array) -> bool:
+        """Return whether one plane's lens is near the stated one, and at a minimum of -log(likelihood), no saddle."""
+        slopes = next(self._scores(at)).slopes[:, self._measured]
+        return self.moved(at) < _UNLIKELY and float(np.linalg.eigvalsh(slopes + slopes.T)[0]) > 0.0
+
+    def _likeliest_near(self, start: Array) -> Array:
+        """Return the likeliest of the parameters that `likeliest` finds from `start` and from both sides of it."""
+        step = np.append(_SCAN[1] - _SCAN[0], np.zeros(len(start) - 1))
+        near = [self.likeliest(start + side * step) for side in (0.0, -1.0, 1.0)]
+        return min(near, key=lambda at: self._common_cost(at, near))
+
+    def _common_cost(self, at: Array, others: Sequence[Array]) -> float:
+        """Return -log(likelihood) by the weights of frequencies of all `others`, of which none is favoured."""
+        total = 0.0
+        for other in others:
+            self.weigh(other @ self.rows, self._excess)
+            total += float(self.costs(at @ self.rows).sum())
+        return total
+
+    def _solution(self, at: Array, steady: bool) -> tuple[Array, Array, list[CalibratedPlane]]:
+        """Return what `best` does, from one start; `steady` as of :meth:`minimum`."""
         floors = np.full((len(self.planes), 2), _FLOOR)
-        at, scores, weight, precision = self.minimum(at, floors)
+        at, scores, weight, precision = self.minimum(at, floors, steady)
         if self._excess > 1.0:
             # What other weights change is the error of what cameras do to fine details.
             self.weigh(at @ self.rows, _CHANGE * self._excess)
@@ -380,7 +416,7 @@ class _Search:
                 one.gradient / one.scales - other.gradient / other.scales
                 for one, other in zip(scores, self._scores(at), strict=True)
             ]
-            at, scores, weight, precision = self.minimum(at, np.hypot(floors, changes))
+            at, scores, weight, precision = self.minimum(at, np.hypot(floors, changes), steady)
         if any(score.slopes[0, 0] <= 0.0 for score in scores):
             raise ValueError(_UNDETERMINED)
         slopes, covariance = np.vstack([score.slopes for score in scores]), np.asarray(np.linalg.inv(precision))
@@ -457,8 +493,9 @@ class CalibratedPlane(NamedTuple):
 class FocalCalibration(FitReport):
     """Lenses calibrated by :func:`lommel.imaging.calibrate_focus`.
 
-    The findings have the codes "exchanged", "contradiction", "not_flat", "misfit", "compressed", "stated", and
-    "untested" (the order of the photographs of one plane about midway between the foci).
+    The findings have the codes "exchanged", "contradiction" (of planes, or of one plane and the stated lens),
+    "not_flat", "misfit", "compressed", "stated", and "untested" (the order of the photographs of one plane about
+    midway between the foci).
     ``print(found)`` prints a table.
 
     Attributes
@@ -668,13 +705,13 @@ def calibrate_focus(
                 f"{error}; in the other order they agree: exchange the photographs of each pair"
             ) from None
         raise
-    held = [
-        name
-        for name, variance, stated in zip(search.basis, np.diag(covariance), search.stated, strict=True)
-        if variance > (_HELD * stated) ** 2
-    ]
+    ratios = dict(zip(search.basis, (np.sqrt(np.diag(covariance)) / search.stated).tolist(), strict=True))
+    moved = search.moved(at)
     at, covariance = at @ search.rows, search.rows.T @ covariance @ search.rows
-    findings = [*_findings(held, seen, covariance, noise is not None), *_exchanged(search, at, seen, other())]
+    findings = [
+        *_findings(ratios, moved, seen, covariance, noise is not None),
+        *_exchanged(search, at, seen, other()),
+    ]
     if compressed:
         text = (
             "the photographs are compressed (JPEG), which looks like blur: numbers may be off by more than their "
@@ -699,9 +736,19 @@ def calibrate_focus(
 
 
 def _findings(
-    held: Sequence[str], planes: Sequence[CalibratedPlane], covariance: Array, stated: bool
+    ratios: Mapping[str, float], moved: float, planes: Sequence[CalibratedPlane], covariance: Array, stated: bool
 ) -> Iterator[Finding]:
-    """Yield the findings on planes, on noise if it was stated, and on parameters that are held."""
+    """Yield the findings on planes, on noise if it was stated, and on what is stated.
+
+    `ratios` are standard errors of parameters after calibration / before, `moved` as of :meth:`_Search.moved`.
+    """
+    if moved > _DOUBTFUL:
+        text = (
+            f"the photographs of the plane contradict the stated lens by {moved:.2g} of its standard errors "
+            f"({percent(UNMEASURED[0])} of the f-number, {percent(UNMEASURED[1])} of each focus): check lens file, "
+            "pixel and distance, or use a second plane"
+        )
+        yield Finding("contradiction", "doubt", text, {"deviation": moved, "limit": _DOUBTFUL})
     for plane in planes:
         name, (found, error) = f"the plane at {format_length(plane.distance)}", with_error(plane.found, plane.error)
         if (deviation := _deviation(plane)) > _DOUBTFUL:
@@ -719,17 +766,21 @@ def _findings(
             f"photographs differ by {misfit:.3g} times their noise (sharpened, compressed, moved): standard errors "
             "follow from the scatter of tiles, but do not include what all tiles share"
         )
-        yield Finding("misfit", "note", text, {"misfit": misfit, "limit": _MAX_MISFIT})
+        severity: Literal["doubt", "note"] = "doubt" if misfit > _WRONG_MISFIT else "note"
+        yield Finding("misfit", severity, text, {"misfit": misfit, "limit": _MAX_MISFIT, "wrong": _WRONG_MISFIT})
     error = max(covariance[3, 3] ** 0.5, 1e-9)
-    moved = float(np.abs(covariance[1:3, 3]).max() / error)  # 1/m, by the error of the origin
+    shift = float(np.abs(covariance[1:3, 3]).max() / error)  # 1/m, by the error of the origin
     texts = {
         "f-number": f"the f-number (+- {percent(UNMEASURED[0])})",
         "difference": f"the difference of the foci (+- {percent(UNMEASURED[1])} of each)",
-        "origin": f"the origin of distances (+- {format_length(error)}, {moved:.2g} dioptre of foci: state origin)",
+        "origin": f"the origin of distances (+- {format_length(error)}, {shift:.2g} dioptre of foci: state origin)",
     }
-    if held:
-        text = f"held: {', '.join(texts[name] for name in held)}; planes at other distances determine more"
-        yield Finding("stated", "note", text, {"held": held})
+    held = [name for name, ratio in ratios.items() if ratio > _HELD]
+    part = [name for name, ratio in ratios.items() if _PART < ratio <= _HELD]
+    groups = {"held": held, "determined in part, and by what is stated": part}
+    if words := [f"{word}: {', '.join(texts[name] for name in names)}" for word, names in groups.items() if names]:
+        text = f"{'; '.join(words)}; planes at other distances determine more"
+        yield Finding("stated", "note", text, {"held": held, "part": part})
 
 
 def _deviation(plane: CalibratedPlane) -> float:

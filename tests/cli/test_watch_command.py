@@ -245,6 +245,17 @@ def test_blocks_that_do_not_fit_are_not_known_and_counted(folder, call_lommel):
     assert found["magnification"] == "lens"
 
 
+def test_frames_shifted_by_a_pixel_fail_the_verdict_which_is_not_only_of_blocks_that_passed(folder, call_lommel):
+    near, far = recorded(1.5)
+    write_video(folder / "near.mkv", [near])
+    write_video(folder / "far.mkv", [np.roll(far, 1, axis=0)])
+    result = call_lommel("watch", *SCENE, *DEEP, *TWO, "--json", folder=folder)
+    found = json.loads(result.stdout)
+    assert result.returncode == 3
+    assert found["unfit"] > 0.3
+    assert next(finding for finding in found["findings"] if finding["code"] == "misfit")["numbers"]["misfit"] > 2.0
+
+
 def test_brightness_that_rolls_over_the_frames_moves_no_depth(folder, call_lommel, monkeypatch):
     ramp = 1.0 + 0.04 * np.sin(np.linspace(0.0, 12.0, SIDE))[:, None]
     frames = [np.rint(frame * (ramp if k % 2 else ramp[::-1])).astype(np.uint16) for k, frame in enumerate(steady())]
@@ -313,7 +324,7 @@ def test_a_block_is_known_up_to_the_largest_misfit_and_a_pixel_below_saturation(
     frame[20] = 109.9, 110.0, 10.0
     assert np.isnan(video_commands.equalize_rows(frame, frame, coding)[1][20]).tolist() == [False, True, False]
     live = Mock(return_value=found, noise=lm.Noise(white=2.0, read=0.0, offset=10.0), binning=(2, 1))
-    live.verdict.return_value = SimpleNamespace(misfit=2.0)  # the noise has 2 electrons for 1 stated
+    live.aliases.return_value = np.zeros((1, 4))
     estimator = video_commands.Estimator(live, coding, 2.0, sharp=False)
     frame = np.full((4, 16), 50.0)
     result = estimator(SimpleNamespace(time=5.0, first=frame, second=frame))
@@ -321,13 +332,13 @@ def test_a_block_is_known_up_to_the_largest_misfit_and_a_pixel_below_saturation(
     np.testing.assert_array_equal(result.errors, [[0.1, 0.2, np.inf, np.inf]])
     assert result.unknown == {"compressed": 0.0, "misfit": 0.25, "border": 0.0, "flat": 0.25, "ambiguous": 0.0}
     assert result.numbers == pytest.approx((0.5, 0.25, 1.5, 0.15, 2.0))
-    # Without binning the misfit is 1.25: a median of 2 is that of right depth, where pixels are binned.
-    found.depth, found.errors = np.array([[1.0, 2.0, 3.0, 4.0]]), np.array([[0.1, 0.2, 0.3, np.inf]])
-    live.verdict.return_value = SimpleNamespace(misfit=1.25)
-    estimator = video_commands.Estimator(live, coding, 2.0, sharp=False)
-    result = estimator(SimpleNamespace(time=5.0, first=frame, second=frame))
-    np.testing.assert_array_equal(result.depth, [[1.0, 2.0, 3.0, np.nan]])
-    assert estimator.largest == 3.2
+    # The verdict, which takes these arrays, is on blocks with a misfit as well.
+    np.testing.assert_array_equal(found.errors, [[0.1, 0.2, 0.3, np.inf]])
+    # The misfit that aliases of the binned pixels of a block add raises its limit.
+    for added, known in (([0.0, 0.0, 0.01, 0.0], True), ([9.0, 9.0, 0.0, 9.0], False)):
+        live.aliases.return_value = np.array([added])
+        result = estimator(SimpleNamespace(time=5.0, first=frame, second=frame))
+        assert np.isfinite(result.depth).tolist() == [[True, True, known, False]]
 
 
 def test_pairs_are_summarised():

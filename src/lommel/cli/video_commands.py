@@ -69,7 +69,6 @@ _COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "f
 
 _DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
 _TEST_ROWS = 16  # number of pairs after which it is tested again whether equalized rows lower the misfit
-_DOUBTFUL = 1.3  # median misfit from which it is tested whether binned pixels raise it
 _WORSE = 0.1  # increase of the mean logarithm of the misfit after which it is tested at once
 _RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
 _MAX_NEAREST = 1e9  # metres: largest nearest distance of filters, practically infinity
@@ -234,7 +233,7 @@ def watch(
             **outputs.facts,
         }
         compression = video_faults.loss_note(pairs.loss, estimator.coding_in_use)
-        notes = [text for text in (guess, compression, tally.unknown(estimator.largest, facts)) if text]
+        notes = [text for text in (guess, compression, tally.unknown(estimator.limit, facts)) if text]
         o, verdict = with_calibration(options, instrument), DefocusVerdict.of(math.nan)
         if tally.failed < tally.pairs:
             verdict = live.verdict(f_number_error=o.f_number_error, focus_error=o.focus_error)
@@ -298,7 +297,6 @@ class Estimator:
     evens: bool = True  # True if rows are equalized
     age: int = 0  # number of pairs
     score: float = math.inf  # mean logarithm of the misfit when it was last tested whether equalized rows lower it
-    floor: float = math.nan  # misfit of right depth, more than 1 where binned pixels have aliases; NaN if not tested
     far: Values | None = None  # second frame of the previous pair of alternating frames
 
     def __call__(self, pair: videos.FramePair, loss: float | Values = 0.0) -> PairResult:
@@ -318,23 +316,25 @@ class Estimator:
             return PairResult(elapsed, time.perf_counter() - start, failure)
         coding = self.coding_in_use
         image = self.live.sharp() * np.float32(self.coding.white / coding.white) if self.sharp else None
-        depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
-        estimated = np.isfinite(errors)
+        estimated, misfit = np.isfinite(estimate.errors), estimate.misfit
         relative = video_faults.relative_loss((pair.first, pair.second), loss, coding)
         # Each block has the first cause that applies.
         causes = self._faults(frames[1], estimate, relative, coding)
         median = _median(misfit[estimated])
-        if math.isnan(self.floor) and median > _DOUBTFUL and max(self.live.binning, default=1) > 1:
-            self.floor = max(1.0, median / max(1.0, self.live.verdict().misfit))  # the verdict is without binning
-        unfit = misfit > self.largest * (1.0 + video_faults.MISFIT_OF_LOSS * relative)
+        limit = self.limit * (1.0 + video_faults.MISFIT_OF_LOSS * relative)
+        unfit = misfit > limit
+        if max(self.live.binning, default=1) > 1 and (estimated & unfit).any():
+            unfit = misfit > limit * (1.0 + self.live.aliases())
         causes |= {"misfit": estimated & unfit, "border": np.isnan(misfit), "known": estimated}
         causes["flat"] = video_faults.is_flat(equal, coding)
         cause = np.select(list(causes.values()), range(len(causes)), default=len(causes))
         shares = np.bincount(cause.ravel(), minlength=len(causes) + 1) / cause.size
         unknown = dict(zip([*causes, "ambiguous"], shares.tolist(), strict=True))
         is_known = cause == list(causes).index("known")
+        depth, errors = np.where(is_known, estimate.depth, np.nan), np.where(is_known, estimate.errors, np.inf)
         medians = _median(depth[is_known]), _median(errors[is_known]), median
-        depth[~is_known], errors[~is_known] = np.nan, np.inf
+        # Blocks with a misfit take part in the verdict, which would otherwise test only those that passed.
+        estimate.errors[~is_known & (cause != list(causes).index("misfit"))] = np.inf
         numbers = unknown.pop("known"), unknown["misfit"], *medians
         duration = time.perf_counter() - start
         return PairResult(elapsed, duration, "", depth, errors, image, numbers, unknown)
@@ -344,11 +344,6 @@ class Estimator:
         """The coding with the estimated noise, in whose electrons the frames then are; or as stated."""
         coding, noise = self.coding, self.live.noise or self.coding.noise
         return coding._replace(noise=noise, white=coding.white * _white(noise) / _white(coding.noise))
-
-    @property
-    def largest(self) -> float:
-        """Largest misfit of blocks whose depth is known, without compression."""
-        return self.limit * float(np.fmax(self.floor, 1.0))
 
     def _estimate(self, frames: tuple[Values, Values]) -> tuple[LiveDepthMap, Sequence[Values]]:
         """Return the depth of frames, and the frames, with rows equalized where this lowers the misfit.

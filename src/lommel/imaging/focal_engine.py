@@ -405,6 +405,42 @@ class FocalEngine:
         """Return the mean of (energy at the true depth) - (minimum energy) of pixels with this binning / variance."""
         return binning**2 / self._pixels
 
+    def alias_misfit(self, images: Values, read: float, vergence: Values) -> NDArray[np.float32]:
+        """Return the misfit that aliases of binned pixels add to each block, of frames (frames, height, width).
+
+        The frames are in electrons, `read` is the read noise of a pixel and `vergence` a map of blocks.
+        """
+        binning, block = self.binning, BLOCK
+        height, width = (side // block * block for side in images.shape[1:])
+        frames = images[:, :height, :width]
+        # In cosine transforms, pixels of these frequencies have aliases where squares of pixels are summed.
+        f = [np.arange(side, dtype=np.float32) * np.float32(0.5 / side) for side in (height, width)]
+        centred = np.arange(binning) - 0.5 * (binning - 1)
+        box = [np.cos(2.0 * math.pi * axis[:, None] * centred).sum(axis=1, dtype=np.float32) for axis in f]
+        aliased = ((f[0][:, None] > 0.5 / binning) | (f[1] > 0.5 / binning)) * box[0][:, None] * box[1]
+        aliases = scipy.fft.idctn(
+            scipy.fft.dctn(frames, axes=(1, 2), norm="ortho") * aliased, axes=(1, 2), norm="ortho"
+        )
+        parts = len(frames), height // block, block, width // block, block
+        power, light = (np.reshape(each, parts).mean(axis=(0, 2, 4)) for each in (aliases**2, frames))
+        variance = self.window_means(np.maximum(light, 0.0) + read**2)
+        noise = variance * float(np.mean(aliased**2))  # of `power`
+        ratio = np.maximum(self.window_means(power) - noise, 0.0) / (binning**2 * variance)
+        return np.asarray(ratio * np.interp(vergence, *self._alias_gains), dtype=np.float32)
+
+    @cached_property
+    def _alias_gains(self) -> tuple[Array, Array]:
+        """Vergences, and the ratio (misfit that aliases add) / (power of aliases relative to the noise of a pixel).
+
+        Aliases of the frames are taken as independent, of the texture for which filters are made.
+        """
+        model = self.task.model(self.light, 0, self.binning)
+        squares = residual_filters(model) ** 2
+        aliases = model.noise - model.white[:, None]
+        added = np.einsum("cpif,cif,f->c", squares, aliases, model.band.share)
+        noise = np.einsum("cpif,i,f->c", squares, model.white, model.band.share)
+        return model.vergence, added / noise * model.white.mean() / (aliases.mean(axis=1) @ model.band.share)
+
     def window_means(self, blocks: Array) -> Array:
         """Return weighted means of blocks, (rows, columns), over the window of each block."""
         weights = np.append(self._weights[:0:-1], self._weights)

@@ -528,7 +528,46 @@ class LiveDepth:
         """
         DefocusOptions(f_number_error=f_number_error, focus_error=focus_error)  # checks them
         stated = f_number_error, focus_error
-        level, stored, saturation, mask = self._last_call()
+        level = self._last_call().level
+        images, valid = self._electrons()
+        images = images[None]
+        # Expand blocks to pixels; rows and columns outside whole blocks repeat their neighbours.
+        errors, misfit, vergence = (
+            np.pad(np.kron(blocks, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
+            # Standard errors of the vergence 1 / depth: d(1 / z) = -dz / z^2.
+            for blocks in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
+        )
+        errors = np.where(np.isnan(errors), np.inf, errors)
+        noise = self.noise if self._estimates else None
+        return judge_frames(level.engine, images, valid, errors, misfit, vergence, stated, noise, included=False)
+
+    def aliases(self) -> NDArray[np.float32]:
+        """Return the misfit that aliases of binned pixels add to blocks of the last call; NaN where depth is unknown.
+
+        Details finer than binned pixels, measured in the frames, act as noise that differs between frames,
+        with the filters of the depth found. The arrays of these frames must not have changed.
+
+        Returns
+        -------
+        ndarray of float32, shape (height // 4, width // 4)
+            Expected misfit - 1 of exact lenses and registered frames, within a factor of about 2; 0 without binning.
+
+        Raises
+        ------
+        ValueError
+            If there was no call yet.
+        """
+        level, binning = self._last_call().level, self._last_call().level.engine.binning
+        if binning == 1:
+            return np.where(np.isnan(self._depth), self._depth, np.float32(0.0))
+        images, valid = self._electrons()
+        images = np.where(valid, images, images.mean(axis=(1, 2), where=valid, keepdims=True)).astype(np.float32)
+        read = self._form.read * math.sqrt(self._form.channels)
+        return level.engine.alias_misfit(images, read, np.reciprocal(self._depth))
+
+    def _electrons(self) -> tuple[Values, NDArray[np.bool_]]:
+        """Return the frames of the last call, in electrons at the exposure of the first one, and the valid pixels."""
+        _, stored, saturation, mask = self._last_call()
         planes, limit = self._grey(stored, saturation, mask)
         with np.errstate(invalid="ignore"):
             valid = np.all([np.isfinite(plane) & (plane < limit) for plane in planes], axis=0)
@@ -541,16 +580,7 @@ class LiveDepth:
             (plane - self._offset) * (g[0] + x * (g[1] + x * g[2]) + y * (g[3] + x * g[4] + y * g[5]))
             for plane, g in zip(planes, self._gains.astype(np.float64), strict=True)
         ]
-        images = np.where(valid, light, 0.0)[None]
-        # Expand blocks to pixels; rows and columns outside whole blocks repeat their neighbours.
-        errors, misfit, vergence = (
-            np.pad(np.kron(blocks, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
-            # Standard errors of the vergence 1 / depth: d(1 / z) = -dz / z^2.
-            for blocks in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
-        )
-        errors = np.where(np.isnan(errors), np.inf, errors)
-        noise = self.noise if self._estimates else None
-        return judge_frames(level.engine, images, valid, errors, misfit, vergence, stated, noise, included=False)
+        return np.where(valid, light, 0.0), valid
 
     def sharp(self) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, whose arrays must not have changed.

@@ -314,6 +314,27 @@ def test_shifted_frames_and_wrong_noise_show_in_the_misfit(mild):
     assert np.median(loud(*pair).misfit[4:-4, 4:-4]) < 0.8
 
 
+def test_aliases_of_binned_pixels_explain_the_misfit_of_fine_texture_but_not_of_a_shift():
+    thin = [ThinLens(16e-3, 2.8, focus, 540e-9, 4e-6) for focus in (0.8, 1.2)]
+    near, far = record(plane(texture("fine", 112, 5, contrast=0.4), thin, 0.9, 5000.0), seed=3)
+    live = lm.imaging.LiveDepth(
+        [lommel_lens(lens) for lens in thin], 4e-6, between=(0.65, 1.5), noise=lm.Noise(read=3.0, offset=100.0),
+        shape=near.shape, light=5000,
+    )  # fmt: skip
+    with pytest.raises(ValueError, match="no frames yet"):
+        live.aliases()
+    assert live.binning == (2,)
+    for second, unfit, left in ((far, 0.25, 0.02), (np.roll(far, 1, axis=1), 0.99, 0.95)):
+        found = live(near, second)
+        known, explained = np.isfinite(found.errors), 1.0 + live.aliases()
+        assert (found.misfit[known] > 2.0).mean() > unfit
+        share = (found.misfit[known] > 2.0 * explained[known]).mean()
+        assert share < left if second is far else share > left
+        if second is far:
+            assert np.median(explained[known]) == pytest.approx(np.median(found.misfit[known]), rel=0.1)
+    assert np.array_equal(np.isnan(live.aliases()), np.isnan(found.depth))
+
+
 def test_the_noise_of_the_first_frames_is_that_of_the_camera_and_depth_is_as_far_off_as_is_told(monkeypatch):
     counts = frames(MILD, 1.5, light=2000.0)
     stored = [0.25 * (one.astype(np.float32) - 100.0) for one in counts]  # 4 electrons a count

@@ -118,6 +118,8 @@ def test_depth_of_video_is_within_its_standard_error_in_every_output(folder, cal
     assert times == pytest.approx([0.0, 0.04, 0.08])
     known = depth > 0
     assert np.array_equal(known, errors > 0)
+    for levels, seconds in lm.io.video_frames(str(folder / "depth.mkv")):  # as the page about it says
+        assert np.array_equal(levels, depth[times.index(seconds)])
     table = rows(folder / "found.csv")
     for k, distance in enumerate(DISTANCES):
         metres, error = 1e-4 * depth[k][known[k]], 1e-4 * errors[k][known[k]]

@@ -45,7 +45,7 @@ from lommel.cli.photo_commands import (
 from lommel.cli.video_coding import DEFAULT_READ, DEFAULT_WHITE, Coding, coding_of
 from lommel.imaging import LiveDepth, LiveSharpen
 from lommel.imaging.blur import warn_of_depths
-from lommel.imaging.defocus_verdict import DefocusVerdict
+from lommel.imaging.defocus_verdict import MIN_BLOCKS, DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK, MAX_KNOWN_ERROR
 from lommel.imaging.live import LiveDepthMap
 from lommel.io import photos, videos
@@ -162,11 +162,12 @@ def watch(
     encoding
         Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.
     f_number_error
-        Common relative standard error of all f-numbers, below 0.5, whose effect is stated beside the errors of depth.
+        Common standard error of all f-numbers relative to them, such as 0.05 for 5 %, below 0.5, whose effect is
+        stated beside the errors of depth.
     focus_error
-        Standard error of each focus distance, dioptres (1 / m), whose effect is stated beside the errors of depth,
-        which are of noise alone. By default both are those of the calibration in the lens file, or 3 % of the
-        f-number and 2 % of each focus distance.
+        Standard error of each 1 / (focus distance), dioptres (1 / m), such as 0.02, whose effect is stated beside the
+        errors of depth, which are of noise alone. By default both are those of the calibration in the lens file, or
+        3 % of the f-number and 2 % of each focus distance.
     misfit
         Largest misfit of blocks whose depth counts as known: 1 where only noise is left; inf for all. Fine texture
         raises the misfit of binned pixels, and compression that of all: the limit rises by as much.
@@ -237,9 +238,8 @@ def watch(
         o, verdict = with_calibration(options, instrument), DefocusVerdict.of(math.nan)
         if tally.failed < tally.pairs:
             verdict = live.verdict(f_number_error=o.f_number_error, focus_error=o.focus_error)
-        if (
-            math.isnan(verdict.misfit) and facts["misfit"] is not None and (facts["known"] or facts["unfit"])
-        ):  # of earlier pairs: the last one has no depth
+        blocks = (facts["known"] + facts["unfit"]) * math.prod(side // BLOCK for side in pairs.shape)
+        if math.isnan(verdict.misfit) and blocks >= MIN_BLOCKS:  # of earlier pairs: the last one has no depth
             verdict = DefocusVerdict.of(facts["misfit"], noise=noise, stated=o.f_number_error)
         return (
             told(facts, succeeded=pairs.lost is None)

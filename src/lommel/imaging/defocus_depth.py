@@ -155,12 +155,13 @@ class DefocusOptions(Magnified):
     Parameters
     ----------
     f_number_error : float, optional
-        Common relative standard error of all f-numbers, below 0.5, as part of `errors`. A relative error of the pixel
-        pitch has the same effect, an error of the focal length twice this effect.
+        Common standard error of all f-numbers relative to them, 0.05 for 5 %, below 0.5, as part of `errors`. A
+        relative error of the pixel pitch has the same effect, an error of the focal length twice this effect.
     focus_error : float, optional
-        Standard error of each focus distance, independent of the other distances, dioptres (1 / m), as part of
-        `errors`. If neither error is stated, `errors` are of noise alone, and the verdict states beside them what 3 %
-        of the f-number and 2 % of each focus distance add, for a lens that was not measured.
+        Standard error of each 1 / (focus distance), independent of the others, dioptres (1 / m), as part of `errors`:
+        0.02 is 2 % at 1 m and 4 % at 2 m. If neither error is stated, `errors` are of noise alone, and the verdict
+        states beside them what 3 % of the f-number and 2 % of each focus distance add, for a lens that was not
+        measured.
     """
 
     f_number_error: Annotated[float | None, In(least=0.0, below=0.5)] = None
@@ -294,6 +295,7 @@ def depth_from_defocus(
     mean, ratios = float(means[0]), tuple((means / means[0]).tolist())
     # Scale all frames to the exposure of the first: the tables assume one light level.
     images /= np.asarray(ratios, dtype=np.float32)[:, None, None]
+    excess = 1.0
     for estimated in (True, False) if noise is None else (False,):
         dark = math.sqrt(read**2 + _ADDED_VARIANCE * mean)
         engine = FocalEngine(task, FocalLight(mean, dark, ratios, CONTRAST))
@@ -328,7 +330,8 @@ def depth_from_defocus(
         return from_light(light, encoding, scene.dtype)
 
     sources = "noise and lens" if any(lens_errors) else "noise"
-    judge = partial(judge_frames, engine, images, valid, index_errors, misfit, estimate, lens_errors, noise)
+    maps = images, valid, index_errors, misfit, estimate
+    judge = partial(judge_frames, engine, *maps, lens_errors, noise, excess=excess)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
 
 

@@ -32,6 +32,10 @@ from lommel.recorded.noise import Noise
 
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
 _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
+# Variance of the difference of the images, relative to the noise of their finest details, above which it is in doubt
+# and above which it is not noise: up to 3 in right pairs, as JPEG of quality 90 or smoothed by 0.8 pixels, at least 13
+# in pairs shifted by a pixel.
+_DOUBTFUL_EXCESS, _WRONG_EXCESS = 5.0, 10.0
 _MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
 _BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
 _MIN_JUDGED = 0.15  # fraction of judged blocks below which registration and noise are not judged
@@ -48,11 +52,13 @@ _MAX_MISFIT_RATIO = 2.5  # misfit / smallest misfit above which larger scales ar
 _TILE_SIDE, _MAX_TILES = 256, 4  # side of a tile in pixels, number of tiles
 _MARGIN = 8  # pixels: least distance of a used block from unknown pixels, in addition to the blur radius
 _CELL = 8  # number of blocks along a side of a cell
-_MIN_BLOCKS = 16  # least number of blocks from which a misfit is judged
 _REACH = 3.0  # steps between candidates: extension of the depths of a tile for the judged misfit
 _MIN_COUNT, _COUNT_PER_PIXEL = 48, 8.0  # frequencies along an axis: at least, and per pixel of the largest blur
 _CHUNK = 32  # number of candidates computed together
 _MIN_CELLS = 8  # least number of cells from which a scale is estimated
+MIN_BLOCKS = 16
+"""Least number of blocks with a depth: fewer are false ones of noise, and no depth is known."""
+
 # Errors that these images, or any images, cannot reveal.
 _UNTESTED = (
     "which image is focused nearer (without spherical aberration exchanged images agree as well, and with it where "
@@ -126,6 +132,7 @@ class DefocusVerdict(FitReport):
         lens_error: Mapping[str, Sequence[float]] | None = None,
         included: bool = True,
         noise: Noise | None = None,
+        excess: float = 1.0,
         compressed: bool = False,
     ) -> Self:
         """Return the verdict for a misfit and a scale.
@@ -140,6 +147,8 @@ class DefocusVerdict(FitReport):
             Whether standard errors of depth include those stated of the lenses.
         noise
             Noise estimated from these frames, which `misfit` therefore cannot test; None for a stated noise.
+        excess
+            Variance of the estimated noise relative to that of the finest details.
         compressed
             Whether the frames are compressed, so that the scale is not tested.
 
@@ -160,7 +169,8 @@ class DefocusVerdict(FitReport):
             add(
                 "no_depth",
                 "error",
-                "no depth is known: no texture, every depth out of range, or blocks left out as stated beside",
+                "no depth is known, or of few blocks: no texture, every depth out of range, or blocks left out "
+                "as stated beside",
             )
         elif noise is not None:
             text = (
@@ -168,6 +178,13 @@ class DefocusVerdict(FitReport):
                 "registration and noise are not tested"
             )
             add("estimated_noise", "note", text, noise.to_dict())
+            if (total := excess * misfit) > _DOUBTFUL_EXCESS:
+                text = (
+                    f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted, "
+                    "something moved, the lens or its foci are wrong, or they were denoised; noise and errors of "
+                    "depth are estimated from this difference"
+                )
+                add("misfit", "error" if total > _WRONG_EXCESS else "doubt", text, {"excess": total})
             untested.insert(0, "registration and noise (the noise is estimated from the images)")
         elif judged < _MIN_JUDGED:
             text = (
@@ -275,6 +292,7 @@ def judge_frames(
     lens_errors: tuple[float | None, float | None] = (None, None),
     noise: Noise | None = None,
     *,
+    excess: float = 1.0,
     included: bool = True,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
@@ -282,10 +300,10 @@ def judge_frames(
     The other arrays are maps of shape (height, width): `valid` is True for known pixels, `errors` are standard errors
     of depth in any unit, inf if depth is unknown, `vergence` is 1 / distance in 1 / m. `lens_errors`
     are those stated of f-number and foci, `included` in standard errors or not, and `noise` is the noise estimated
-    from the images, if none was stated.
+    from the images, if none was stated, with `excess` times the variance of the finest details.
     """
     known = np.isfinite(errors)
-    if not known.any():
+    if known.sum() < MIN_BLOCKS * BLOCK**2:
         return DefocusVerdict.of(math.nan)
     known_vergence = vergence[known].astype(np.float64)
     # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
@@ -311,6 +329,7 @@ def judge_frames(
         lens_error=lens_error,
         included=included,
         noise=noise,
+        excess=excess,
     )
     if any(map(is_compressed, images[brightest])):
         return make_verdict(compressed=True)
@@ -348,7 +367,7 @@ def _judged_misfit(
         # Without a valley of the energy, the effect of slopes is not known.
         predictions.append(np.where(curvature > 0.0, prediction, math.inf)[examined])
     misfit, prediction = np.concatenate([*misfits, []]), np.concatenate([*predictions, []])
-    if len(misfit) < _MIN_BLOCKS:
+    if len(misfit) < MIN_BLOCKS:
         return None
     judged = prediction < _MAX_PREDICTED
     share = float(judged.mean())

@@ -335,7 +335,7 @@ class LiveDepth:
         if len(lenses) < 2:
             raise ValueError(f"lenses must be two or more, of frames that differ in focus; got {len(lenses)}")
         self._form = form = FrameForm(shape, Noise(read=0.0) if noise is None else noise, o.saturation)
-        self._options, self._estimates, self._levels = o, noise is None, list[_Level]()
+        self._options, self._estimates, self._levels, self._excess = o, noise is None, list[_Level](), 1.0
         self._smooth, count = o.exposures == "smooth", processors()
         spectrum = ((lenses[0].wavelength, 1.0),)
         self._between, vergence = checked_range(between, lenses, pitch, _MAX_CANDIDATES)
@@ -380,7 +380,7 @@ class LiveDepth:
         read /= math.sqrt(self._form.channels)
         try:
             self._prepare(Noise(white=white, read=read), (max(float(white * np.nanmean(images[0])), 1.0),))
-            excess = residual_variance(depth().misfit)
+            self._excess = excess = residual_variance(depth().misfit)
         finally:
             self.noise, self._levels = None, []
         self._prepare(Noise(white=white / excess, read=read / math.sqrt(excess)))
@@ -539,7 +539,8 @@ class LiveDepth:
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
         noise = self.noise if self._estimates else None
-        return judge_frames(level.engine, images, valid, errors, misfit, vergence, stated, noise, included=False)
+        maps = images, valid, errors, misfit, vergence
+        return judge_frames(level.engine, *maps, stated, noise, excess=self._excess, included=False)
 
     def aliases(self) -> NDArray[np.float32]:
         """Return the misfit that aliases of binned pixels add to blocks of the last call; NaN where depth is unknown.

@@ -9,6 +9,7 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 import lommel as lm
+from lommel.imaging.defocus_verdict import DefocusVerdict
 from scenes import POINTS, ThinLens, before, lommel_lens, plane, record, texture
 
 FOCI, PIXEL, LIGHT = (1.35, 1.8), 4e-6, 5000.0
@@ -147,3 +148,36 @@ def test_denoised_frames_frames_of_something_else_and_flat_ones_do_not_agree(pai
     assert math.isnan(nothing.scale)
     assert nothing.status == "no_depth"
     assert nothing.findings.get("untested").numbers["what"][0] == "the size of blur"
+
+
+@pytest.mark.parametrize(("excess", "severity"), [(4.0, None), (6.0, "doubt"), (12.0, "error")])
+def test_estimated_noise_far_above_that_of_the_finest_details_is_told(excess, severity):
+    verdict = DefocusVerdict.of(1.0, noise=lm.Noise(white=900.0, read=3.0), excess=excess)
+    finding = verdict.findings.get("misfit")
+    assert (finding and finding.severity) == severity
+    if finding:
+        assert f"{excess:g} times the noise of their finest details: frames are shifted" in verdict.message
+        assert finding.numbers == {"excess": excess}
+
+
+@pytest.mark.parametrize(("shift", "least", "most"), [((0, 0), 0.5, 3.0), ((2, 1), 10.0, 1e3)])
+def test_a_shift_shows_in_the_noise_that_is_estimated(shift, least, most, monkeypatch):
+    made = [ThinLens(35e-3, 8.0, focus, 540e-9, PIXEL) for focus in FOCI]
+    near, far = record(plane(texture("leaves", 96, 3), made, 1.5, LIGHT), seed=3)
+    found = lm.imaging.LiveDepth(
+        [lommel_lens(one) for one in made], PIXEL, between=(1.2, 2.0), shape=near.shape, light=LIGHT
+    )
+    found(near, np.roll(far, shift, axis=(0, 1)))
+    given = {}
+    monkeypatch.setattr("lommel.imaging.live.judge_frames", lambda *_, **more: given.update(more))
+    found.verdict()
+    assert least < given["excess"] < most
+
+
+def test_depth_of_a_few_blocks_is_none():
+    flat = [np.random.default_rng(seed).poisson(LIGHT, (128, 128)).astype(np.uint16) + 100 for seed in (1, 2)]
+    made = live(flat, lenses(8.0))
+    made._errors[:] = np.inf
+    made._depth[:] = 1.5
+    made._errors.flat[:15] = 0.01
+    assert made.verdict().status == "no_depth"

@@ -4,7 +4,14 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
-from lommel.fit.model_error import MIN_GAIN, is_correlated, jackknife, larger, model_error
+from lommel.fit.model_error import (
+    MIN_GAIN,
+    is_correlated,
+    jackknife,
+    larger,
+    model_error,
+    with_errors_of_model,
+)
 
 SIDES, KAPPA, LENGTH = (2, 9, 10), 0.12, 1.4
 ROWS, COLUMNS = np.indices(SIDES[1:])
@@ -126,3 +133,20 @@ def test_the_larger_variance_is_kept_with_its_correlations():
     covariance = np.array([[4.0, 1.0], [1.0, 1.0]])
     np.testing.assert_allclose(larger(covariance, np.diag([1.0, 9.0])), [[4.0, 3.0], [3.0, 9.0]])
     np.testing.assert_array_equal(larger(covariance, np.diag([np.nan, np.inf]))[0, 0], 4.0)
+
+
+def test_where_the_model_misses_light_is_told():
+    rows, columns = np.indices((21, 21)) - 10
+    light = 3e4 * np.exp(-0.125 * (rows**2 + columns**2))
+    variance, dark, wave = light + 30.0, light < 1.0, np.cos(rows)
+    noise = np.sqrt(variance) * np.random.default_rng(2).normal(size=light.shape)
+    told, where = (
+        with_errors_of_model([], (noise + part)[None], variance[None], light[None], "a cause")[0]
+        for part in (0.1 * light * wave, 12.0 * wave * dark)
+    )
+    missed = 0.1 * np.sqrt((light**2 * wave**2).sum() / (light**2).sum())
+    assert told.numbers == {"missed": pytest.approx(missed, rel=0.1)}
+    assert told.text.startswith(f"the model misses {100 * told.numbers['missed']:.2g} % of the light; errors hold")
+    assert where.text.startswith("the model misses light where images are faint, ")
+    assert where.text.endswith(" electrons per pixel rms; errors hold between exposures of this set-up; a cause")
+    assert where.numbers["faint"] == pytest.approx(12.0 * np.sqrt(np.mean(wave[dark] ** 2)), rel=0.25)

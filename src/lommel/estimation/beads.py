@@ -670,11 +670,11 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             if np.linalg.norm(marginal.shift[: len(state.waves)]) <= MAX_LINEAR_ERROR:
                 state = _add_shift(state, model, marginal.shift)
         background = np.stack([light[1] for light in state.light])[..., None, None]
-        missed = part_missed(residual, expected_images + read, expected_images - background)
+        parts = residual, expected_images + read, expected_images - background
         is_error = {finding.code for finding in findings if finding.severity == "error"}
         # A misfit that no effect explains: errors are the scatter of fits without one plane.
-        if is_error == {"misfit"} and causes and fit.settled and missed < MAX_MISSED:
-            findings = with_errors_of_model(findings, missed, causes)
+        if is_error == {"misfit"} and causes and fit.settled and part_missed(*parts) < MAX_MISSED:
+            findings = with_errors_of_model(findings, *parts, causes)
             covariance = larger(covariance, bead_checks.plane_jackknife(model, fit)[:common_count, :common_count])
         if "reversed_z" not in Findings(findings).codes:
             planes = sum(len(s.z) for s in model.stacks)

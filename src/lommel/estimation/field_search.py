@@ -150,7 +150,7 @@ class Outcome:
             text = f"chi2 {bright_chi2:.4g} {pixels}, above {limit:.4g}, the limit for noise alone{causes}"
             findings = [Finding("misfit", "error", text, {"bright_chi2": bright_chi2, "limit": limit})]
         if self.model_error is not None:
-            findings = with_errors_of_model(findings, self.model_error.missed, causes.removeprefix("; "))
+            findings = with_errors_of_model(findings, *self.fit.residual_parts, causes.removeprefix("; "))
         held_out, held_out_deviation = self.held_out
         if held_out - 1.0 > (limit := _HELD_OUT + 4.0 * held_out_deviation):
             text = f"held-out stars do not follow the map that was fitted to the other stars{causes}"

@@ -702,7 +702,7 @@ def _fit_findings(
     error = None if grade is None else fit.valid_model_error(Findings(findings).codes, tests)
     if error is None:
         return findings, effects, None
-    return with_errors_of_model(findings, error.missed, causes), missing_findings(tests, None, ()), error
+    return with_errors_of_model(findings, *fit.residual_parts, causes), missing_findings(tests, None, ()), error
 
 
 def _refit_by_fields(first: _StarFit, result: Retrieval, blurred: Callable[[Pupil], Retrieval]) -> Retrieval | None:

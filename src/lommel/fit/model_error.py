@@ -81,12 +81,22 @@ def part_missed(residual: Array, variance: Array, light: Array) -> float:
     return math.sqrt(max(float(np.nansum(residual**2 - variance)), 0.0) / total)
 
 
-def with_errors_of_model(findings: Sequence[Finding], missed: float, causes: str) -> list[Finding]:
-    """Return findings in which a misfit is a doubt, with its `causes`: errors include the part of light `missed`."""
-    text = f"the model misses {100.0 * missed:.2g} % of the light; errors hold between exposures of this set-up"
-    text = "; ".join(filter(None, (text, causes)))
+def with_errors_of_model(
+    findings: Sequence[Finding], residual: Array, variance: Array, light: Array, causes: str
+) -> list[Finding]:
+    """Return findings in which a misfit is a doubt, with its `causes`: errors include residuals beyond noise."""
+    missed = part_missed(residual, variance, light)
+    text, numbers = f"the model misses {100.0 * missed:.2g} % of the light", {"missed": missed}
+    known = np.isfinite(residual)
+    excess, noise = (residual**2 - variance)[known], variance[known]
+    # Of two sums of squares beyond noise, the one weighed by 1 / v^2 is that of faint pixels.
+    faint = float((excess / noise**2).sum())
+    if faint / math.sqrt(float((1.0 / noise**2).sum())) > excess.sum() / math.sqrt(float((noise**2).sum())):
+        numbers["faint"] = math.sqrt(max(faint, 0.0) / float((1.0 / noise**2).sum()))
+        text = f"the model misses light where images are faint, {numbers['faint']:.2g} electrons per pixel rms"
+    text = "; ".join(filter(None, (text, "errors hold between exposures of this set-up", causes)))
     others = [finding for finding in findings if finding.code not in ("misfit", "rare_chi2")]
-    return [Finding("missed_light", "doubt", text, {"missed": missed}), *others]
+    return [Finding("missed_light", "doubt", text, numbers), *others]
 
 
 def is_correlated(residual: Array, variance: Array, light: Array) -> bool:

@@ -33,9 +33,10 @@ from lommel.recorded.noise import Noise
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
 _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
 # Variance of the difference of the images, relative to the noise of their finest details, above which it is in doubt
-# and above which it is not noise: up to 3 in right pairs, as JPEG of quality 90 or smoothed by 0.8 pixels, at least 13
+# and above which it is not noise: up to 3 in right pairs, as JPEG of quality 90 or smoothed by 0.8 pixels, 13 or more
 # in pairs shifted by a pixel.
 _DOUBTFUL_EXCESS, _WRONG_EXCESS = 5.0, 10.0
+_EXCHANGED_RATIO = 1.15  # misfit / that of exchanged lenses, from which these are named if they agree
 _MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
 _BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
 _MIN_JUDGED = 0.15  # fraction of judged blocks below which registration and noise are not judged
@@ -76,9 +77,9 @@ _NEWTON_STEPS = 5  # number of Newton steps to the minimum of an energy
 class DefocusVerdict(FitReport):
     """Test of frames that differ in focus against their stated lenses and noise.
 
-    The findings have the codes "no_depth", "misfit", "too_quiet", "left_out", "estimated_noise", "lens_scale",
-    "undetermined", "stated" (what errors of the lens change) and "untested" (errors that these frames, or any frames,
-    cannot reveal: all are in its `numbers`).
+    The findings have the codes "no_depth", "misfit", "too_quiet", "left_out", "estimated_noise", "exchanged",
+    "lens_scale", "undetermined", "stated" (what errors of the lens change) and "untested" (errors that these frames,
+    or any frames, cannot reveal: all are in its `numbers`).
 
     Attributes
     ----------
@@ -133,6 +134,7 @@ class DefocusVerdict(FitReport):
         included: bool = True,
         noise: Noise | None = None,
         excess: float = 1.0,
+        exchanged: bool = False,
         compressed: bool = False,
     ) -> Self:
         """Return the verdict for a misfit and a scale.
@@ -149,6 +151,8 @@ class DefocusVerdict(FitReport):
             Noise estimated from these frames, which `misfit` therefore cannot test; None for a stated noise.
         excess
             Variance of the estimated noise relative to that of the finest details.
+        exchanged
+            Whether the frames agree with their lenses exchanged.
         compressed
             Whether the frames are compressed, so that the scale is not tested.
 
@@ -206,6 +210,9 @@ class DefocusVerdict(FitReport):
             add("too_quiet", "error", text, numbers)
         else:
             agreements.append(f"registration and noise agree ({value}; 1 if only noise is left)")
+        if exchanged:
+            text = "in the other order the images agree: exchange them, or the foci stated"
+            add("exchanged", "error", text)
         deviation = min(abs(s - 1.0) / math.hypot(scale_error, stated) for s in (scale, *others))
         ratio = f"{scale:.2f} +- {scale_error:.2f}"
         numbers = {"scale": scale, "error": scale_error}
@@ -330,6 +337,7 @@ def judge_frames(
         included=included,
         noise=noise,
         excess=excess,
+        exchanged=noise is None and median > _DOUBTFUL_MISFIT and _exchanged_agree(engine, brightest, tiles),
     )
     if any(map(is_compressed, images[brightest])):
         return make_verdict(compressed=True)
@@ -340,6 +348,17 @@ def judge_frames(
     if best.error >= max(_MAX_SCALE_ERROR, abs(best.scale - 1.0) / _WRONG_DEVIATION):
         return make_verdict()
     return make_verdict(best.scale, best.error, tuple(minimum.scale for minimum in others))
+
+
+def _exchanged_agree(engine: FocalEngine, channel: int, tiles: list[_Tile]) -> bool:
+    """Return whether two frames agree with their lenses exchanged, and less as stated."""
+    if not tiles or len(engine.task.lenses) != 2:
+        return False
+    given, other = (
+        _median(np.stack([filters(tile) for tile in tiles]))
+        for filters in (_Filters(engine, channel, 1.0, exchanged=exchanged) for exchanged in (False, True))
+    )
+    return other < min(_DOUBTFUL_MISFIT, given / _EXCHANGED_RATIO)
 
 
 class _Minimum(NamedTuple):
@@ -572,9 +591,11 @@ class _Filters:
         vergence: Array | None = None,
         *,
         binned: bool = False,
+        exchanged: bool = False,
     ) -> None:
         task, count, self._steps, self._binning = engine.task, _MIN_COUNT, 1, engine.binning if binned else 1
         lenses = [replace(lens, aperture_diameter=scale * lens.aperture_diameter) for lens in task.lenses]
+        lenses = lenses[::-1] if exchanged else lenses
         places, chunk = task.vergence, len(task.vergence)
         if vergence is not None:
             start, step = float(places[0]), float(places[1] - places[0])

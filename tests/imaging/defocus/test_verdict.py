@@ -174,6 +174,19 @@ def test_a_shift_shows_in_the_noise_that_is_estimated(shift, least, most, monkey
     assert least < given["excess"] < most
 
 
+@pytest.mark.parametrize(("spherical", "shift"), [(0.5, 0), (0.5, 1), (0.0, 0)])
+def test_exchanged_foci_are_named_where_spherical_aberration_tells_them(spherical, shift, monkeypatch):
+    monkeypatch.setattr("lommel.imaging.defocus_verdict._scale_minima", lambda *_: [])
+    made = [ThinLens(35e-3, 4.0, focus, 540e-9, PIXEL, spherical) for focus in FOCI]
+    near, far = record(plane(texture("leaves", 96, 3), made, 1.4, LIGHT), seed=14)
+    found = live([near, np.roll(far, shift, axis=0)], lenses(4.0, FOCI[::-1], spherical)).verdict()
+    named = found.findings.get("exchanged")
+    assert (named is not None) == (spherical > 0.0 and not shift)  # frames that moved agree in no order
+    assert found.agrees == (spherical == 0.0)
+    if named:
+        assert "in the other order the images agree" in found.message
+
+
 def test_depth_of_a_few_blocks_is_none():
     flat = [np.random.default_rng(seed).poisson(LIGHT, (128, 128)).astype(np.uint16) + 100 for seed in (1, 2)]
     made = live(flat, lenses(8.0))

@@ -819,7 +819,7 @@ def _exchanged(search: _Search, at: Array, seen: Sequence[CalibratedPlane], othe
     deviation = float(change.sum() / max(float(np.std(change)) * math.sqrt(len(change)), 1e-12))
     needed = np.abs(best[1:3] / other.foci).max()
     # One plane between two foci agrees about as well in either order, with another shift of the foci.
-    if stated > max(_MAX_SHIFT, 1.5 * needed) if one else deviation > _DOUBTFUL:
+    if stated > max(_MAX_SHIFT, 1.5 * needed) if one else deviation > _DOUBTFUL and needed < stated:
         text = (
             f"the photographs seem exchanged: in the other order foci are off by {percent(needed, 1)}, in this order "
             f"by {percent(stated, 1)}"

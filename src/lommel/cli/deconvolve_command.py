@@ -136,7 +136,7 @@ def deconvolve(
     Examples
     --------
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --depth 8um -o restored.ome.tif --plot restored.png
-      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --psf beads.tif --bead 0.1um -o restored.ome.tif
+      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --psf beads.ome.tif --bead 0.1um -o restored.ome.tif
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --gain 0.46 --read 1.6 --offset 100 -o restored.ome.zarr
     """
     for path in outputs:

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 9244e7f931797d64ef2a91eb50e52ece7be085e5356621f52ed0bc053fcc7561
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 41e6dc3b4add00b827abdc9b110b912850e98c77f4438637da9c8cbd9849fb06
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
+from lommel.fit.findings import Finding
 from lommel.fit.model_error import (
     MIN_GAIN,
+    covered,
     is_correlated,
     jackknife,
     larger,
@@ -150,3 +152,13 @@ def test_where_the_model_misses_light_is_told():
     assert where.text.startswith("the model misses light where images are faint, ")
     assert where.text.endswith(" electrons per pixel rms; errors hold between exposures of this set-up; a cause")
     assert where.numbers["faint"] == pytest.approx(12.0 * np.sqrt(np.mean(wave[dark] ** 2)), rel=0.25)
+
+
+@pytest.mark.parametrize(
+    ("numbers", "notes"),
+    [({"missed": 0.029}, 2), ({"missed": 0.031}, 0), ({"missed": 0.0, "faint": 3.0}, 0)],
+)
+def test_errors_include_little_light_in_proportion_to_that_of_the_star(numbers, notes):
+    found = [Finding(code, "doubt", code, numbers) for code in ("missed_light", "other_explanation", "pattern")]
+    assert [one.severity for one in covered(found)] == ["note"] * notes + ["doubt"] * (3 - notes)
+    assert covered(found[1:]) == found[1:]

@@ -39,6 +39,7 @@ from lommel.estimation.target_readout import Target, relative_light
 from lommel.field.maps import FieldMap, save_table
 from lommel.fit.findings import Finding, Findings, FitReport, Severity
 from lommel.fit.goodness_of_fit import stripe_findings
+from lommel.fit.model_error import covered
 from lommel.fit.scoring import Progress
 from lommel.methods.derivative_names import Name, Term, term_of
 from lommel.optics.pupil import Pupil
@@ -635,7 +636,7 @@ def _build_field_fit(
         findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
     labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
     grade = None if outcome.model_error else outcome.grade
-    findings = [*outcome.findings, *missing_findings(tests, grade, labels), *findings]
+    findings = covered([*outcome.findings, *missing_findings(tests, grade, labels), *findings])
     findings += estimated_effects(outcome.rounds, coefficients, np.sqrt(np.diag(covariance)).reshape(k, m))
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)

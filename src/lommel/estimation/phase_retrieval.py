@@ -45,7 +45,7 @@ from lommel.estimation.star_images import (
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
-from lommel.fit.model_error import ModelError, with_errors_of_model
+from lommel.fit.model_error import ModelError, covered, with_errors_of_model
 from lommel.fit.score_tests import Grade, Marginal, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -358,8 +358,9 @@ def retrieve(
     those of generalized least squares, increased to the scatter of fits without one of eight sectors of each image
     or, if more than 5 % of the light is missed, to errors of the fit without this step. The misfit is then the doubt
     "missed_light". It remains an error if more than 30 % of the light is missed, if errors exceed 0.5 radians rms, or
-    below ten pixels per parameter. An error of the model that resembles a term is in no residual: the errors hold for
-    changes between exposures of one instrument.
+    below ten pixels per parameter. It is a note, and so is "other_explanation", if less than 3 % of the light is
+    missed, in proportion to the light (not as of a ghost beside the star). An error of the model that resembles a
+    term is in no residual: the errors hold for changes between exposures of one instrument.
 
     Examples
     --------
@@ -618,7 +619,7 @@ def _build_retrieval(
     residual, variance, light = last.residual_parts
     if checks:
         findings += goodness_of_fit.stripe_findings(residual, variance, noise.excess)
-    findings += [*light_findings, *_sign_findings(model, x), *effect_findings, *untested]
+    findings = covered([*findings, *light_findings, *_sign_findings(model, x), *effect_findings, *untested])
     if not last.settled and error is None:
         text = f"the steps have not settled after {effort[0]}: estimate fewer terms, or start nearer to the wavefront"
         findings.append(Finding("not_settled", "error", text))
@@ -674,8 +675,8 @@ def _build_retrieval(
         if checks
         else partial(_build_retrieval, fit, counts, noise, effort, checks=True, blurred=blurred),
     )
-    named = next((test.name for test in seen(tests)), "")
-    if blurred is None or result.reliable or last is not first or chi2 >= _GROSS_CHI2 or named not in OF_FIELDS:
+    named, is_reliable = next((test.name for test in seen(tests)), ""), error is None and result.reliable
+    if blurred is None or is_reliable or last is not first or chi2 >= _GROSS_CHI2 or named not in OF_FIELDS:
         return result
     return _refit_by_fields(first, result, partial(blurred, blur=OF_FIELDS[named])) or result
 

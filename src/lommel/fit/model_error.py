@@ -22,6 +22,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -34,6 +35,8 @@ MIN_GAIN = 10.0
 """Increase of the restricted ln(likelihood) above which a model error is significant although chi2 is plausible."""
 MAX_MISSED = 0.3
 """Part of the light above which a model that misses it does not describe the images at all."""
+_FEW = 0.01  # part of the light below which light that is missed where images are faint is told in electrons
+_MOST_COVERED = 0.03  # part of the light up to which errors that include the model error are reliable
 _MAX_PHASE_ERROR = 0.5  # largest step and standard error of a wavefront, radians rms
 _MIN_PIXELS = 10.0  # smallest number of pixels for each parameter
 _MAX_SIDE = 18  # largest side of a binned image: V of an image has at most this number to the fourth elements
@@ -93,10 +96,19 @@ def with_errors_of_model(
     faint = float((excess / noise**2).sum())
     if faint / math.sqrt(float((1.0 / noise**2).sum())) > excess.sum() / math.sqrt(float((noise**2).sum())):
         numbers["faint"] = math.sqrt(max(faint, 0.0) / float((1.0 / noise**2).sum()))
-        text = f"the model misses light where images are faint, {numbers['faint']:.2g} electrons per pixel rms"
+        if missed < _FEW:
+            text = f"the model misses light where images are faint, {numbers['faint']:.2g} electrons per pixel rms"
     text = "; ".join(filter(None, (text, "errors hold between exposures of this set-up", causes)))
     others = [finding for finding in findings if finding.code not in ("misfit", "rare_chi2")]
     return [Finding("missed_light", "doubt", text, numbers), *others]
+
+
+def covered(findings: Sequence[Finding]) -> list[Finding]:
+    """Return findings in which doubts that a small model error includes, in proportion to the light, are notes."""
+    numbers = next((one.numbers for one in findings if one.code == "missed_light"), {"missed": 1.0})
+    is_covered = numbers["missed"] < _MOST_COVERED and "faint" not in numbers
+    codes = ("missed_light", "other_explanation") if is_covered else ()
+    return [replace(one, severity="note") if one.code in codes else one for one in findings]
 
 
 def is_correlated(residual: Array, variance: Array, light: Array) -> bool:

@@ -226,3 +226,18 @@ def test_a_fraction_of_light_above_one_is_told_as_a_wider_blur():
     assert "fraction of light in a blur of twice the width = 0.100 +- 0.010" in said(0.1)
     assert "a blur that is wider than that of the model" in said(1.7)
     assert "fraction" not in said(1.7)
+
+
+def test_a_fit_that_misses_little_light_is_reliable():
+    telescope = Telescope(600e-9, 8.0, 0.2)
+    images = np.array([
+        3e5 * telescope.transfer(WAVES, defocus=2 * known).image(29, 2.4e-6, 14.2, 13.9) for known in (0.0, 3.0)
+    ])  # fmt: skip
+    images += 0.02 * np.roll(images, (2, -2), (1, 2))  # a neighbour
+    images = Camera(gain=0.0, read=3.0).record(images + 20.0, 0)
+    fit = found(images)
+    assert fit.reliable
+    assert fit.chi2 > 1.3
+    assert 0.01 < fit.findings.get("missed_light").numbers["missed"] < 0.03
+    assert np.abs(pulls_of(fit)).max() < 3.0
+    assert np.abs(pulls_of(found(images, checks=False))).max() > 4.0

@@ -153,9 +153,8 @@ def apodized(pupil: Pupil) -> Pupil | None:
 def tested_names(star: StarImages) -> tuple[tuple[Term, ...], tuple[Name, ...], tuple[Term, ...]]:
     """Return the terms, constants and ripples to test; the scale of known defoci that differ is named (2, 0)."""
     unknowns, pupil = star.unknowns, star.pupil
-    scaled = pupil.circular and pupil.mask is None and pupil.wavelength is not None
     constants: tuple[Name, ...] = ((2, 0),) if np.ptp(star.known_defoci) > 0.0 else ()
-    if scaled and not {"f_number", "wavelength"} & {*unknowns.pupil}:
+    if pupil.wavelength is not None and not {"f_number", "wavelength"} & {*unknowns.pupil}:
         constants = ("f_number", *constants)
     return next_terms(unknowns.stated, unknowns.edge), constants, ripple_terms(unknowns.stated)
 

@@ -409,11 +409,7 @@ def restore(
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(result.light))
-    facts = (
-        {"seconds": seconds, "method": algorithm or ("blend" if depth is None else "default")}
-        | result.to_dict()
-        | {"clipped": clipped}
-    )
+    facts = {"seconds": seconds, "method": algorithm or "default"} | result.to_dict() | {"clipped": clipped}
     findings = [Wrapped(with_options(found.text)) for found in result.findings.printed]
     return job.report(facts) + Report({}, findings, result.converged)
 

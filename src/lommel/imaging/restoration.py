@@ -64,6 +64,8 @@ _MAX_MISFIT = 0.08  # largest accepted (discrepancy - 1) of a result / (discrepa
 _MAX_CHANGE_RATIO = 4.5
 # A photograph that is deblurred as far as its noise allows does not test these.
 _UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
+# Largest accepted discrepancy of a blend, of which ringing in dark areas beside bright ones makes 25 and more.
+_MAX_RINGING = 6.0
 _MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
@@ -160,8 +162,8 @@ class RestoreOptions(WindowOptions):
     Parameters
     ----------
     method : Blend, RichardsonLucy, TotalVariation or OnePass, optional
-        By default ``Blend()`` where the whole scene has one distance (its blur varies by at most 0.1 pixel), else
-        ``RichardsonLucy()``.
+        By default ``Blend()`` where the whole scene has one distance (its blur varies by at most 0.1 pixel) unless it
+        rings in dark areas (discrepancy above 6), else ``RichardsonLucy()``.
     accept : bool, default False
         Restore by the blur that agrees better with the photograph, where the stated blur of one distance is doubtful.
     saturation : float, optional
@@ -282,8 +284,9 @@ def restore(
     observed = PhotographLikelihood(blur, light, noise, limit)
     before = observed.mean(observed.discrepancies_of(observed.image))
     result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
-    if o.method is None and stopped == MISFIT and isinstance(lens, LinearBlur) and isinstance(method, Blend):
-        # A PSF that varies within tiles is no misfit.
+    varies = stopped == MISFIT and isinstance(lens, LinearBlur)  # a PSF that varies within tiles is no misfit
+    rings = observed.mean(observed.discrepancies_of(result.light)) > _MAX_RINGING
+    if o.method is None and isinstance(method, Blend) and (varies or (rings and stopped != MISFIT)):
         result, share, stopped = _solved(observed, RichardsonLucy(), progress or silent)
     verdict = None
     if estimate is not None:
@@ -303,7 +306,7 @@ def restore(
     after = observed.discrepancies_of(restored)
     discrepancy = observed.mean(after)
     values, clipped = encode_light(restored, encoding, image.dtype)
-    findings = _findings(stopped, discrepancy, 1.0 + observed.slack, verdict is not None)
+    findings = _findings(stopped, share, discrepancy, 1.0 + observed.slack, verdict is not None)
     if estimate is not None:
         findings = _distance_findings(estimate, findings)
     return Restoration(
@@ -377,16 +380,20 @@ def full_light(photo: Pixels, encoding: Encoding, saturation: float | None) -> f
     return float(to_light("photo", np.full((1, 3), full, dtype=photo.dtype), encoding, np.float64).min())
 
 
-def _findings(stopped: str, discrepancy: float, limit: float, blur_compared: bool) -> list[Finding]:
+def _findings(stopped: str, share: float, discrepancy: float, limit: float, blur_compared: bool) -> list[Finding]:
     """Return the findings on a restored photograph; `limit`: the largest discrepancy that noise explains."""
     numbers = {"discrepancy": discrepancy}
     if stopped == MISFIT:
-        text = "depth, lens or noise do not fit the photograph, which is returned unchanged"
+        text = "depth, lens or noise do not fit the photograph" + ", which is returned unchanged" * (share == 1.0)
         return [Finding("misfit", "error", text, numbers)]
     if stopped == STEPS:
         text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more steps fit better"
         return [Finding("not_settled", "error" if discrepancy > limit else "doubt", text, numbers)]
-    return [untested_finding(_UNTESTED[1:] if blur_compared else _UNTESTED, {})]
+    findings = [untested_finding(_UNTESTED[1:] if blur_compared else _UNTESTED, {})]
+    if discrepancy > _MAX_RINGING:
+        text = f"the result rings in dark areas (discrepancy {discrepancy:.3g}); RichardsonLucy() does not"
+        findings = [Finding("misfit", "doubt", text, numbers), *findings]
+    return findings
 
 
 def _distance_findings(estimate: DistanceEstimate, findings: list[Finding]) -> list[Finding]:

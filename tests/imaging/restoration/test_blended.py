@@ -51,6 +51,18 @@ def test_default_for_one_distance_is_better_than_richardson_lucy(kind, gain):
     np.testing.assert_array_equal(restored(photo, depth=np.full(photo.shape, DISTANCE)).values, found.values)
 
 
+def test_a_blend_that_rings_in_the_dark_is_doubtful_and_no_default():
+    scene = texture("leaves", SIDE, 7)
+    scene = np.where(scene > 1.2 * scene.mean(), scene, 0.01 * scene)
+    seen, draw = plane(scene, [LENS], DISTANCE, 1e4)[0], np.random.default_rng(11)
+    photo = (draw.poisson(seen) + draw.normal(0.0, READ, seen.shape)) / 3e4
+    found, blended = (restored(photo, 1e4, method=method) for method in (None, Blend()))
+    assert blended.discrepancy > 6.0
+    assert blended.findings.get("misfit").severity == "doubt"
+    assert found.discrepancy < 2.0
+    assert found.reliable
+
+
 def test_depth_maps_have_no_blend():
     photo, _ = photograph("leaves")
     depth = np.full(photo.shape, DISTANCE)

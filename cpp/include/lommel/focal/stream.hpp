@@ -513,7 +513,7 @@ class FocalStream {
     using Index = std::ptrdiff_t;
     static constexpr float slope_share = 0.06f, mixed_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
     static constexpr float beside_share = 0.25f, least_aside = 0.5f, surely_aside = 0.7f, falling = 4.5f;
-    static constexpr Index flat_reach = 4;  // number of windows on the other side that must have no depth of their own
+    static constexpr Index flat_reach = 6;  // number of windows on the other side that must have no depth of their own
 
     // Fill unknown depths with means of known depths around them, from an image pyramid, coarse to fine.
     void fill() {

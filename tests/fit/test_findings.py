@@ -69,7 +69,7 @@ def test_a_message_has_twelve_lines_at_most():
     said = message(*long, ERROR)
     assert len(textwrap.wrap(said, 80)) <= 12
     assert said.startswith("misfit: 0 word")
-    assert said.endswith(", misfit: see findings")
+    assert said.endswith(", misfit: see findings, --json")
 
 
 @pytest.mark.parametrize(

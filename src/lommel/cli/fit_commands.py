@@ -461,6 +461,11 @@ def beads(
     require_file(output, ".toml")
     microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
+    if options.depth is None and microscope.depth > 0.5 * options.diameter:
+        deep = format_length(microscope.depth)
+        notes.append(
+            f"Beads are taken to touch the cover glass, not to be {deep} deep as the file says; --depth states it."
+        )
     with progress("reading") as status:
         read = list(read_each(tuple(stacks)))
         metadata = combined_metadata([stack.metadata for stack in read])

@@ -209,7 +209,7 @@ def shortened(findings: Sequence[tuple[str, str]]) -> list[str]:
     kept = [k == 0 or not code or lengths[k] <= _MOST_CHARACTERS for k, (code, _) in enumerate(findings)]
     texts = [text for (_, text), is_kept in zip(findings, kept, strict=True) if is_kept]
     others = dict.fromkeys(code for (code, _), is_kept in zip(findings, kept, strict=True) if not is_kept)
-    return [*texts, *([f"and {', '.join(others).replace('_', ' ')}: see findings"] if others else [])]
+    return [*texts, *([f"and {', '.join(others).replace('_', ' ')}: see findings, --json"] if others else [])]
 
 
 def untested_finding(items: Sequence[str], numbers: Mapping[str, Any]) -> Finding:

@@ -443,7 +443,7 @@ def recorded_images(
         # If the quadrature declines or misses the tolerance, the lattice is used.
         with suppress(ToleranceError, Declined):
             return quadrature, transferred(quadrature, pupil, grid, wanted)
-    axis_level = 0.0 if own_peak else _axis_level(request, pupil, grid, blurs)
+    axis_level, at_limit = 0.0 if own_peak else _axis_level(request, pupil, grid, blurs), False
     for tries in range(_TRIES):
         try:
             images = summed(request, pupil, grid, blurs)
@@ -451,6 +451,11 @@ def recorded_images(
             # Shared lattices are larger than necessary: try the smallest lattice before reporting an error.
             if request.shared:
                 request = request._replace(shared=False)
+                continue
+            # Samples are a small part of the error: those of the least error in reach may be accurate enough.
+            reached = getattr(failure, "bound", None) or 0.0
+            if not at_limit and request.tol < reached < 3.0 * request.tol:
+                request, at_limit = request._replace(tol=1.2 * reached), True
                 continue
             if method is None:
                 _refuse_seeing(request, tol, pupil, blurs, failure)

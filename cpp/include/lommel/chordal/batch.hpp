@@ -36,7 +36,7 @@ template <class Real>
 struct ChordalScratch {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
     Doubles coefficients, strip_coefficients;
-    Values chords, row, inner, intensity;
+    Values chords[2], row, inner, intensity;
     Values kept[2], factored, factors, fields;  // used for derivatives only
     Values lines;  // used for pixel averages only
     Values strip_sums, strip_kept, strip_factors, strip_fields, strip_band;  // used for strips only
@@ -94,23 +94,18 @@ struct ChordalBatch {
         }
     }
 
-    // Compute the complex amplitude U of one disk; rows U[column][re, im] go to `sink`. nodes_of(disk, i): pupil function at
-    // the nodes of the i-th pair of chords (or vector of pairs).
-    void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
+    // Transform one disk along y, to scratch.chords[disk]. nodes_of(disk, i): pupil function at the nodes of the i-th pair of chords
+    // (or vector of pairs).
+    void disk_rows(std::size_t disk, const Nodes& nodes_of) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
-        const std::size_t line = 2 * kernel.vectors() * 2 * lanes();
-        scratch.chords.resize(kernel.rows.count * line);
-        scratch.row.resize(vectors() * 2 * lanes());
+        scratch.chords[disk].resize(kernel.rows.count * line(disk));
         for (std::size_t i = 0; i < kernel.vectors(); ++i) {
             look();
-            Kernels::rows(level, kernel, i, nodes_of(disk, i), scratch.chords.data());
-        }
-        for (std::size_t y = 0; y < kernel.rows.count; ++y) {
-            look();
-            Kernels::columns(level, kernel, scratch.chords.data() + y * line, scratch.row.data());
-            sink(y, scratch.row.data());
+            Kernels::rows(level, kernel, i, nodes_of(disk, i), scratch.chords[disk].data());
         }
     }
+    // Number of reals of one row in scratch.chords[disk].
+    std::size_t line(std::size_t disk) const { return 4 * disks[disk].kernel->vectors() * lanes(); }
 
     // Compute the fields of all lines of the strips at the places of their tables. fold(line, sums): sums of the pupil function over
     // the points of each node, see fold_points().
@@ -134,27 +129,31 @@ struct ChordalBatch {
         }
     }
 
-    // Compute the complex amplitude U of the aperture, obscuration and strips subtracted; prepare(disk) is called before each disk,
-    // cut() before the strips, from the same coefficients as disk 0.
+    // Compute the complex amplitude U of the aperture, obscuration and strips subtracted, row by row: U[column][re, im] goes to `sink`.
+    // prepare(disk) is called before each disk, cut() before the strips, from the same coefficients as disk 0.
     void fields(const Reference<void(std::size_t disk)>& prepare, const Nodes& nodes_of, const Reference<void()>& cut,
                 const Sink& sink) const {
-        const std::size_t all = 2 * vectors(), line = all * lanes();
+        const std::size_t all = 2 * vectors();
         const bool obscured = area > 0.0;
-        scratch.inner.resize(obscured ? rows() * line : 0);
         if (obscured) {
             prepare(1);
-            disk_fields(1, nodes_of, [&](std::size_t y, Real* u) {
-                Kernels::scale(level, u, static_cast<Real>(area), all, scratch.inner.data() + y * line);
-            });
+            disk_rows(1, nodes_of);
         }
         prepare(0);
         if (strips.terms != nullptr) {
             cut();
         }
-        scratch.strip_band.resize(strips.lone != nullptr ? 2 * vectors() * lanes() * lanes() : 0);
-        disk_fields(0, nodes_of, [&](std::size_t y, Real* u) {
+        disk_rows(0, nodes_of);
+        scratch.row.resize(all * lanes());
+        scratch.inner.resize(obscured ? all * lanes() : 0);
+        scratch.strip_band.resize(strips.lone != nullptr ? all * lanes() * lanes() : 0);
+        Real* const u = scratch.row.data();
+        for (std::size_t y = 0; y < rows(); ++y) {
+            look();
+            Kernels::columns(level, *disks[0].kernel, scratch.chords[0].data() + y * line(0), u);
             if (obscured) {
-                Kernels::subtract(level, scratch.inner.data() + y * line, all, u);
+                Kernels::columns(level, *disks[1].kernel, scratch.chords[1].data() + y * line(1), scratch.inner.data());
+                Kernels::subtract(level, scratch.inner.data(), static_cast<Real>(area), all, u);
             }
             if (strips.window != nullptr) {
                 Kernels::subtract_strips(level, *strips.window, scratch.strip_fields.data(), y, u);
@@ -163,7 +162,7 @@ struct ChordalBatch {
                                               u);
             }
             sink(y, u);
-        });
+        }
     }
 
     // Compute the complex amplitude U from Zernike coefficients. keep: store the pupil function in scratch.kept, for derivatives.

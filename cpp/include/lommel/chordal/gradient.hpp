@@ -35,17 +35,17 @@ struct ChordalGradient {
         scratch.factors.assign(terms.size() * lanes, Real(0));
         for (std::size_t disk = batch.area > 0.0 ? 2 : 1; disk-- > 0;) {
             const KernelTable<Real>& kernel = *batch.disks[disk].kernel;
-            scratch.chords.resize(kernel.rows.count * kernel.count.half_chords() * 4 * lanes);
+            scratch.chords[disk].resize(kernel.rows.count * kernel.count.half_chords() * 4 * lanes);
             scratch.kept[disk].resize(batch.room(disk));
             scratch.factored.resize(batch.room(disk));
             scratch.inner.resize(batch.room(disk) / 2);
-            Kernels::columns_transposed(batch.level, kernel, scratch.fields.data(), scratch.chords.data());
+            Kernels::columns_transposed(batch.level, kernel, scratch.fields.data(), scratch.chords[disk].data());
             batch.gather(disk);
             for (std::size_t i = 0; i < kernel.count.half_chords(); ++i) {
                 look();
                 Real *const nodes = scratch.kept[disk].data(), *const adjoint = scratch.factored.data();
                 Kernels::nodes(batch.level, *batch.disks[disk].terms, i, scratch.coefficients.data(), nodes);
-                Kernels::rows_transposed(batch.level, kernel, i, scratch.chords.data(), adjoint);
+                Kernels::rows_transposed(batch.level, kernel, i, scratch.chords[disk].data(), adjoint);
                 Kernels::add_products(batch.level, *batch.disks[disk].factors, i, nodes, adjoint,
                                       static_cast<Real>(disk == 0 ? 1.0 : -batch.area), scratch.inner.data(),
                                       scratch.factors.data());

@@ -31,8 +31,7 @@ struct ChordKernels {
                             Real* chords);
     static void parity_columns(Level level, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row);
     static void intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top);
-    static void subtract(Level level, const Real* inner, std::size_t count, Real* u);
-    static void scale(Level level, const Real* u, Real area, std::size_t count, Real* inner);
+    static void subtract(Level level, const Real* inner, Real area, std::size_t count, Real* u);
     static void average_along(Level level, const NodeWeights<Real>& weights, const Real* samples, double* sums);
     static void average_down(Level level, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums);
     static void times_factors(Level level, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room,
@@ -101,12 +100,8 @@ void ChordKernels<Real>::intensities(Level level, const Real* u, std::size_t col
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { intensities_of_row(isa, u, columns, values, top); });
 }
 template <class Real>
-void ChordKernels<Real>::subtract(Level level, const Real* inner, std::size_t count, Real* u) {
-    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::subtract(isa, inner, count, u); });
-}
-template <class Real>
-void ChordKernels<Real>::scale(Level level, const Real* u, Real area, std::size_t count, Real* inner) {
-    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::scale(isa, u, area, count, inner); });
+void ChordKernels<Real>::subtract(Level level, const Real* inner, Real area, std::size_t count, Real* u) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::subtract(isa, inner, area, count, u); });
 }
 template <class Real>
 void ChordKernels<Real>::average_along(Level level, const NodeWeights<Real>& weights, const Real* samples, double* sums) {

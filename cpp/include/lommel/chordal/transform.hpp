@@ -413,19 +413,12 @@ LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Rea
     store(top, most);
 }
 
-// subtract(): u -= inner, the obscuration's field; scale(): inner = area * u, area: its relative area. count: number of vectors.
+// Subtract the obscuration's field `inner`, times its relative area, from u. count: number of vectors.
 template <class I, class Real>
-LOMMEL_INLINE void subtract(I, const Real* inner, std::size_t count, Real* u) {
+LOMMEL_INLINE void subtract(I, const Real* inner, Real area, std::size_t count, Real* u) {
     using V = typename Waves<I, Real>::V;
     for (std::size_t j = 0; j < count * Waves<I, Real>::lanes; j += Waves<I, Real>::lanes) {
-        store(u + j, load<V>(u + j) - load<V>(inner + j));
-    }
-}
-template <class I, class Real>
-LOMMEL_INLINE void scale(I, const Real* u, Real area, std::size_t count, Real* inner) {
-    using V = typename Waves<I, Real>::V;
-    for (std::size_t j = 0; j < count * Waves<I, Real>::lanes; j += Waves<I, Real>::lanes) {
-        store(inner + j, load<V>(u + j) * splat<V>(area));
+        store(u + j, load<V>(u + j) - load<V>(inner + j) * splat<V>(area));
     }
 }
 

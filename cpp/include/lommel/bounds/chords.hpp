@@ -14,6 +14,7 @@
 namespace lommel {
 
 constexpr double single_roundoff = 5.9604644775390625e-08;
+constexpr std::size_t sum_block = 16;  // number of terms that long sums in single precision add up at a time
 constexpr std::size_t max_chords = 1024;  // maximum number of chords, and of nodes on each chord
 
 // The two sums of the chordal rule: over chords, and over the nodes of a chord.
@@ -157,7 +158,13 @@ class ChordBound {
 
     // Rounding error of the field from sums in single precision. A phase is a sum of `terms` terms, in multiples of 2^-32 turns.
     static double single_rounding(double chords, double nodes, std::size_t terms) {
-        return single_roundoff * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
+        return single_roundoff * (30.0 + 1.5 * sum_rounding(0.5 * chords) + 2.0 * sum_rounding(0.5 * nodes)) +
+               7.4e-10 * static_cast<double>(terms + 4);
+    }
+    // Rounding error of a sum of `count` terms in single precision, by_blocks(), less one half, over the sum of moduli.
+    static double sum_rounding(double count) {
+        constexpr double block = static_cast<double>(sum_block);
+        return count < 2.0 * block ? 0.5 * count : 0.5 * block + std::ceil(count / block) - 1.0;
     }
 
     // Additional rounding error of the field if the integrand is multiplied by a Zernike term of degree n.

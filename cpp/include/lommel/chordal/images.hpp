@@ -47,7 +47,7 @@ struct ChordalBudget {
     static_assert(chords < 1.0);
     // In single precision. single: (allowed error of U) / (tol x estimated max |U|); rounding: largest fraction of this error for
     // rounding.
-    static constexpr double single = 0.6, rounding = 0.7;
+    static constexpr double single = 0.6, rounding = 0.85;
     // Variances of the phase (rad^2) above which max |U| may be below its estimate. The allowed error of U is then reduced, as a
     // second attempt would double the work: by moderate_factor above moderate_variance; above large_variance instead by
     // large_factor or, in single precision, by large_factor_single.

@@ -7,6 +7,7 @@
 
 #include "lommel/chordal/tables.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/bounds/chords.hpp"
 #include "lommel/special/sincos.hpp"
 
 namespace lommel {
@@ -232,6 +233,37 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     });
 }
 
+// Call add(from, count, part) for blocks of `sum_block` terms of a sum of `count`, and add their sums `part` up: in single precision,
+// long sums then lose fewer digits (ChordBound::sum_rounding).
+template <std::size_t R, std::size_t C, class Real, class V, class F>
+LOMMEL_INLINE void by_blocks(std::size_t count, V (&sum)[R][C], const F& add) {
+    if (sizeof(Real) == sizeof(double) || count < 2 * sum_block) {
+        return add(0, count, sum);
+    }
+    for (std::size_t from = 0; from < count; from += sum_block) {
+        V part[R][C] = {};
+        add(from, std::min(sum_block, count - from), part);
+        for (std::size_t r = 0; r < R; ++r) {
+            for (std::size_t c = 0; c < C; ++c) {
+                sum[r][c] = sum[r][c] + part[r][c];
+            }
+        }
+    }
+}
+
+// As multiply(), or multiply_lanes() if `Lone`, by blocks.
+template <bool Lone, std::size_t R, std::size_t C, class V, class Real>
+LOMMEL_INLINE void multiply_blocks(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+    by_blocks<R, C, Real>(count, sum, [&](std::size_t from, std::size_t here, V(&part)[R][C]) LOMMEL_INLINE_LAMBDA {
+        if constexpr (Lone) {
+            multiply_lanes<R, C>(table + from * R * lanes, data + from * C * lanes, here, part);
+        } else {
+            multiply<R, C>(table + from * R, data + from * C * lanes, here, part);
+        }
+    });
+}
+
 // Fourier transform along y for each row of pixels, from the nodes of a pair of chords (`Lone`: of a vector of pairs) to
 // chords[row][parity in x][chord][re, im].
 template <bool Lone, class I, class Real>
@@ -244,13 +276,8 @@ LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_
         constexpr std::size_t R = decltype(size)::value;
         const std::size_t at = (chord * rows + first) * within * (Lone ? lanes : 1);
         V a[R][4] = {}, b[R][4] = {};
-        if constexpr (Lone) {
-            multiply_lanes<R, 4>(kernel.row_cos.data() + at, nodes, within, a);
-            multiply_lanes<R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
-        } else {
-            multiply<R, 4>(kernel.row_cos.data() + at, nodes, within, a);
-            multiply<R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
-        }
+        multiply_blocks<Lone, R, 4>(kernel.row_cos.data() + at, nodes, within, a);
+        multiply_blocks<Lone, R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
         for (std::size_t r = 0; r < R; ++r) {
             Real* to = chords + kernel.rows.plus[first + r] * 2 * line + chord * 2 * lanes;
             for (std::size_t x = 0; x < 2; ++x) {
@@ -277,8 +304,8 @@ LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real
     for_fixed_tiles<column_tile>(kernel.columns.at.size(), [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
         V a[R][2] = {}, b[R][2] = {};
-        multiply<R, 2>(kernel.column_cos.data() + first * half, chords, half, a);
-        multiply<R, 2>(kernel.column_sin.data() + first * half, chords + line, half, b);
+        multiply_blocks<false, R, 2>(kernel.column_cos.data() + first * half, chords, half, a);
+        multiply_blocks<false, R, 2>(kernel.column_sin.data() + first * half, chords + line, half, b);
         for (std::size_t r = 0; r < R; ++r) {
             Real* to = row + kernel.columns.plus[first + r] * 2 * lanes;
             store(to, a[r][0] + b[r][1]);
@@ -303,26 +330,29 @@ LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const
     store(row + last + lanes, splat<V>(Real(0)));
     for_fixed_tiles<2>(kernel.lanes.vectors(across), [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
-        V a[R][2] = {}, b[R][2] = {};
-        for (std::size_t i = 0; i < half; ++i) {
-            const Real* const even = chords + (i - i % lanes) * 2 + i % lanes;
-            const V e[2] = {splat<V>(even[0]), splat<V>(even[lanes])};
-            const V o[2] = {splat<V>(even[line]), splat<V>(even[line + lanes])};
-            for (std::size_t r = 0; r < R; ++r) {
-                const std::size_t at = ((first + r) * half + i) * lanes;
-                const V cosine = load<V>(kernel.column_cos.data() + at), sine = load<V>(kernel.column_sin.data() + at);
-                for (std::size_t part = 0; part < 2; ++part) {
-                    a[r][part] = a[r][part] + cosine * e[part];
-                    b[r][part] = b[r][part] + sine * o[part];
+        V both[R][4] = {};
+        by_blocks<R, 4, Real>(half, both, [&](std::size_t from, std::size_t count, V(&part)[R][4]) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t i = from; i < from + count; ++i) {
+                const Real* const even = chords + (i - i % lanes) * 2 + i % lanes;
+                const V e[2] = {splat<V>(even[0]), splat<V>(even[lanes])};
+                const V o[2] = {splat<V>(even[line]), splat<V>(even[line + lanes])};
+                for (std::size_t r = 0; r < R; ++r) {
+                    const std::size_t at = ((first + r) * half + i) * lanes;
+                    const V cosine = load<V>(kernel.column_cos.data() + at), sine = load<V>(kernel.column_sin.data() + at);
+                    part[r][0] = part[r][0] + cosine * e[0];
+                    part[r][1] = part[r][1] + cosine * e[1];
+                    part[r][2] = part[r][2] + sine * o[0];
+                    part[r][3] = part[r][3] + sine * o[1];
                 }
             }
-        }
+        });
         for (std::size_t r = 0; r < R; ++r) {
+            const V *const a = both[r], *const b = both[r] + 2;
             Real here[2][2 * lanes];
-            store(here[0], a[r][0] + b[r][1]);
-            store(here[0] + lanes, a[r][1] - b[r][0]);
-            store(here[1], a[r][0] - b[r][1]);
-            store(here[1] + lanes, a[r][1] + b[r][0]);
+            store(here[0], a[0] + b[1]);
+            store(here[0] + lanes, a[1] - b[0]);
+            store(here[1], a[0] - b[1]);
+            store(here[1] + lanes, a[1] + b[0]);
             const std::size_t from = (first + r) * lanes;
             for (std::size_t side = 0; side < 2; ++side) {
                 const std::vector<std::size_t>& places = side == 0 ? kernel.columns.plus : kernel.columns.minus;

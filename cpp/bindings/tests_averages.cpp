@@ -122,7 +122,7 @@ double rim_remainders(In<std::int32_t, 2> terms, In<double, 2> edge, double obsc
 double rim_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
                     In<double, 2> centers, double step, double error, int threads, In<double, 1> remainders, In<double, 3> near,
                     In<std::int64_t, 1> places, Out<double, 3> images, Out<double, 2> numbers) {
-    const std::size_t pupils = pupils_of(edge), box = near.shape(1);
+    const std::size_t box = near.shape(1);
     return ask_disks<true>(
         {terms, edge, obscuration, amplitude, no_strips()}, {{images.shape(1), images.shape(2)}, centers, step}, 0.1, threads,
         [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {

@@ -44,6 +44,7 @@ def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_an
     )
     monkeypatch.setattr(defocus_verdict, "_judged_misfit", lambda *_: None if few else (1.25, 0.6))
     monkeypatch.setattr(defocus_verdict, "_scale_minima", lambda *_: minima)
+    monkeypatch.setattr(defocus_verdict, "MIN_BLOCKS", 0)
     images = np.ones((1, 2, 2, 2))
     found = defocus_verdict.judge_frames(engine, images, errors < np.inf, errors, misfit, vergence)
     assert weights[0] == pytest.approx(np.array([[4.0, 0.0], [1e12, 100.0]]))
@@ -191,7 +192,7 @@ def test_a_parabola_through_peaks_is_theirs_where_they_differ():
 @pytest.mark.parametrize("masked", [False, True])
 def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(masked, monkeypatch):
     given, rng, block = [], np.random.default_rng(5), live.BLOCK
-    monkeypatch.setattr(live, "judge_frames", lambda *all_of_it, included: given.extend(all_of_it))
+    monkeypatch.setattr(live, "judge_frames", lambda *all_of_it, **_: given.extend(all_of_it))
     size = 2 * block + 1, 3 * block
     planes, gains = rng.uniform(10.0, 90.0, (2, *size)).astype(np.float32), rng.normal(size=(2, 6))
     planes[0, 0, 0], planes[1, 1, 0], planes[0, 2, 0] = np.nan, 90.0, np.inf
@@ -200,11 +201,13 @@ def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(ma
         mask[3, 0] = 0
     depth, errors, misfit = rng.uniform(0.5, 3.0, (3, 2, 3))
     errors[0, 1] = np.nan
+    call = live._Call(SimpleNamespace(engine="engine"), 0, 0, mask)
     made = SimpleNamespace(
-        _last_call=lambda: (SimpleNamespace(engine="engine"), 0, 0, mask), _grey=lambda *_: (list(planes), 90.0),
+        _last_call=lambda: call, _grey=lambda *_: (list(planes), 90.0),
         _form=SimpleNamespace(size=size), _offset=4.0, _gains=gains, _depth=depth, _errors=errors, _misfit=misfit,
-        noise="estimated", _estimates=masked,
+        noise="estimated", _estimates=masked, _excess=1.0,
     )  # fmt: skip
+    made._electrons = lambda: LiveDepth._electrons(made)
     LiveDepth.verdict(made, focus_error=0.1)
     assert given[6:] == [(None, 0.1), "estimated" if masked else None]
     unknown = {(0, 0), (1, 0), (2, 0), *([(3, 0)] if masked else [])}
@@ -243,7 +246,7 @@ def test_depth_and_its_error_follow_from_those_of_a_candidate(stated, monkeypatc
     monkeypatch.setattr(defocus_depth, "_search", search)
     monkeypatch.setattr(defocus_depth, "_add_slope_errors", slopes)
     monkeypatch.setattr(defocus_depth, "_add_lens_errors", lambda engine, errors, *_: added.append(errors))
-    monkeypatch.setattr(defocus_depth, "judge_frames", lambda *given: given)
+    monkeypatch.setattr(defocus_depth, "judge_frames", lambda *given, **_: given)
     noise, lenses = lm.Noise(white=1e4, read=3.0), [lens, lens.focused(2.0)]
     found = defocus_depth.depth_from_defocus(
         photos, lenses, 4e-6, encoding="linear", noise=noise, between=(0.8, 4.0), **stated

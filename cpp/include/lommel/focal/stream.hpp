@@ -475,7 +475,7 @@ class FocalStream {
                 const Index y0 = -away * reach / fine * dy, x0 = -away * reach / fine * dx;
                 const FocalPlace* const beyond = at(y0, x0);
                 if (!beyond || std::isnan(beyond->texture)) {
-                    flat = away > 2;
+                    flat = away > 4;
                     break;
                 }
                 flat = !known(beyond) || borrowed(at(y0 + dy, x0 + dx), beyond, at(y0 - dy, x0 - dx));

@@ -58,6 +58,10 @@ def test_a_fitted_microscope_is_written_and_read(folder):
     assert told.returncode == 0
     assert all(0.0 < error < 0.05 * width for width, error in facts["fwhm"].values())
     printed = " ".join(run("bead.tif", *ASKED).stdout.split())
+    untested = next(found["numbers"] for found in facts["findings"] if found["code"] == "untested")
+    held = [name for name, by in untested.items() if not by and name in facts["coefficients"]]
+    assert held
+    assert all(f"{name} (by its prior)" in printed for name in held)
     assert "not to be 2 um deep as the file says; --depth states it" in printed
     assert re.search(r"FWHM at the first bead, without bead and pixel value .* x [\d.]+ [\d.]+ nm y ", printed)
 

@@ -448,12 +448,12 @@ class FocalStream {
             return inside ? &here + dy * columns + dx : nullptr;
         };
         const auto known = [](const FocalPlace* one) { return one && std::isfinite(one->error); };
-        // tanh(offset of the texture of a window from its centre / (rms width)^2), in blocks, if more than `least_aside`.
+        // tanh(offset of the texture of a window from its centre / (rms width)^2), in blocks.
         const auto offset = [&](Index dy, Index dx) {
             const FocalPlace *const a = at(-dy, -dx), *const b = at(dy, dx);
             const float before = a && b ? std::max(a->texture, 0.0f) : 0.0f, after = a && b ? std::max(b->texture, 0.0f) : 0.0f;
-            const float difference = after - before, sum = after + before;
-            return std::abs(difference) > least_aside * sum ? difference / sum : 0.0f;
+            const float sum = after + before;
+            return sum > 0.0f ? std::abs(after - before) / sum : 0.0f;  // 0 for NaN
         };
         // True if the texture of the window around `here` is more than two blocks from its centre, towards a: its energy falls like a
         // Gaussian from a to b, or by more than the window alone makes it fall.
@@ -465,9 +465,9 @@ class FocalStream {
             const float rise = near / own, fall = std::max(b->texture, 0.0f) / own;
             return rise * rise * rise * rise * rise * fall * fall * fall > 1.0f;
         };
-        const float lower = offset(fine, 0), right = offset(0, fine), aside = std::max(std::abs(lower), std::abs(right));
+        const float aside = std::max(offset(fine, 0), offset(0, fine));
         for (const auto& [dy, dx] : {std::pair{fine, Index{0}}, {-fine, Index{0}}, {Index{0}, fine}, {Index{0}, -fine}}) {
-            if (!borrowed(at(dy, dx), &here, at(-dy, -dx))) {
+            if (aside < rarely_aside || !borrowed(at(dy, dx), &here, at(-dy, -dx))) {
                 continue;
             }
             bool flat = true;
@@ -512,7 +512,7 @@ class FocalStream {
     }
     using Index = std::ptrdiff_t;
     static constexpr float slope_share = 0.06f, mixed_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
-    static constexpr float beside_share = 0.25f, least_aside = 0.5f, surely_aside = 0.7f, falling = 4.5f;
+    static constexpr float beside_share = 0.25f, rarely_aside = 0.3f, least_aside = 0.5f, surely_aside = 0.7f, falling = 4.5f;
     static constexpr Index flat_reach = 6;  // number of windows on the other side that must have no depth of their own
 
     // Fill unknown depths with means of known depths around them, from an image pyramid, coarse to fine.

@@ -189,6 +189,24 @@ def test_a_parabola_through_peaks_is_theirs_where_they_differ():
     assert (made.curvature, made.middle, made.least) == pytest.approx((0.3, 2.2, 2.0))
 
 
+def test_scales_are_searched_from_the_stated_one(monkeypatch):
+    """Much less blur than stated may fit better than a little less; the search must not end there."""
+    misfits = {0.5: 1.2, 0.6: 1.4, 0.8: 5.0, 0.95: 1.3, 1.0: 1.0, 1.1: 2.0, 1.3: 6.0, 2.0: 9.0}
+
+    def filters(engine, channel, scale, **_):
+        return lambda tile: float(np.interp(scale, [*misfits], [*misfits.values()]))
+
+    monkeypatch.setattr(defocus_verdict, "_Filters", filters)
+    monkeypatch.setattr(defocus_verdict, "_median", float)
+    monkeypatch.setattr(defocus_verdict, "_cells", lambda _: (None, range(1000)))
+    monkeypatch.setattr(
+        defocus_verdict, "_refine_minimum", lambda misfits, k, level: _Minimum(math.exp(0.04 * k), 0.1, 1.0, k, 0.0)
+    )
+    tile = SimpleNamespace(variance=np.ones((2, 2)))
+    found = defocus_verdict._scale_minima(None, 0, tile, [tile], 1.0)
+    assert [minimum.scale for minimum in found] == [1.0]
+
+
 @pytest.mark.parametrize("masked", [False, True])
 def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(masked, monkeypatch):
     given, rng, block = [], np.random.default_rng(5), live.BLOCK

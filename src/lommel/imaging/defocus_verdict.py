@@ -441,11 +441,15 @@ def _scale_minima(
         return np.stack([filters_of_k(tile) for tile in tiles])
 
     # The misfit may have several minima: other scales can fit with other signs of defocus, or with other depths.
-    medians = list[float]()
-    for k in range(-_MAX_STEP, _MAX_STEP + 1, _COARSE_STEP):
-        # Once the misfit is this large, it increases with the scale: larger scales need not be tried.
-        stop = bool(medians) and medians[-1] > _MAX_MISFIT_RATIO * min(medians)
-        medians.append(math.inf if stop else _median(filters(k, binned=True)(rough)))
+    found: dict[int, float] = {}
+    for way in (_COARSE_STEP, -_COARSE_STEP):
+        for k in range(0, (_MAX_STEP + 1) * way // _COARSE_STEP, way):
+            if k not in found:
+                found[k] = _median(filters(k, binned=True)(rough))
+            # Once the misfit is this large, it increases with the distance from the stated scale.
+            if found[k] > _MAX_MISFIT_RATIO * min(found.values()):
+                break
+    medians = [found.get(k, math.inf) for k in range(-_MAX_STEP, _MAX_STEP + 1, _COARSE_STEP)]
     limit = min(medians) + _EXCESS + _EXCESS_RATIO * abs(min(medians) - 1.0)
     minima = list[_Minimum]()
     for index in range(1, len(medians) - 1):

@@ -16,7 +16,7 @@ et al. 2008, doi:10.1109/TIP.2008.2001404). In the last term, which is small for
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal
 
@@ -53,7 +53,7 @@ from lommel.imaging.photograph import (
     require_scene,
 )
 from lommel.imaging.settings import WindowOptions, channel_spectra, spectra
-from lommel.imaging.uniform_scene import DistanceEstimate, UniformScene, estimate_scene, undetermined
+from lommel.imaging.uniform_scene import DistanceEstimate, UniformScene, estimate_scene
 from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
@@ -261,7 +261,9 @@ def restore(
         light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
         of_channels = spectra("channels", channels)
         if isinstance(depth, str):
-            uniform, estimate = _estimated(depth, light, lens, pixel, of_channels, noise, limit)
+            if depth != "unknown":
+                raise ValueError(f'depth must hold metres or be "unknown", got {depth!r}')
+            uniform, estimate = estimate_scene(light, lens, pixel, of_channels, noise, limit)
         else:
             distances = validation.array("depth", depth, "metres")
             if distances.ndim == 0:
@@ -284,10 +286,13 @@ def restore(
     observed = PhotographLikelihood(blur, light, noise, limit)
     before = observed.mean(observed.discrepancies_of(observed.image))
     result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
-    varies = stopped == MISFIT and isinstance(lens, LinearBlur)  # a PSF that varies within tiles is no misfit
-    rings = observed.mean(observed.discrepancies_of(result.light)) > _MAX_RINGING
-    if o.method is None and isinstance(method, Blend) and (varies or (rings and stopped != MISFIT)):
-        result, share, stopped = _solved(observed, RichardsonLucy(), progress or silent)
+    if o.method is None and isinstance(method, Blend):
+        if stopped == MISFIT:  # a PSF that varies within tiles is none
+            unsuited = isinstance(lens, LinearBlur)
+        else:
+            unsuited = observed.mean(observed.discrepancies_of(result.light)) > _MAX_RINGING
+        if unsuited:
+            result, share, stopped = _solved(observed, RichardsonLucy(), progress or silent)
     verdict = None
     if estimate is not None:
         share, stopped = (share, stopped) if estimate.blur.known else (1.0, MISFIT)
@@ -315,29 +320,6 @@ def restore(
         distances=estimate.distances if estimate else (), distance_errors=estimate.errors if estimate else (),
         findings=Findings([*findings, *_blur_findings(verdict, o.accept)]),
     )  # fmt: skip
-
-
-def _estimated(
-    depth: str,
-    light: Array,
-    lens: Lens,
-    pixel: float,
-    channels: Sequence[tuple[tuple[float, float], ...]],
-    noise: Noise,
-    limit: float,
-) -> tuple[UniformScene, DistanceEstimate]:
-    """Return the scene at the distance that the photograph shows, and its distance."""
-    if depth != "unknown":
-        raise ValueError(f'depth must hold metres or be "unknown", got {depth!r}')
-    shape = light.shape[0], light.shape[1]
-    observed = PhotographLikelihood(undetermined(shape, len(channels)), light, noise, limit)
-    scene, estimate = estimate_scene(observed, lens, pixel, channels, None)
-    if observed.full is not None:
-        # Saturated pixels, which make the photograph sharper, are raised by a first restoration.
-        observed = PhotographLikelihood(scene.blur, light, noise, limit)
-        first = Blend().solve(observed, silent)
-        scene, estimate = estimate_scene(observed, lens, pixel, channels, first.light)
-    return scene, estimate
 
 
 def _solved(observed: PhotographLikelihood, method: Method, report: ProgressCallback) -> tuple[Solution, float, str]:

@@ -10,14 +10,16 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.deconvolve.algorithms import silent
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.estimation.focal_model import Spectrum
-from lommel.imaging.blended import UniformBlur
+from lommel.imaging.blended import Blend, UniformBlur
 from lommel.imaging.blur import require_depth
 from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict, changed, compare_blurs, estimate_blur
 from lommel.imaging.one_pass import fill_unknown
 from lommel.optics.lens import Lens, require_round
 from lommel.optics.pupil import Pupil
+from lommel.recorded.noise import Noise
 
 _ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
 
@@ -71,9 +73,28 @@ class DistanceEstimate(NamedTuple):
 
 
 def estimate_scene(
+    photo: Array, lens: Lens, pixel: float, spectra: Sequence[Spectrum], noise: Noise, limit: float
+) -> tuple[UniformScene, DistanceEstimate]:
+    """Return the scene at the distance that the light of a photograph shows, and its distance.
+
+    Light of `limit` and above is saturated.
+    """
+    # A stand-in for the unknown blur leaves images as they are.
+    blur = UniformBlur(photo.shape[:2], lambda f: np.ones((len(spectra), *f.shape)), 0.0)
+    observed = PhotographLikelihood(blur, photo, noise, limit)
+    scene, estimate = _estimated(observed, lens, pixel, spectra, None)
+    if observed.full is not None:
+        # Saturated pixels, which make the photograph sharper, are raised by a first restoration.
+        observed = PhotographLikelihood(scene.blur, photo, noise, limit)
+        first = Blend().solve(observed, silent)
+        scene, estimate = _estimated(observed, lens, pixel, spectra, first.light)
+    return scene, estimate
+
+
+def _estimated(
     observed: PhotographLikelihood, lens: Lens, pixel: float, spectra: Sequence[Spectrum], light: Values | None
 ) -> tuple[UniformScene, DistanceEstimate]:
-    """Return the scene at the distance that the middle channel of a photograph shows, and its distance.
+    """Return the scene and its distance by the middle channel of a photograph.
 
     `light` is the restored light by an earlier estimate, whose blurred image replaces pixels that are not certain.
     """
@@ -94,11 +115,6 @@ def estimate_scene(
     shape = observed.blur.shape
     scene = UniformScene(changed(pupil, found.defocus, 0.0), found.defocus, pitch, spectra, shape)
     return scene, DistanceEstimate(found, tuple(distances), tuple(errors))
-
-
-def undetermined(shape: tuple[int, int], channels: int) -> UniformBlur:
-    """Return a stand-in for an unknown blur, which leaves images as they are."""
-    return UniformBlur(shape, lambda f: np.ones((channels, *f.shape)), 0.0)
 
 
 def _pixels_per_radian(lens: Lens, pixel: float) -> tuple[float, float]:

@@ -20,7 +20,7 @@ def test_images_of_the_latest_parameters_are_not_computed_again():
     layout = {"exposures": 1, "width_count": 1, "parameters_per_image": 4, "size": 7, "degrees_of_freedom": 9}
     stars: Any = FieldStars.__new__(FieldStars)
     first_star = SimpleNamespace(directions=np.eye(2))
-    vars(stars).update(layout, latest=[None, b"", []], images=images, first_star=first_star)
+    vars(stars).update(layout, latest=[(None, b"", [])], images=images, first_star=first_star)
     model, x = SingleStars(stars, np.arange(3), 9.0), np.ones((3, 7))
     other = x.copy()
     other[2, 6] = 2.0

@@ -34,8 +34,8 @@ def recorded(
     return Camera(gain=0.0, read=3.0).record(trailed(np.array(mean), late), seed)
 
 
-def found(images, **more):
-    pupil = lm.Pupil(obscuration=0.2, wavelength=600e-9, f_number=8.0)
+def found(images, aperture=None, **more):
+    pupil = lm.Pupil(obscuration=0.2, wavelength=600e-9, f_number=8.0, **(aperture or {}))
     options = {"defocus": [0.0, 3.0], "terms": TERMS, "tol": 1e-4, "threads": 1, "starts": 2} | more
     return searches.retrieve(images, pupil, pixel=2.4e-6, noise=lm.Noise(read=3.0), **options)
 
@@ -95,6 +95,18 @@ def test_what_is_missing_is_estimated_where_the_model_can(world, name, stated, t
     assert fit.coefficients[name] == pytest.approx(true, abs=4 * fit.errors[name])
     assert np.abs(pulls_of(fit)).max() < 4.0
     assert f"(stated {stated:g}" in fit.message
+
+
+PLACES = np.abs((np.arange(256) - 127.5) / 128.0)
+OPEN = (np.minimum(PLACES[:, None], PLACES) > 0.02).astype(float)
+
+
+@pytest.mark.parametrize("aperture", [{"spider": lm.Spider.equal(4, width=0.04)}, {"mask": lm.Mask(OPEN)}])
+def test_a_wrong_f_number_is_estimated_behind_vanes(aperture):
+    fit = found(recorded(squeezed=1.03, vanes=0.04), aperture)
+    assert fit.coefficients["f_number"] == pytest.approx(8.24, abs=4 * fit.errors["f_number"])
+    assert fit.errors["f_number"] < 0.03
+    assert np.abs(pulls_of(fit)).max() < 4.0
 
 
 def test_blur_that_is_missing_is_estimated_of_each_image():

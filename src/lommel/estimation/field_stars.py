@@ -108,8 +108,8 @@ class FieldStars:
         self._reader: Readout | None = None
         self._sampled_pupils: dict[tuple[object, ...], SampledPupil] = {}
         #: The stars, parameters and images that were computed last, one set for all copies of these stars: searches
-        #: and tests begin where the last search ended.
-        self.latest: list[Any] = [None, b"", []]
+        #: and tests begin where the last search ended. One tuple in a list, which threads replace as a whole.
+        self.latest: list[tuple[Any, bytes, list[Any]]] = [(None, b"", [])]
         self.degrees_of_freedom = int((self.pixel_data[3].sum(axis=(1, 2)) - self.size).mean())
 
     def with_blur_profile(self, profile: BlurProfile) -> FieldStars:
@@ -503,11 +503,11 @@ class _StarModel(RowModel):
         """Return the PSFs of all stars, and their derivatives."""
         parts, selection = self.parts(x), self.derivative_selection
         key = b"".join(np.asarray(part).tobytes() for part in (self.chosen, *parts)) + f"{selection} {fast}".encode()
-        latest = self.stars.latest
-        if latest[0] is not self.stars or latest[1] != key:
+        stars, latest_key, images = self.stars.latest[0]
+        if stars is not self.stars or latest_key != key:
             images = self.stars.images(self.chosen, *parts, fast=fast, derivatives=selection)
-            latest[:] = self.stars, key, images
-        values, *derivatives = latest[2]
+            self.stars.latest[0] = self.stars, key, images
+        values, *derivatives = images
         return values, derivatives
 
     def with_flux_background(self, x: Array, values: Any) -> Array:

@@ -534,13 +534,11 @@ def beads(
     files = written([output, figure], lambda path: status_text if path == output else "")
     keys = dict(zip(facts["coefficients"], result.coefficients, strict=True))
     units = {key: CONSTANTS[name].unit if isinstance(name, str) else "rad" for key, name in keys.items()}
-    untested = result.findings.get("untested")
-    # The prior says as much of these as the beads do, or more.
-    stated = {name for name, by in untested.numbers.items() if not by} if untested else set()
-    titles = {
-        key: f"{name} (by its prior)" * (name in stated) or name if isinstance(name, str) else label(name)
-        for key, name in keys.items()
-    }
+    titles = {key: name if isinstance(name, str) else label(name) for key, name in keys.items()}
+    if untested := result.findings.get("untested"):
+        # Their priors say more of these constants than the beads do.
+        by_priors = titles.keys() & {name for name, changes in untested.numbers.items() if not changes}
+        titles |= {name: f"{name} (by its prior)" for name in by_priors}
     numbers = {name: facts[name] for name in ("coefficients", "errors")} | {"units": units, "places": facts["places"]}
     shown = tables(numbers, titles)
     if widths := facts["fwhm"]:

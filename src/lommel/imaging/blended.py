@@ -45,21 +45,15 @@ _PILOT_NOISE = 0.5  # noise for which the filter before shrinkage is computed / 
 _OCTAVES, _DIRECTIONS = 4, 4  # of the frame
 _LOCAL_RMS = 1.2, 0.72  # rms of the Gaussians that average energies, first and second time, / 2^octave pixels
 _STRENGTH = 0.5  # lambda times the mean gradient of a channel
-_STEPS, _RENEWED, _TUNED = (
-    30,
-    3,
-    12,
-)  # steps of the total variation; steps between renewals of lambda; last of the penalty
+_STEPS = 30  # of the total variation
+_RENEWED, _TUNED = 3, 12  # steps between renewals of lambda; steps after which the penalty stays
 _FILLING_STEPS = 60  # steps of the total variation that fills saturated and unknown pixels
 _PROBE = 0.3  # change of the photograph / noise, for the derivative of the estimates
 _WEIGHT_STEPS = 10  # steps of the weights from 0 to 1
 _VARIANCE_RMS = 2.0  # rms width (pixels) of the Gaussian that smooths the light of which the noise is computed
 _BORDER = 3.0  # width of the border that does not test the blur, whose light comes from beyond / radius of the blur
 _TILE, _OVERLAP = 512, 128  # stride and overlap (pixels) of the tiles of large images
-_FIELD_TILE, _FIELD_MARGIN = (
-    64,
-    24,
-)  # stride of tiles with one PSF, over the field; smallest margin around them (pixels)
+_FIELD_TILE, _FIELD_MARGIN = 64, 24  # stride of tiles with one PSF; smallest margin around them (pixels)
 
 _Real = np.float32
 

@@ -16,29 +16,12 @@ from lommel.measures.transfer import otf
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
-_SCALES = (
-    1.0,
-    0.3,
-    0.45,
-    0.6,
-    0.7,
-    0.8,
-    0.9,
-    0.95,
-    1.05,
-    1.1,
-    1.2,
-    1.35,
-)  # factors of the defocus; the first is as stated
+# Factors of the defocus; the first is as stated.
+_SCALES = 1.0, 0.3, 0.45, 0.6, 0.7, 0.8, 0.9, 0.95, 1.05, 1.1, 1.2, 1.35
 _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are compared if another defocus is likelier
 _MIN_GAIN, _DECISIVE = 6.0, 20.0  # gains in log-likelihood from which another blur is preferred, and is tested
-_LOBES, _NODES = (
-    12.0,
-    72,
-)  # the OTF with spherical aberration is computed at _NODES frequencies up to _LOBES / diameter
+_LOBES, _NODES = 12.0, 72  # OTFs with spherical aberration have _NODES frequencies up to _LOBES / diameter
 _TOL = 1e-4  # of these values
-
-
 _DIAMETERS = np.geomspace(0.6, 12.0, 75)  # pixels, from which an unknown blur is estimated
 _ERROR_FACTOR = 1.3  # standard error of ln(diameter) / that of the likelihood
 _SOFTNESS = 1.4  # softness of scenes, pixels: an error of the diameter, added in quadrature

@@ -442,8 +442,8 @@ def _scale_minima(
 
     # The misfit may have several minima: other scales can fit with other signs of defocus, or with other depths.
     found: dict[int, float] = {}
-    for way in (_COARSE_STEP, -_COARSE_STEP):
-        for k in range(0, (_MAX_STEP + 1) * way // _COARSE_STEP, way):
+    for way in (1, -1):
+        for k in range(0, way * (_MAX_STEP + 1), way * _COARSE_STEP):
             if k not in found:
                 found[k] = _median(filters(k, binned=True)(rough))
             # Once the misfit is this large, it increases with the distance from the stated scale.

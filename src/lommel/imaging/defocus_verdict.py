@@ -247,8 +247,8 @@ class DefocusVerdict(FitReport):
                 text = "depth is as right as the lens with its stated errors; state the noise to test registration"
             if compressed:
                 text = (
-                    "JPEG of quality 75 or more moves depth by up to 0.5 of its standard error, and denoising in a "
-                    "camera by more: use raw images or PNG"
+                    "JPEG of quality 75 or more moves depth by up to 0.5 of its standard error, of faint texture by "
+                    "up to 2, and denoising in a camera by more: use raw images or PNG"
                 )
             add("undetermined", "doubt", text)
         details, parts = dict[str, object](), list[str]()

@@ -334,9 +334,10 @@ def answered(lens: Lens, window: Window, tol: float, divided: bool, single: bool
 def across_edges(lens: Lens, window: Window, tol: float, divided: bool, single: bool) -> Answer | None:
     """Return averages by the light that crosses edges of pixels, or None; derivatives take a table all the same."""
     allowed = mp.mpf(tol) - mp.mpf(1.1) * storing(mp.mpf(0), single)
-    field, level = asked(lens, window, allowed)
-    seen, least = allowed * likely_value(lens, window), 8 * float(U)
-    request = edge_light.Asked(mp.mpf("0.6") * seen, max(least, field), mp.mpf("0.05") * seen)
+    first, level = asked(lens, window, allowed)
+    field, least = max(8 * float(U), first / 10), 8 * float(U)
+    seen = allowed * likely_value(lens, window) / (2 if divided else 1)
+    request = edge_light.Asked(mp.mpf("0.6") * seen, field, mp.mpf("0.4") * seen)
     pupil = np.array(lens.phase), np.array([0.0, lens.gaussian]), lens.obscuration
     light = edge_light.Light(pupil, lens.most, lens.amplitude(0, 2 * lens.gaussian))
     pixels = min(512, math.ceil(spread(lens) / window.step)) + 1
@@ -354,7 +355,7 @@ def across_edges(lens: Lens, window: Window, tol: float, divided: bool, single: 
         peak = max(found.top - found.off, elsewhere)
         bound = related(found.off, peak, divided, single)
         if bound <= tol:
-            return Answer(bound, peak, judged(lens, Tabulated(window, level), field), field)
+            return Answer(bound, peak, judged(lens, Tabulated(window, level), first), first)
         seen = max(found.top, elsewhere, found.off / 1000)
         room, before = (0.1 if divided else 0.2) * allowed * seen, request
         if found.rings > room:

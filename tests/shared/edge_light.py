@@ -61,12 +61,40 @@ def fewest(enough: Callable[[int], bool]) -> int:
     return next(n for n in range(4, 10000) if enough(n))
 
 
+def steepness(order: int, swing: mp.mpf) -> mp.mpf:
+    """Return |derivative of this order| / 2^order of the intensity along a line, by Bernstein or from the pupil."""
+    return min(swing, 64 / (mp.pi * (order + 2) ** 2 * (order + mp.mpf("1.25"))))
+
+
+def along_edge(step: float, q: int, reach: float, swing: mp.mpf) -> mp.mpf:
+    """Return what `q` nodes along an edge that ends at `reach` are off by."""
+    return reach * step * gauss(step, q) * steepness(2 * q, swing) / (4 * (q + 1))
+
+
+def between_points(n: int, swing: mp.mpf) -> tuple[mp.mpf, mp.mpf]:
+    """Return what the energy on a part of a panel and on all of it is off by, over the distance of its end."""
+    part = whole = mp.mpf(0)
+    for k in range(n, 3 * n):
+        size = 2 * steepness(k, swing) / mp.factorial(k)
+        for order in (k, abs(2 * n - k)) if k > n else (k,):
+            part += size * (2 if order < 3 else mp.mpf(1) / (order - 2))
+            whole += size * (2 if order < 3 else mp.mpf(2) / (order * (order - 2)))
+    rest = 10 * steepness(3 * n, swing) / mp.factorial(3 * n)
+    return part + rest, whole + rest
+
+
 class Energy:
     """The light within a circle over 2 pi, by polynomials on panels that are 2 wide."""
 
-    def __init__(self, light: Light, field: Field, reach: float, asked: Asked) -> None:
+    def __init__(self, light: Light, field: Field, reach: float, step: float, asked: Asked) -> None:
         swing = light.most**2 / 2
-        n = fewest(lambda n: bool(swing * interpolation(1.0, n) <= asked.sums))
+
+        def beside(n: int) -> mp.mpf:
+            part, whole = between_points(n, swing)
+            return mp.mpf("1.1") * whole + 3 * part / step
+
+        n = fewest(lambda n: bool(beside(n) <= asked.sums))
+        self.missed, whole = between_points(n, swing)
         self.panels = math.ceil(reach / 2) + 1
         points = np.polynomial.chebyshev.chebpts1(n)
         radii = 2 * np.arange(self.panels)[:, None] + 1 + points
@@ -87,9 +115,11 @@ class Energy:
             evaluated = 4 * end**2 * (lebesgue(n) * top + between) + sizes @ np.abs(self.series[-1])
             self.rounding = max(self.rounding, U * evaluated)
             given = lebesgue(n) * (2 * mp.sqrt(top) * e + e * e)
-            self.rates.append(given + between + U * 2 * n * (n + 8) * top)
+            self.rates.append(given + U * 2 * n * (n + 8) * top)
             area = (end**2 - (end - 2) ** 2) / 2
-            self.begins.append(self.begins[-1] + self.rates[-1] * area + U * (n + 8) * (before + inside))
+            self.begins.append(
+                self.begins[-1] + self.rates[-1] * area + end * whole + U * (n + 8) * (before + inside)
+            )
             before = inside
 
     def panel(self, r: Any) -> Any:
@@ -98,6 +128,9 @@ class Energy:
     def within(self, r: np.ndarray) -> np.ndarray:
         k = self.panel(r)
         return np.polynomial.chebyshev.chebval(r - 2 * k - 1, np.array(self.series).T[:, k], tensor=False)
+
+    def part(self, r: float) -> mp.mpf:
+        return self.missed * (r + 2)
 
     def off(self, r: float) -> mp.mpf:
         k = int(self.panel(r))
@@ -139,8 +172,9 @@ def averaged(light: Light, field: Field, window: Window, asked: Asked) -> Averag
         rings = left + 64 * U * (factor + whole)
     if near:
         reach = max(farthest(*pixel) for pixel in near)
-        q = fewest(lambda q: bool(swing * reach * step * gauss(step, q) <= asked.sums * square))
-        energy = Energy(light, field, reach, asked)
+        least = fewest(lambda q: bool(along_edge(step, q, reach, swing) <= asked.sums * square / 4))
+        q = 8 * math.ceil(least / 8)
+        energy = Energy(light, field, reach, step, asked)
         nodes, weights = np.polynomial.legendre.leggauss(q)
         for dx, dy in near:
             crossed, turn, turns, off = 0.0, 0.0, 0.0, mp.mpf(0)
@@ -150,10 +184,15 @@ def averaged(light: Light, field: Field, window: Window, asked: Asked) -> Averag
                 crossed += sign * float(share @ energy.within(step * np.hypot(at, t)))
                 turn += sign * share.sum()
                 turns += abs(share.sum())
-                off += abs(share.sum()) * energy.off(step * math.hypot(at, max(abs(start), abs(start + 1.0))))
+                end = step * math.hypot(at, max(abs(start), abs(start + 1.0)))
+                off += abs(share.sum()) * (energy.off(end) + energy.part(end))
             tops.append(crossed / square)
-            first, last = energy.off(nearest(dx, dy)), energy.off(farthest(dx, dy))
-            given = min(off, (last - first) * turns / 2 + (last + first) * abs(turn) / 2)
+            first, last, part = (
+                energy.off(nearest(dx, dy)),
+                energy.off(farthest(dx, dy)),
+                energy.part(farthest(dx, dy)),
+            )
+            given = min(off, ((last - first) / 2 + part) * turns + (last + first) * abs(turn) / 2)
             rounded = (energy.rounding + U * (q + 24) * 2 * light.passed) * turns
-            error = max(error, (given + rounded + 4 * swing * reach * step * gauss(step, q)) / square)
+            error = max(error, (given + rounded + 4 * along_edge(step, q, reach, swing)) / square)
     return Averages(max(0.0, *tops), rings, error)

@@ -241,7 +241,8 @@ def depth_from_defocus(
     of the lenses, which shift whole surfaces. Depth is NaN where its standard error exceeds 17 % of the range in
     1 / distance, where another candidate has almost the same energy, which is frequent with periodic textures, where
     it is outside of `between`, and where half of a window or more is within the blur of the border or of unknown
-    pixels.
+    pixels. It is that of the texture within 16 pixels: a plain area beside an object has the depth of the object, or
+    none, up to 16 pixels beyond its blurred edge.
 
     Examples
     --------

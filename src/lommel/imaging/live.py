@@ -305,6 +305,8 @@ class LiveDepth:
     the depth map and near depth edges. Depth is unknown where another depth has almost the same energy, which is
     frequent with periodic textures, where it is outside of `between`, where the standard error exceeds 17 % of the
     range in 1 / distance, and where half of a window or more is within the blur of the border or of unknown pixels.
+    The depth of a block is that of the texture within 16 pixels: a plain area beside an object has the depth of the
+    object, or none, up to 16 pixels beyond its blurred edge.
 
     :meth:`verdict` tests registration, noise and the size of blur. It cannot detect exchanged frames, or an error
     that both focus distances share.

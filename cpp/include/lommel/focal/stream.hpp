@@ -437,7 +437,8 @@ class FocalStream {
     }
     // Variance to add to that of the depth at (y, x): from the slope of the depth map, and from its deviation from a plane if the
     // frames do not fit a single depth (misfit) or the texture is on one side, so that the depth may be of what is there. Infinite
-    // if it is more than two blocks away and nothing on the other side has a depth by texture of its own.
+    // if it is more than two blocks away and nothing on the other side has a depth by texture of its own, or if two windows away
+    // it is `spread` times as strong.
     float rough(std::size_t y, std::size_t x) const {
         const auto fine = static_cast<Index>(plan_.fine), reach = fine * static_cast<Index>(plan_.window.weights.size() - 1);
         const auto i = static_cast<Index>(y), j = static_cast<Index>(x), rows = static_cast<Index>(down()),
@@ -467,6 +468,11 @@ class FocalStream {
         };
         const float aside = std::max(offset(fine, 0), offset(0, fine));
         for (const auto& [dy, dx] : {std::pair{fine, Index{0}}, {-fine, Index{0}}, {Index{0}, fine}, {Index{0}, -fine}}) {
+            // Beside light so strong the energy of a plain area is what the filters and the window spread of it.
+            const FocalPlace* const strong = at(2 * reach / fine * dy, 2 * reach / fine * dx);
+            if (strong && strong->texture > spread * std::max(here.texture, 0.0f)) {
+                return std::numeric_limits<float>::infinity();
+            }
             if (aside < rarely_aside || !borrowed(at(dy, dx), &here, at(-dy, -dx))) {
                 continue;
             }
@@ -475,7 +481,7 @@ class FocalStream {
                 const Index y0 = -away * reach / fine * dy, x0 = -away * reach / fine * dx;
                 const FocalPlace* const beyond = at(y0, x0);
                 if (!beyond || std::isnan(beyond->texture)) {
-                    flat = away > 4;
+                    flat = 2 * away > flat_reach;
                     break;
                 }
                 flat = !known(beyond) || borrowed(at(y0 + dy, x0 + dx), beyond, at(y0 - dy, x0 - dx));
@@ -514,6 +520,8 @@ class FocalStream {
     static constexpr float slope_share = 0.06f, mixed_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
     static constexpr float beside_share = 0.25f, rarely_aside = 0.3f, least_aside = 0.5f, surely_aside = 0.7f, falling = 4.5f;
     static constexpr Index flat_reach = 6;  // number of windows on the other side that must have no depth of their own
+    static constexpr float spread =
+        200.0f;  // energy of texture / energy that filters and window leave two windows away, at least
 
     // Fill unknown depths with means of known depths around them, from an image pyramid, coarse to fine.
     void fill() {

@@ -97,7 +97,7 @@ class Telescope:
     """A round, obscured aperture with crossed vanes, their width in radii; scalar, in focus where C_d is 0.
 
     Its amplitude falls by exp(-dimmed rho^2), and along rows by exp(-slanted y). The obscuration is `off` the middle
-    by radii along rows, and the edge `squeezed` there by a part of the radius.
+    by radii along rows, and the edge `squeezed` there by a part of the diameter: its mean radius is that of 1.
     """
 
     wavelength: float = 1.0
@@ -113,7 +113,7 @@ class Telescope:
     @property
     def cutoff(self) -> float:
         """The largest frequency that it lets through, cycles per metre."""
-        return 1 / (self.wavelength * self.f_number)
+        return 1 / (self.wavelength * self.f_number * (1 - self.squeezed / 2))
 
     def transfer(self, waves: Waves = (), defocus: float = 0.0, screen: np.ndarray | float = 0.0) -> Transfer:
         """Return the transfer function of a wavefront, C_d (radians at the edge) and a screen of phases."""
@@ -135,13 +135,14 @@ def aperture(
     """Return how much of each cell is open, and radius and angle of the middle of what is open."""
     x = cells(FINE * side)
     y = x[:, None]
-    inside = ((y / (1 - squeezed)) ** 2 + x**2 < 1) & ((y - off) ** 2 + x**2 >= obscuration**2)
+    mean = 1 - squeezed / 2
+    inside = ((y / (1 - squeezed)) ** 2 + x**2 < 1) & ((y - off) ** 2 + x**2 >= (mean * obscuration) ** 2)
     inside &= (np.abs(x)[:, None] >= vanes / 2) & (np.abs(x)[None] >= vanes / 2)
     share, row, column = (
         (inside * part).reshape(side, FINE, side, FINE).mean((1, 3)) for part in (1.0, x[:, None], x[None])
     )
     some = np.maximum(share, 1e-9)
-    return share, np.hypot(row, column) / some, np.arctan2(row, column)
+    return share, np.hypot(row, column) / some / mean, np.arctan2(row, column)
 
 
 @dataclass(frozen=True)

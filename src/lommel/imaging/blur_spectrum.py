@@ -29,6 +29,7 @@ _GRID = 128  # frequencies along each axis of a quadrant, of which the shares of
 _SLOPES = np.arange(0.0, 4.01, 0.25)  # exponents s of the texture
 _MIN_PERIODS = 2.5  # smallest frequency that is compared, periods per side of the photograph
 _NOISES = np.geomspace(0.5, 2.0, 13)  # noise variance in units of the stated variance
+_MORE_NOISES = 2.0, 2.8, 4.0, 5.7, 8.0  # the same, of noise that is stated too low
 _MIN_NOISE_GAIN = 5.0  # gain in log-likelihood that another noise variance than the stated one needs
 _JOINED = 8  # rings whose mean power limits the noise
 _TINY = 1e-300
@@ -165,6 +166,15 @@ class BlurSpectrum:
         """
         fit = self._fit(self._shapes(curves), channel, noise)
         return np.asarray(-fit.cost / max(float(fit.dispersion[np.argmin(fit.cost)]), 1.0))
+
+    def more_noise(self, curve: Array, channel: int) -> tuple[float, float]:
+        """Return the most likely noise of 2 to 8 times the stated variance, and its gain in log-likelihood."""
+        if self._most_noise(channel) < _MORE_NOISES[0]:
+            return 1.0, 0.0
+        stated, *fits = (self._fit(self._shapes(curve[None]), channel, noise) for noise in (1.0, *_MORE_NOISES))
+        best = min(range(len(fits)), key=lambda k: fits[k].cost[0])
+        gain = (stated.cost[0] - fits[best].cost[0]) / max(float(fits[best].dispersion[0]), 1.0)
+        return _MORE_NOISES[best], float(gain)
 
     def _shapes(self, curves: Array) -> Array:
         """Return the expected power of textures of power 1, (blurs, slopes, rings)."""

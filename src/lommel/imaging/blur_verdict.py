@@ -33,13 +33,16 @@ class BlurVerdict(NamedTuple):
     """The most likely of the blurs that were compared with the stated one.
 
     `factor` multiplies the defocus, `waves` are those of spherical aberration, `gain` is that in log-likelihood, and
-    `sharpness` the power that the blur transmits, divided by that of the stated blur.
+    `sharpness` the power that the blur transmits, divided by that of the stated blur. `noise` is the most likely
+    variance of the noise above the stated one, by the stated blur, and `noise_gain` its gain.
     """
 
     factor: float
     waves: float
     gain: float
     sharpness: float
+    noise: float = 1.0
+    noise_gain: float = 0.0
 
     @property
     def doubtful(self) -> bool:
@@ -55,6 +58,11 @@ class BlurVerdict(NamedTuple):
     def softer(self) -> bool:
         """True if the photograph, or its scene, is softer than stated."""
         return self.gain > _MIN_GAIN and self.sharpness < 1.0
+
+    @property
+    def noisier(self) -> bool:
+        """True if the photograph has a floor that no texture behind the stated blur has: more noise than stated."""
+        return self.noise_gain > _MIN_GAIN and not self.doubtful
 
     def applied(self, pupil: Pupil, defocus: float) -> Pupil:
         """Return the preferred pupil, given the stated one and its defocus C_d (rad)."""
@@ -82,7 +90,8 @@ def compare_blurs(
     best = int(np.argmax(likelihood))
     power = np.square(curves[:, : len(FREQUENCIES) // 3]).sum(axis=1)
     gain = float(likelihood[best] - likelihood[0])
-    return BlurVerdict(float(factors[best]), float(waves[best]), gain, float(power[best] / power[0]))
+    sharpness = float(power[best] / power[0])
+    return BlurVerdict(float(factors[best]), float(waves[best]), gain, sharpness, *rings.more_noise(curves[0], 0))
 
 
 class BlurEstimate(NamedTuple):

@@ -64,6 +64,7 @@ _MAX_MISFIT = 0.08  # largest accepted (discrepancy - 1) of a result / (discrepa
 _MAX_CHANGE_RATIO = 4.5
 # A photograph that is deblurred as far as its noise allows does not test these.
 _UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
+_UNTESTED_BESIDES = ("noise that is stated up to 30 % too low",)  # where blurs were compared: half the variance
 # Largest accepted discrepancy of a blend, of which ringing in dark areas beside bright ones makes 25 and more.
 _MAX_RINGING = 6.0
 _MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
@@ -371,7 +372,7 @@ def _findings(stopped: str, share: float, discrepancy: float, limit: float, blur
     if stopped == STEPS:
         text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more steps fit better"
         return [Finding("not_settled", "error" if discrepancy > limit else "doubt", text, numbers)]
-    findings = [untested_finding(_UNTESTED[1:] if blur_compared else _UNTESTED, {})]
+    findings = [untested_finding(_UNTESTED_BESIDES if blur_compared else _UNTESTED, {})]
     if discrepancy > _MAX_RINGING:
         text = f"the result rings in dark areas (discrepancy {discrepancy:.3g}); RichardsonLucy() does not"
         findings = [Finding("misfit", "doubt", text, numbers), *findings]
@@ -409,6 +410,13 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool) -> list[Finding]
             "accept=True restores by that blur"
         )
         return [Finding("blur_doubtful", "doubt", text, numbers)]
+    if verdict.noisier:
+        text = (
+            f"the photograph is noisier than stated, {verdict.noise:g} times the variance, which is amplified: "
+            "check white, the electrons of white, and the read noise"
+        )
+        numbers |= {"noise": verdict.noise, "noise_gain": verdict.noise_gain}
+        return [Finding("misfit", "doubt", text, numbers)]
     if verdict.softer:
         text = f"the photograph is softer than stated, as by a blur of {better} {gain}, or the scene is soft"
         return [Finding("blur_compared", "note", text, numbers)]

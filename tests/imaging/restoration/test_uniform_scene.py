@@ -69,6 +69,17 @@ def test_blur_that_is_stated_too_small_is_a_note():
     assert decibels(found.light, truth) > decibels(photo, truth)
 
 
+@pytest.mark.parametrize(("kind", "factor"), [("pink", 4.0), ("leaves", 2.0)])
+def test_noise_that_is_stated_too_low_is_a_doubt(kind, factor):
+    photo, _ = photograph(kind, 5.0)
+    noise = Noise(white=factor * NOISE.white, read=READ)
+    found = restore(photo, distance_of(5.0), lommel_lens(LENS), LENS.pixel, encoding="linear", noise=noise)
+    doubt = found.findings.get("misfit")
+    assert doubt.severity == "doubt"
+    assert doubt.numbers["noise"] == pytest.approx(factor, rel=0.3)
+    assert "check white" in doubt.text
+
+
 def test_spherical_aberration_that_is_not_stated_returns_the_photograph():
     photo, truth = photograph("leaves", 5.0, 0.7)
     found = restored(photo, distance_of(5.0))

@@ -5,10 +5,10 @@ The expected power at the frequency f, in units of the noise variance of a pixel
     m(f) = c sum over k of |f - k|^-s h(f - k)^2 sinc(f - k)^2 + nu ,
 
 with the transfer function h of the lens, that of the pixel (sinc), the power ``c f^-s`` of the texture, the noise nu,
-and the frequency and its eight nearest aliases ``f - k``. The likelihood of the measured power P is Whittle's: minus
-the sum of ``n (ln m + P / m)`` over rings, each with n independent values (Whittle 1953, doi:10.1007/BF02590998). It
-is maximised over c and s for each blur. Gains in likelihood are divided by the dispersion of P / m where that is
-above 1.
+and the frequency and its eight nearest aliases ``f - k``. It is averaged over rings, and over the transform of the
+window of the measurement, which fills the zeros of h. The likelihood of the measured power P is Whittle's: minus the
+sum of ``n (ln m + P / m)`` over rings, each with n independent values (Whittle 1953, doi:10.1007/BF02590998). It is
+maximised over c and s for each blur. Gains in likelihood are divided by the dispersion of P / m, if that is above 1.
 """
 
 from __future__ import annotations
@@ -89,9 +89,12 @@ class BlurSpectrum:
         Frequencies, cycles per pixel.
     counts : ndarray
         Number of independent complex values at each frequency, 0 where the power is ignored.
+    spread : float
+        Variance of the power spectrum of the window along each axis, (cycles per pixel)^2.
     """
 
-    def __init__(self, power: Array, f: Array, counts: Array) -> None:
+    def __init__(self, power: Array, f: Array, counts: Array, spread: float = 0.0) -> None:
+        self._spread = spread
         ring = _ring_of(f).ravel()
         sums = np.bincount(ring, counts.ravel(), _RINGS).astype(np.float64)
         self._known = sums > 0.0
@@ -117,7 +120,9 @@ class BlurSpectrum:
         # All but the first and last column of half a spectrum stand for two; a real image has equal values at f and
         # -f; and the window correlates neighbours.
         counts = np.where((fx > 0.0) & (fx < 0.5), 1.0, 0.5) * (f >= _MIN_PERIODS / min(sides))
-        return cls(power, f, counts * squares.sum() ** 2 / (np.square(squares).sum() * planes[0].size))
+        counts *= squares.sum() ** 2 / (np.square(squares).sum() * planes[0].size)
+        # The mean square of the slope of a Hann window is that of its values times 4 pi^2 / (3 side^2).
+        return cls(power, f, counts, sum(1.0 / (3.0 * side**2) for side in sides) / 2.0)
 
     @classmethod
     def cosine(cls, planes: Values, variances: Array) -> Self:
@@ -179,7 +184,12 @@ class BlurSpectrum:
     def _shapes(self, curves: Array) -> Array:
         """Return the expected power of textures of power 1, (blurs, slopes, rings)."""
         power = np.square(curves)[:, None] * FREQUENCIES ** -_SLOPES[:, None]
-        return np.asarray(power @ _shares()[self._known].T)
+        # Averages of a ring, and over a narrow window in two dimensions, add half of a variance times derivatives.
+        bent = (power[..., 2:] - 2.0 * power[..., 1:-1] + power[..., :-2]) / _WIDTH**2
+        slope = (power[..., 2:] - power[..., :-2]) / (2.0 * _WIDTH * FREQUENCIES[1:-1])
+        averaged = power.copy()
+        averaged[..., 1:-1] += 0.5 * ((self._spread + _WIDTH**2 / 12.0) * bent + self._spread * slope)
+        return np.asarray(np.maximum(averaged, 0.0) @ _shares()[self._known].T)
 
     def _fit(self, shapes: Array, channel: int, noise: float) -> _Fit:
         return _Fit.of(self._power[channel], self._counts, shapes, noise)

@@ -22,7 +22,10 @@ _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are comp
 _MIN_GAIN, _DECISIVE = 6.0, 20.0  # gains in log-likelihood from which another blur is preferred, and is tested
 _LOBES, _NODES = 12.0, 72  # OTFs with spherical aberration have _NODES frequencies up to _LOBES / diameter
 _TOL = 1e-4  # of these values
-_DIAMETERS = np.geomspace(0.6, 12.0, 75)  # pixels, from which an unknown blur is estimated
+_DIAMETERS = np.geomspace(0.6, 40.0, 105)  # pixels, from which an unknown blur is estimated
+_LARGEST = 0.25  # largest of them / shorter side of the photograph
+_PARTS = 6  # of a stack of blurs, each with as many frequencies as its largest blur needs
+_REFINED = np.linspace(-0.08, 0.08, 17)  # of ln(diameter), around the most likely of the diameters
 _ERROR_FACTOR = 1.3  # standard error of ln(diameter) / that of the likelihood
 _SOFTNESS = 1.4  # softness of scenes, pixels: an error of the diameter, added in quadrature
 _MOST_ERROR = 0.08  # largest standard error of ln(diameter) of a known blur
@@ -116,19 +119,29 @@ def estimate_blur(
     `focused` is the pupil without defocus, `symmetric` states that the sign of the defocus does not change its blur,
     and `unit` is the diameter of the blur in pixels for C_d = 1.
     """
-    defocus = _DIAMETERS / unit
+    defocus = _DIAMETERS[_LARGEST * min(plane.shape) >= _DIAMETERS] / unit
     stack = defocus if symmetric else np.concatenate([-defocus[::-1], defocus])
-    curves = pupil_curve(changed(focused, stack, 0.0), spectrum, pixel)(FREQUENCIES)
-    likelihood = BlurSpectrum.windowed(plane[None], variance[None]).likelihood(curves, 0, 1.0)
+    rings = BlurSpectrum.windowed(plane[None], variance[None])
+
+    def likelihood_of(stack: Array) -> Array:
+        parts = np.array_split(stack, _PARTS)
+        curves = [pupil_curve(changed(focused, part, 0.0), spectrum, pixel)(FREQUENCIES) for part in parts]
+        return rings.likelihood(np.concatenate(curves), 0, 1.0)
+
+    likelihood = likelihood_of(stack)
     best = int(np.argmax(likelihood))
     side = np.flatnonzero(np.sign(stack) == np.sign(stack[best]))
     near = side[np.abs(side - best) <= 2]
     x = np.log(np.abs(stack))
-    curvature, slope, _ = np.polyfit(x[near] - x[best], -likelihood[near], 2)
+    curvature, shift = _peak(x[near] - x[best], likelihood[near])
     if curvature <= 0.0 or best in (side[0], side[-1]):
         return BlurEstimate(float(stack[best]), math.inf, math.exp(x[best]) * unit, False, False)
-    shift = float(np.clip(-slope / (2.0 * curvature), -0.1, 0.1))
-    value = float(stack[best]) * math.exp(shift)
+    # The likelihood falls more steeply towards larger blurs.
+    finer = _REFINED + shift
+    likelihoods = likelihood_of(stack[best] * np.exp(finer))
+    top = int(np.argmax(likelihoods))
+    near = np.arange(max(top - 4, 0), min(top + 5, len(finer)))
+    value = float(stack[best]) * math.exp(finer[top] + _peak(finer[near] - finer[top], likelihoods[near])[1])
     diameter = abs(value) * unit
     error = math.hypot(_ERROR_FACTOR / math.sqrt(2.0 * curvature), 0.5 * (_SOFTNESS / diameter) ** 2)
     # Other valleys are farther than the error; the other sign has another blur if there is spherical aberration.
@@ -137,6 +150,12 @@ def estimate_blur(
     opposite = np.sign(stack) != np.sign(value)
     sign_known = not symmetric and bool(likelihood[opposite].max() < likelihood[best] - _VALLEY)
     return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known)
+
+
+def _peak(x: Array, likelihood: Array) -> tuple[float, float]:
+    """Return half of minus the second derivative of a log-likelihood, and its maximum near x = 0."""
+    curvature, slope, _ = np.polyfit(x, -likelihood, 2)
+    return float(curvature), float(np.clip(-slope / (2.0 * curvature), -0.1, 0.1)) if curvature > 0.0 else 0.0
 
 
 def changed(pupil: Pupil, defocus: float | Array, waves: float | Array) -> Pupil:

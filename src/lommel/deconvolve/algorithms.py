@@ -247,7 +247,7 @@ class Restoration(Judged):
         else 0.
     findings : Findings
         Problems found: the codes "misfit", "too_quiet" and, if more steps would fit better, "not_settled"; for one
-        distance also "blur_doubtful", and "undetermined" if an unknown distance remains so.
+        distance also "blur_doubtful", "sharpened", and "undetermined" if an unknown distance remains so.
     distances, distance_errors : tuple of float
         Estimates of an unknown distance, metres, the likeliest first, and their standard errors: by their blur, the
         two sides of the focus are alike without aberrations. Empty if the distance was stated.

@@ -59,6 +59,7 @@ CODES: Mapping[str, str] = {
     "reversed_z": "planes in the reversed order fit far better",
     "saturation_assumed": "the smallest value of saturated pixels was estimated from the images",
     "scatter": "values scatter by more than their standard errors",
+    "sharpened": "the photograph was sharpened, or has more noise than stated",
     "sign_open": "the sign of the even terms is ambiguous: another wavefront has the same images",
     "stated": "a stated value that is used without a test",
     "tilted_background": "the background of images is not flat, but tilted",

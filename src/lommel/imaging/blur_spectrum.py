@@ -13,6 +13,7 @@ maximised over c and s for each blur. Gains in likelihood are divided by the dis
 
 from __future__ import annotations
 
+import itertools
 from functools import cache
 from typing import NamedTuple, Self
 
@@ -33,6 +34,8 @@ _MORE_NOISES = 2.0, 2.8, 4.0, 5.7, 8.0  # the same, of noise that is stated too 
 _MIN_NOISE_GAIN = 5.0  # gain in log-likelihood that another noise variance than the stated one needs
 _JOINED = 8  # rings whose mean power limits the noise
 _TINY = 1e-300
+# Unsharp masks, amounts and rms widths (pixels) of their Gaussians, that are compared with none.
+_AMOUNTS, _MASKS = (0.4, 0.8, 1.5), (0.7, 1.0, 1.5, 2.5)
 _OPAQUE_POWER = 1e-2  # transmitted power below which more noise is distinguishable from texture
 
 
@@ -172,14 +175,37 @@ class BlurSpectrum:
         fit = self._fit(self._shapes(curves), channel, noise)
         return np.asarray(-fit.cost / max(float(fit.dispersion[np.argmin(fit.cost)]), 1.0))
 
-    def more_noise(self, curve: Array, channel: int) -> tuple[float, float]:
-        """Return the most likely noise of 2 to 8 times the stated variance, and its gain in log-likelihood."""
+    def more_noise(self, curve: Array, channel: int, assumed: float) -> tuple[float, float, float]:
+        """Return the most likely noise of 2 to 8 times the stated variance, and its gains in log-likelihood.
+
+        These are over the stated noise, and over that of `assumed` times its variance.
+        """
         if self._most_noise(channel) < _MORE_NOISES[0]:
-            return 1.0, 0.0
-        stated, *fits = (self._fit(self._shapes(curve[None]), channel, noise) for noise in (1.0, *_MORE_NOISES))
-        best = min(range(len(fits)), key=lambda k: fits[k].cost[0])
-        gain = (stated.cost[0] - fits[best].cost[0]) / max(float(fits[best].dispersion[0]), 1.0)
-        return _MORE_NOISES[best], float(gain)
+            return 1.0, 0.0, 0.0
+        noises = 1.0, assumed, *_MORE_NOISES
+        fits = [self._fit(self._shapes(curve[None]), channel, noise) for noise in noises]
+        costs = [float(fit.cost[0]) for fit in fits]
+        best = 2 + int(np.argmin(costs[2:]))
+        scale = max(float(fits[best].dispersion[0]), 1.0)
+        return noises[best], (costs[0] - costs[best]) / scale, (costs[1] - costs[best]) / scale
+
+    def sharpening(self, curves: Array, channel: int, noise: float) -> float:
+        """Return the gain in log-likelihood of an unsharp mask, which also sharpens noise, over a photograph without.
+
+        The blur is the first or the best of `curves`; the `noise` is that without a mask, and at most 1 with one.
+        """
+        shapes, power = self._shapes(curves), self._power[channel]
+        fit = self._fit(shapes, channel, noise)
+        best = int(np.argmin(fit.cost))
+        shapes, gains = shapes[[0, best] if best else [0]], []
+        f = (np.flatnonzero(self._known) + 0.5) * _WIDTH
+        for amount, rms in itertools.product(_AMOUNTS, _MASKS):
+            raised = np.square(1.0 + amount * (1.0 - np.exp(-2.0 * np.square(np.pi * rms * f))))
+            masked = _Fit.of(power / raised, self._counts, shapes, 1.0)
+            k = int(np.argmin(masked.cost))
+            gain = fit.cost[best] - masked.cost[k] - self._counts @ np.log(raised)
+            gains.append(float(gain) / max(float(masked.dispersion[k]), 1.0))
+        return max(gains)
 
     def _shapes(self, curves: Array) -> Array:
         """Return the expected power of textures of power 1, (blurs, slopes, rings)."""

@@ -19,6 +19,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 # Factors of the defocus; the first is as stated.
 _SCALES = 1.0, 0.3, 0.45, 0.6, 0.7, 0.8, 0.9, 0.95, 1.05, 1.1, 1.2, 1.35
 _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are compared if another defocus is likelier
+_SHARPENED = 3.0  # gain in log-likelihood from which a photograph counts as sharpened
 _MIN_GAIN, _DECISIVE = 6.0, 20.0  # gains in log-likelihood from which another blur is preferred, and is tested
 _LOBES, _NODES = 12.0, 72  # OTFs with spherical aberration have _NODES frequencies up to _LOBES / diameter
 _TOL = 1e-4  # of these values
@@ -36,16 +37,23 @@ class BlurVerdict(NamedTuple):
     """The most likely of the blurs that were compared with the stated one.
 
     `factor` multiplies the defocus, `waves` are those of spherical aberration, `gain` is that in log-likelihood, and
-    `sharpness` the power that the blur transmits, divided by that of the stated blur. `noise` is the most likely
-    variance of the noise above the stated one, by the stated blur, and `noise_gain` its gain.
+    `sharpness` the power that the blur transmits, divided by that of the stated blur. `sharpening` is the gain of an
+    unsharp mask over these blurs. `noise` is the most likely variance of the noise above the stated one, by the
+    stated blur, and `noise_gain` its gain. Of a mask and noise the less likely explanation has a gain of 0.
     """
 
     factor: float
     waves: float
     gain: float
     sharpness: float
-    noise: float = 1.0
-    noise_gain: float = 0.0
+    sharpening: float
+    noise: float
+    noise_gain: float
+
+    @property
+    def sharpened(self) -> bool:
+        """True if the photograph was sharpened, or has more noise than stated."""
+        return self.sharpening > _SHARPENED
 
     @property
     def doubtful(self) -> bool:
@@ -84,7 +92,7 @@ def compare_blurs(
     waves = np.zeros_like(factors)
     rings = BlurSpectrum.windowed(plane[None], variance[None])
     noise = rings.texture(curves[0], 0).noise
-    likelihood = rings.likelihood(curves, 0, noise)
+    likelihood, sharpening = rings.likelihood(curves, 0, noise), rings.sharpening(curves, 0, noise)
     if likelihood.max() - likelihood[0] > _MIN_GAIN:
         # Spherical aberration takes more time: it is compared where the stated blur is not the best one.
         factors, waves = np.append(factors, np.ones(len(_SPHERICAL))), np.append(waves, _SPHERICAL)
@@ -94,14 +102,19 @@ def compare_blurs(
     power = np.square(curves[:, : len(FREQUENCIES) // 3]).sum(axis=1)
     gain = float(likelihood[best] - likelihood[0])
     sharpness = float(power[best] / power[0])
-    return BlurVerdict(float(factors[best]), float(waves[best]), gain, sharpness, *rings.more_noise(curves[0], 0))
+    more, noise_gain, beyond = rings.more_noise(curves[0], 0, noise)
+    if sharpening > max(_SHARPENED, beyond):
+        noise_gain = 0.0  # an unsharp mask explains the noise, and better
+    elif noise_gain > _MIN_GAIN:
+        sharpening = 0.0
+    return BlurVerdict(float(factors[best]), float(waves[best]), gain, sharpness, sharpening, more, noise_gain)
 
 
 class BlurEstimate(NamedTuple):
     """Most likely defocus C_d (rad), its relative standard error, and the diameter of the blur (pixels).
 
     `known` is False if the error is too large or another diameter is about as likely; `sign_known` is False if the
-    defocus of the other sign has the same blur.
+    defocus of the other sign has the same blur. `sharpening` is the gain in log-likelihood of an unsharp mask.
     """
 
     defocus: float
@@ -109,6 +122,12 @@ class BlurEstimate(NamedTuple):
     diameter: float
     known: bool
     sign_known: bool
+    sharpening: float
+
+    @property
+    def sharpened(self) -> bool:
+        """True if the photograph was sharpened, or has more noise than stated."""
+        return self.sharpening > _SHARPENED
 
 
 def estimate_blur(
@@ -123,22 +142,23 @@ def estimate_blur(
     stack = defocus if symmetric else np.concatenate([-defocus[::-1], defocus])
     rings = BlurSpectrum.windowed(plane[None], variance[None])
 
-    def likelihood_of(stack: Array) -> Array:
+    def curves_of(stack: Array) -> Array:
         parts = np.array_split(stack, _PARTS)
-        curves = [pupil_curve(changed(focused, part, 0.0), spectrum, pixel)(FREQUENCIES) for part in parts]
-        return rings.likelihood(np.concatenate(curves), 0, 1.0)
+        return np.concatenate([pupil_curve(changed(focused, q, 0.0), spectrum, pixel)(FREQUENCIES) for q in parts])
 
-    likelihood = likelihood_of(stack)
+    curves = curves_of(stack)
+    likelihood = rings.likelihood(curves, 0, 1.0)
     best = int(np.argmax(likelihood))
+    sharpening = rings.sharpening(curves[[best]], 0, 1.0)
     side = np.flatnonzero(np.sign(stack) == np.sign(stack[best]))
     near = side[np.abs(side - best) <= 2]
     x = np.log(np.abs(stack))
     curvature, shift = _peak(x[near] - x[best], likelihood[near])
     if curvature <= 0.0 or best in (side[0], side[-1]):
-        return BlurEstimate(float(stack[best]), math.inf, math.exp(x[best]) * unit, False, False)
+        return BlurEstimate(float(stack[best]), math.inf, math.exp(x[best]) * unit, False, False, sharpening)
     # The likelihood falls more steeply towards larger blurs.
     finer = _REFINED + shift
-    likelihoods = likelihood_of(stack[best] * np.exp(finer))
+    likelihoods = rings.likelihood(curves_of(stack[best] * np.exp(finer)), 0, 1.0)
     top = int(np.argmax(likelihoods))
     near = np.arange(max(top - 4, 0), min(top + 5, len(finer)))
     value = float(stack[best]) * math.exp(finer[top] + _peak(finer[near] - finer[top], likelihoods[near])[1])
@@ -149,7 +169,7 @@ def estimate_blur(
     alone = bool(likelihood[other].max(initial=-math.inf) < likelihood[best] - _VALLEY)
     opposite = np.sign(stack) != np.sign(value)
     sign_known = not symmetric and bool(likelihood[opposite].max() < likelihood[best] - _VALLEY)
-    return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known)
+    return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known, sharpening)
 
 
 def _peak(x: Array, likelihood: Array) -> tuple[float, float]:

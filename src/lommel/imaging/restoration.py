@@ -43,7 +43,7 @@ from lommel.deconvolve.linear import LinearBlur
 from lommel.fit.findings import Finding, Findings, untested_finding
 from lommel.imaging.blended import Blend, uniform_over_field
 from lommel.imaging.blur import DepthBlur, require_lens, warn_of_depths
-from lommel.imaging.blur_verdict import BlurVerdict
+from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
@@ -319,7 +319,9 @@ def restore(
         values, restored, discrepancy, tuple(map(float, after)), before, result.steps,
         stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,
         distances=estimate.distances if estimate else (), distance_errors=estimate.errors if estimate else (),
-        findings=Findings([*findings, *_blur_findings(verdict, o.accept)]),
+        findings=Findings(
+            [*findings, *_blur_findings(verdict, o.accept), *_sharpened(estimate.blur if estimate else verdict)]
+        ),
     )  # fmt: skip
 
 
@@ -393,6 +395,17 @@ def _distance_findings(estimate: DistanceEstimate, findings: list[Finding]) -> l
     return [Finding("undetermined", "error", text, numbers)]
 
 
+def _sharpened(compared: BlurEstimate | BlurVerdict | None) -> list[Finding]:
+    """Return the finding on a photograph that was sharpened."""
+    if compared is None or not compared.sharpened:
+        return []
+    text = (
+        "the photograph was sharpened, or its noise is stated too low: detail and noise are stronger than this blur "
+        f"allows (log-likelihood {compared.sharpening:.2g} higher with an unsharp mask). Restore it as recorded (raw)"
+    )
+    return [Finding("sharpened", "doubt", text, {"gain": compared.sharpening})]
+
+
 def _blur_findings(verdict: BlurVerdict | None, accepted: bool) -> list[Finding]:
     """Return the findings of the comparison of blurs."""
     if verdict is None:
@@ -413,7 +426,7 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool) -> list[Finding]
     if verdict.noisier:
         text = (
             f"the photograph is noisier than stated, {verdict.noise:g} times the variance, which is amplified: "
-            "check white, the electrons of white, and the read noise"
+            "check white, the electrons of white, and the read noise, and whether it was sharpened"
         )
         numbers |= {"noise": verdict.noise, "noise_gain": verdict.noise_gain}
         return [Finding("misfit", "doubt", text, numbers)]

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 import pytest
+from scipy.ndimage import gaussian_filter
 
 from lommel import Noise
 from lommel.imaging import RichardsonLucy, restore
@@ -102,6 +103,18 @@ def test_unknown_distance_is_estimated_with_its_error(pixels):
     assert found.distance_errors[k] < 0.002 * pixels * distance_of(pixels)
     known = restored(photo, distance_of(pixels))
     assert decibels(found.light, truth) == pytest.approx(decibels(known.light, truth), abs=0.3)
+
+
+@pytest.mark.parametrize("amount", [0.8, 1.5])
+@pytest.mark.parametrize("depth", [None, "unknown"])
+def test_sharpened_photograph_is_a_doubt(depth, amount):
+    photo, _ = photograph("leaves", 5.0)
+    sharpened = photo + amount * (photo - gaussian_filter(photo, 1.2))
+    found = restored(sharpened, depth or distance_of(5.0))
+    assert not found.reliable
+    told = next(finding for finding in found.findings if "sharpened" in finding.text)
+    assert told.severity == "doubt"
+    assert len(told.text) <= 300
 
 
 def test_photograph_without_texture_has_no_distance():

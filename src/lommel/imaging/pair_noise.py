@@ -34,19 +34,24 @@ def is_compressed(image: Values) -> bool:
     """Return whether an image (height, width) has the blocks of 8 x 8 pixels of JPEG, in part or all of it.
 
     Quantised blocks have less noise inside than across their edges: third differences are larger at one of 8 phases
-    than at the opposite one, along both axes. Lines at 4, 6 or 12 pixels look alike at opposite phases.
+    than at the opposite one, along both axes. Lines at 4, 6 or 12 pixels look alike at opposite phases. If the edges
+    do not start at the corner of the image, it may show a screen of 8 pixels: in blocks of an image that was cropped
+    all phases inside are alike, and the edges exceed each of them along either axis.
     """
-    total = 0.0
     if min(image.shape) < 9 * 8:  # too few blocks
         return False
+    axes = []
     for values in (image, image.T):
         sizes = np.median(np.abs(np.diff(values, 3, axis=1)), axis=0)
         logs = np.log(np.maximum(sizes[: len(sizes) // 8 * 8], 1e-12)).reshape(-1, 8)
-        logs -= np.roll(logs, 4, axis=1)
-        means = logs.mean(axis=0)
-        error = logs[:, means.argmax()].std() / math.sqrt(len(logs))
-        total += float(means.max() / max(error, 1e-12)) ** 2
-    return total > _MIN_COMPRESSED**2
+        edge = int((logs - np.roll(logs, 4, axis=1)).mean(axis=0).argmax())
+        excess = logs[:, [edge]] - logs[:, (edge + np.arange(2, 7)) % 8]
+        scores = excess.mean(axis=0) / np.maximum(excess.std(axis=0) / math.sqrt(len(logs)), 1e-12)
+        axes.append((edge, float(scores[2]), max(float(scores.min()), 0.0)))
+    edges, opposite, least = zip(*axes, strict=True)
+    if edges == (6, 6):  # differences of pixels 6 to 9 are across the middle of an edge
+        return math.hypot(*opposite) > _MIN_COMPRESSED
+    return math.hypot(*least) > _MIN_COMPRESSED and min(least) > 0.5 * _MIN_COMPRESSED
 
 
 def residual_variance(misfit: Values) -> float:

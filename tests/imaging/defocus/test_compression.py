@@ -38,6 +38,15 @@ def test_printed_lines_are_not_compressed(period):
     assert not is_compressed(page + rng.normal(0.0, 0.01, page.shape))
 
 
+@pytest.mark.parametrize(("width", "sigma", "corner"), [(2.5, 0.8, (3, 5)), (4.0, 1.5, (4, 0))])
+def test_a_screen_of_eight_pixels_is_not_compressed(width, sigma, corner):
+    x = (np.arange(4 * 240) + 0.5) / 4
+    row, column = ((x + start) % 8 < width for start in corner)
+    points = scipy.ndimage.gaussian_filter(0.7 - 0.45 * (row[:, None] | column), 4 * sigma)
+    light = points.reshape(240, 4, 240, 4).mean(axis=(1, 3))
+    assert not is_compressed(np.random.default_rng(2).poisson(1e4 * light) / 1e4)
+
+
 def test_a_verdict_by_which_nothing_is_tested_is_not_reliable():
     noise = Noise(white=5e3, read=2.0)
     verdict = DefocusVerdict.of(1.0, noise=noise, compressed=True)

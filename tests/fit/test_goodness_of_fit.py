@@ -69,6 +69,28 @@ def test_other_factors_are_not_called_a_register(excess):
     assert not outcome(spot(2.0), spot(2.0), Noise(read=READ, excess=excess)).found
 
 
+@pytest.mark.parametrize("factor", [0.4, 0.6, 1.5, 3.0])
+def test_a_gain_that_is_stated_too_large_or_too_small_is_named(factor):
+    light, draw = spot(2.0), np.random.default_rng(3)
+    seen = draw.poisson(light, (40, *light.shape)) + draw.normal(0.0, READ, (40, *light.shape))
+    found = goodness_of_fit.excess_test(factor * (seen - light), factor * light, READ**2)
+    assert found.gain == pytest.approx(factor, rel=0.06)
+    (said,) = found.findings(1.0)
+    assert f"{1.0 / found.gain:.2g} times the stated gain" in said.text
+    if said.code == "gain":
+        assert said.severity == ("error" if factor > 1.0 else "doubt")
+    assert not found.findings(2.0)
+
+
+def test_the_stated_gain_is_not_doubted():
+    assert all(outcome(spot(2.0), spot(2.0), Noise(read=READ), 4, seed).gain == 1.0 for seed in range(20))
+
+
+@pytest.mark.parametrize("width", [1.7, 2.3])
+def test_a_wrong_mean_is_no_other_gain(width):
+    assert outcome(spot(2.0), spot(width), Noise(read=READ)).gain == 1.0
+
+
 def test_read_noise_says_nothing_of_it():
     found = goodness_of_fit.excess_test(np.random.default_rng(1).normal(0, 5.0, 1000), 0.5, 4.0)
     assert found.share > 1.0

@@ -203,12 +203,12 @@ def _astrograph(fwhm: float, which: int) -> tuple[np.ndarray, np.ndarray, Callab
 def star(
     seed: int, defocus: tuple[float, ...], *, fwhm: float = 0.0, missing: Waves = (), slope: float = 0.0,
     sigma: float = 0.0, longer: float = 1.0, trail: float = 0.0, ringed: float = 0.0, recorder: Camera = STARS,
-    **another: float,
+    gain: float = 0.0, **another: float,
 ) -> Trial:  # fmt: skip
     """Retrieve six terms from images of a star at known defoci, each seed with another wavefront.
 
     With seeing that is estimated; and, not stated: further terms, a sky that slopes, blur, defoci that are longer,
-    charge that arrives late, another telescope. A pupil of f/8 at 600 nm is stated where the f-number is another one.
+    charge that arrives late, another telescope or gain. A pupil of f/8 is stated where the f-number differs.
     """
     draw, names = np.random.default_rng(seed), (4, 5, 6, 7, 8, 11)
     waves = tuple(zip(names, (draw.normal(size=6) * 0.25).tolist(), strict=True))
@@ -221,10 +221,13 @@ def star(
         transfer = transfer.times(air.gaussian(transfer.radius, sigma))
         sky = 10.0 + slope * np.arange(33.0)
         mean.append(3e4 * transfer.image(33, 0.5, *(16 + draw.uniform(-0.4, 0.4, 2))) + sky)
+    noise = lm.Noise(read=3.0)
+    if gain:  # electrons per count, half of one in truth
+        recorder, noise = recorder.but(gain=0.5, offset=100.0), lm.Noise(white=gain, read=3.0, offset=100.0)
     images = recorder.record(camera.trailed(np.array(mean), trail), seed)
     pupil, unit = (lm.Pupil(wavelength=600e-9, f_number=8.0), 4.8e-6) if "f_number" in another else (lm.Pupil(), 1.0)
     found, seconds = timed(
-        searches.retrieve, images, pupil, pixel=0.5 * unit, noise=lm.Noise(read=3.0), defocus=list(defocus),
+        searches.retrieve, images, pupil, pixel=0.5 * unit, noise=noise, defocus=list(defocus),
         terms=[f"noll {j}" for j in names], integrate=True, tol=1e-4, threads=1, blur=bool(fwhm),
     )  # fmt: skip
     error = errors(found)
@@ -669,6 +672,9 @@ def _retrievals() -> list[Scenario]:
     ):
         run = partial(star, defocus=(0.0, 3.0), recorder=STARS.but(**more))
         add(row, f"two foci, {name}", run, "RT", ("pattern", *OTHER))
+    for row, gain in (("24n", 0.75), ("24o", 0.25)):
+        run = partial(star, defocus=(0.0, 3.0), gain=gain)
+        add(row, f"two foci, gain {2 * gain:g} of the true one", run, "T", ("gain", "excess_noise"))
     return made
 
 
@@ -688,6 +694,8 @@ def _beads() -> list[Scenario]:
     plain = lm.Noise(white=10 / 300, read=0.2, offset=100.0)
     run = partial(bead, waves=SLIGHT, recorder=register, noise=plain)
     add("28b", "EMCCD, not stated", run, "T", ("excess_noise",))
+    double = lm.Noise(white=0.92, read=1.6, offset=100.0)
+    add("28c", "gain twice the true one", partial(bead, waves=SLIGHT, noise=double), "T", ("gain", "excess_noise"))
     add("29a", "200 nm bead, stated 100", partial(bead, waves=SLIGHT, diameter=200e-9), "RT", ("diameter", *rivals))
     run = partial(bead, waves=BENT, turned=True)
     add("29b", "planes reversed", run, "T", ("reversed_z", "reversed_planes"))

@@ -43,7 +43,7 @@ from lommel.estimation.options import BeadOptions
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, checked_terms, label, too_dim_findings
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.fit.model_error import MAX_MISSED, larger, part_missed, with_errors_of_model
+from lommel.fit.model_error import MAX_MISSED, larger, noise_findings, part_missed, with_errors_of_model
 from lommel.fit.score_tests import ScoreTest, causes_of_misfit
 from lommel.fit.scoring import Progress
 from lommel.measures.spot import profile_width
@@ -170,8 +170,9 @@ class BeadFit(FitReport):
         Chi2 of one bead with the aberrations and constants of a fit of the other beads; only its position, flux and
         background are fitted. It is near 1 if the estimates hold for other beads; NaN for fewer than three beads.
     findings : lommel.fit.Findings
-        Findings of the checks. Errors: "misfit", "no_light", "not_settled", "reversed_z". Doubts: "other_explanation"
-        (the data favour an effect in `tests`), "too_dim", "held_out", "moved", "model_error", "too_quiet",
+        Findings of the checks. Errors: "misfit", "excess_noise", "gain", "no_light", "not_settled", "reversed_z".
+        Doubts: "other_explanation" (the data favour an effect in `tests`), "too_dim", "held_out", "moved",
+        "model_error", "too_quiet",
         "missed_light" (a misfit that no effect explains: errors are those of the jackknife over planes). Notes:
         "untested", "estimated" (effects that the data favour, and that are estimated besides what was asked for),
         single displaced planes, beads and pixels left out.
@@ -649,8 +650,9 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         level_planes = (stack.planes for stack in model.level_stacks(state))
         counted, read, valid = map(np.stack, zip(*level_planes, strict=True))
         residual = np.where(valid, counted - expected_images, np.nan)
-        if "misfit" in Findings(findings).codes:
-            findings[:0] = goodness_of_fit.excess_test(residual, expected_images, read).findings(noise.excess)
+        background = np.stack([light[1] for light in state.light])[..., None, None]
+        if {"misfit", "too_quiet"} & {*Findings(findings).codes}:
+            findings[:0] = noise_findings(residual, expected_images, read, background, noise.excess)
         windows = residual.reshape(-1, *residual.shape[-2:])
         variance = (expected_images + read).reshape(windows.shape)
         findings += goodness_of_fit.stripe_findings(windows, variance, noise.excess)
@@ -669,7 +671,6 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             # The shift is linear in the parameters: where it is large, it means nothing.
             if np.linalg.norm(marginal.shift[: len(state.waves)]) <= MAX_LINEAR_ERROR:
                 state = _add_shift(state, model, marginal.shift)
-        background = np.stack([light[1] for light in state.light])[..., None, None]
         parts = residual, expected_images + read, expected_images - background
         is_error = {finding.code for finding in findings if finding.severity == "error"}
         # A misfit that no effect explains: errors are the scatter of fits without one plane.

@@ -78,7 +78,7 @@ class Fit(ABC, Generic[M]):
     def valid_model_error(self, codes: Sequence[str], tests: Sequence[ScoreTest]) -> ModelError | None:
         """Return the model error, if no finding in `codes` explains it and standard errors can include it."""
         is_misfit = "misfit" in codes
-        if not {"excess_noise", "hot_pixels", "too_quiet"}.isdisjoint(codes):
+        if not {"excess_noise", "gain", "hot_pixels", "too_quiet"}.isdisjoint(codes):
             return None
         if not is_misfit and (not is_correlated(*self.residual_parts) or self.stands_out(seen(tests))):
             return None

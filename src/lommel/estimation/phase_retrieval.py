@@ -45,7 +45,7 @@ from lommel.estimation.star_images import (
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
-from lommel.fit.model_error import ModelError, covered, with_errors_of_model
+from lommel.fit.model_error import ModelError, covered, noise_findings, with_errors_of_model
 from lommel.fit.score_tests import Grade, Marginal, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -105,9 +105,10 @@ class Retrieval(FitReport):
     chi2 : float
         Pearson's chi2 per degree of freedom: about 1 if pupil, pixel and noise are right, even for few electrons.
     findings : lommel.fit.Findings
-        Findings of the checks. Errors: "misfit", "excess_noise", "no_light", "not_settled". Doubts: "sign_open" (the
-        even part of the phase may have the other sign, and neither `pupil` nor a known defocus decides); "too_dim"
-        (the standard error of an image's phase exceeds 0.25 radians rms, with `blur` 0.22: other wavefronts may fit);
+        Findings of the checks. Errors: "misfit", "excess_noise", "gain", "no_light", "not_settled". Doubts:
+        "sign_open" (the even part of the phase may have the other sign, and neither `pupil` nor a known defocus
+        decides); "too_dim" (the standard error of an image's phase exceeds 0.25 radians rms, with `blur` 0.22: other
+        wavefronts may fit);
         "errors_change" (a standard error changes by more than an eighth within one standard deviation);
         "other_explanation"; "pattern" (residuals have stripes, or offsets of rows or columns); "hot_pixels" (a pixel
         explains most of a large chi2); "missed_light" (the model misses a part of the light: errors hold between
@@ -692,14 +693,17 @@ def _fit_findings(
     causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
     findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
     effects = missing_findings(tests, grade, [label(name) for name in fit.model.names])
-    residual, variance, _ = fit.residual_parts
+    residual, variance, light = fit.residual_parts
     if effects and grade is not None and grade.explained:
         findings = [finding for finding in findings if finding.code == "too_quiet"]
     findings += goodness_of_fit.outlier_findings(residual / np.sqrt(variance))
-    if "misfit" in Findings(findings).codes and not effects:
+    if {"misfit", "too_quiet"} & {*Findings(findings).codes}:
         read = fit.model.read.reshape(residual.shape)
         mean = fit.model.counted.reshape(residual.shape) - residual
-        findings[:0] = goodness_of_fit.excess_test(residual, mean, read).findings(noise.excess)
+        of_noise = noise_findings(residual, mean, read, mean - light, noise.excess)
+        if "gain" in Findings(of_noise).codes:  # effects that were tested by another noise
+            effects = []
+        findings[:0] = of_noise if not effects else []
     error = None if grade is None else fit.valid_model_error(Findings(findings).codes, tests)
     if error is None:
         return findings, effects, None

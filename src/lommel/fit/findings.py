@@ -28,6 +28,7 @@ CODES: Mapping[str, str] = {
     "exchanged": "the images agree better in another order",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
     "flat_top": "pixels have a full scale of 8 to 16 bits, or many have the largest value: they may be saturated",
+    "gain": "the variance is that of another gain (electrons per count) than the stated one",
     "held_out": "data that were held out of the fit are inconsistent with it",
     "hot_pixels": "pixels of the camera are hot (brighter than their neighbours, whatever is in focus) or defective",
     "interrupted": "the search was interrupted: the result is that of the completed steps",
@@ -80,7 +81,7 @@ _DATA = ("flat_top", "multiples", "no_counts", "unit_sum")
 # Findings that name what is wrong: they are printed before the statistics that show that something is.
 _CAUSES = (
     "contradiction", "pixel_pitch", "reversed_z", "exchanged", "opposite_astigmatism", "excess_noise",
-    "missed_light", "other_explanation", "hot_pixels", "pattern", "lens_scale",
+    "gain", "missed_light", "other_explanation", "hot_pixels", "pattern", "lens_scale",
 )  # fmt: skip
 _MOST_CHARACTERS = 800  # of the texts of findings that are printed: ten lines
 _MOST_WORDS = 15  # of the finding "untested"

@@ -23,7 +23,7 @@ sensitive test.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -40,6 +40,7 @@ SURE = 1e-3
 _RARE_CHANCE = 1e-2  # probability below which a chi2 is reported
 _MIN_SIGMAS = 5.0  # smallest significance of excess noise that is reported, standard deviations
 _RANGE = 0.8, 1.4  # range of f (`share`) for electron multiplication: 1 at high gain, more if there is also a misfit
+_MIN_GAIN = 1.25  # smallest factor of a gain that is reported
 _CELLS = 8  # number of groups of pixels of similar light
 # Largest difference between f of a group and f of all pixels, in addition to five standard errors.
 _MAX_VARIATION = 0.3
@@ -104,11 +105,15 @@ class ExcessTest:
         Standard error of `share` if the assumed noise is right.
     flat : bool
         Whether `share` is about equal for dim and bright pixels: the cause is then the camera, not a wrong mean.
+    gain : float
+        Stated gain / the gain that explains the variance of dim and bright pixels alike; 1 if none does, or if the
+        stated one does.
     """
 
     share: float
     error: float
     flat: bool
+    gain: float = 1.0
 
     @property
     def sigmas(self) -> float:
@@ -121,13 +126,21 @@ class ExcessTest:
         return self.flat and self.sigmas > _MIN_SIGMAS and _RANGE[0] <= self.share <= _RANGE[1]
 
     def findings(self, excess: float) -> list[Finding]:
-        """Return the finding on electron multiplication; none if an `excess` above 1 was stated."""
-        if not self.found or excess > 1.0:
+        """Return the finding on electron multiplication or another gain; none if an `excess` above 1 was stated."""
+        if excess > 1.0 or not (self.found or self.gain != 1.0):
             return []
+        if not self.found:
+            text = f"the gain (electrons per count) is probably {1.0 / self.gain:.2g} times the stated gain"
+            text = (
+                f"dim and bright pixels are {'more' if self.gain > 1.0 else 'less'} noisy than photons alike: {text}"
+            )
+            text += ", or the images are averages" * (self.gain < 1.0)
+            return [Finding("gain", "error" if self.gain > 1.0 else "doubt", text, {"factor": self.gain})]
         factor = 1.0 + self.share
+        gain = factor if self.gain == 1.0 else self.gain
         text = (
             f"the variance is {factor:.2f} times that of photons, at dim and bright pixels alike: state excess=2 if "
-            "the camera multiplies electrons; otherwise the gain may be half of the stated gain"
+            f"the camera multiplies electrons; otherwise the gain may be {1.0 / gain:.2g} times the stated gain"
         )
         numbers = {"factor": factor, "error": self.error, "sigmas": self.sigmas}
         return [Finding("excess_noise", "error", text, numbers)]
@@ -155,8 +168,22 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
         return ExcessTest(0.0, np.inf, flat=False)
     indices = indices[np.argsort(mean[indices], kind="stable")]
     r, mean, variance, photon_part = r[indices], mean[indices], variance[indices], photon_part[indices]
+    read_variance = variance - mean
+    plain, more = (_share(r, mean, variance, photon_part, read_variance, square) for square in (1.0, 2.0))
+    # The share falls linearly with the square of the gain; both agree at the positive root of a quadratic equation.
+    per_square = plain.share - more.share
+    squares = 1.0 + plain.share + per_square
+    gain = 2.0 * squares / (1.0 + math.sqrt(1.0 + 4.0 * per_square * squares))
+    scaled = _share(r, mean, variance, photon_part, read_variance, gain**2)
+    is_other = scaled.flat and abs(scaled.sigmas) > _MIN_SIGMAS and not 1.0 / _MIN_GAIN < gain < _MIN_GAIN
+    return replace(plain, gain=gain if is_other else 1.0)
+
+
+def _share(r: Array, mean: Array, variance: Array, photon_part: Array, read: Array, square: float) -> ExcessTest:
+    """Return the test of pixels in the order of their light, for `square` times the read variance."""
     squared = photon_part * photon_part
-    terms = np.stack([photon_part * (r**2 / variance - 1.0), squared, squared * (2.0 + 1.0 / variance)])
+    excess = (r**2 - (square - 1.0) * read) / variance - 1.0
+    terms = np.stack([photon_part * excess, squared, squared * (2.0 + 1.0 / variance)])
     # Sums over all pixels, and over groups of pixels of similar light, each with an equal part of the total light.
     starts = np.unique(np.searchsorted(np.cumsum(mean), mean.sum() * np.arange(_CELLS) / _CELLS))
     statistic, information, variances = np.column_stack([terms.sum(axis=1), np.add.reduceat(terms, starts, axis=1)])

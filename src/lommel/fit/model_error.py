@@ -29,7 +29,8 @@ import numpy as np
 import scipy
 
 from lommel.base.arrays import Array
-from lommel.fit.findings import Finding
+from lommel.fit.findings import Finding, Findings
+from lommel.fit.goodness_of_fit import excess_test
 
 MIN_GAIN = 10.0
 """Increase of the restricted ln(likelihood) above which a model error is significant although chi2 is plausible."""
@@ -125,6 +126,20 @@ def is_correlated(residual: Array, variance: Array, light: Array) -> bool:
         for part, w in ((score, _GATE_LENGTH), (square, _GATE_LENGTH / math.sqrt(2.0)))
     ]
     return sums[0] - float(square.sum()) > _GATE * math.sqrt(2.0 * sums[1])
+
+
+def noise_findings(residual: Array, mean: Array, read: Array, background: Array, excess: float) -> list[Finding]:
+    """Return the finding on noise that is not the stated one: electron multiplication, or another gain.
+
+    Arrays have the shape (..., height, width). Noise of another gain is not correlated, unlike light that the model
+    misses.
+    """
+    found, size = excess_test(residual, mean, read).findings(excess), (-1, *residual.shape[-2:])
+    if "gain" not in Findings(found).codes:
+        return found
+    variance = (mean + read) * float(np.nanmean(residual**2 / (mean + read)))
+    parts = (residual, variance, mean - background)
+    return [] if is_correlated(*(np.broadcast_to(part, residual.shape).reshape(size) for part in parts)) else found
 
 
 def model_error(residual: Array, derivatives: Array, variance: Array, light: Array) -> ModelError | None:

@@ -67,7 +67,9 @@ def seen(blur: Blur, waves: Waves, telescope: Telescope) -> Transfer:
     if blur and blur[0][0] == "screens":
         small = Telescope(telescope.wavelength, telescope.f_number, telescope.obscuration, side=64)
         ratio = FOCAL / 8.0 / (air.WIDTH * 600e-9 / (blur[0][1] * air.ARCSECOND))
+        # Four hundred, turned and negated: the mean of fewer is a wavefront, and their tilts have a direction.
         phases = air.screens(64, ratio, 400, np.random.default_rng(16))
+        phases = np.concatenate([sign * np.rot90(phases, turn, (1, 2)) for sign in (1, -1) for turn in (0, 1)])
         each = [small.transfer(waves, screen=screen) for screen in phases]
         return Transfer(np.mean([one.values for one in each], axis=0), each[0].frequency)
     return through(telescope.transfer(waves), blur)
@@ -609,7 +611,7 @@ def _fields() -> list[Scenario]:
     add("15a", 'tracking 0.7 px, Kolmogorov 1"', partial(field, blur=(*_k(1.0), track[0]), flux=5e4), "RT", OTHER)
     ellipse = ("ellipse", "elongated", *BLUR)
     add("15b", 'tracking 1.5 px, Kolmogorov 1"', partial(field, blur=(*_k(1.0), track[1]), flux=5e4), "RT", ellipse)
-    add("16", '400 phase screens, 1"', partial(field, blur=(("screens", 1.0),), flux=2e4), "RT", OTHER)
+    add("16", '1600 phase screens, 1"', partial(field, blur=(("screens", 1.0),), flux=2e4), "RT", OTHER)
     add(
         "17",
         'f/4, 30 stars, degree 2, Kolmogorov 2"',

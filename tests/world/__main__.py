@@ -58,16 +58,23 @@ def page(stored: dict[str, list[Run]]) -> str:
             f"| {scenario.name} | {scenario.estimator} | {MUST[scenario.must]} | {one.runs} | {one.good} "
             f"| {one.told} | {one.wrong_and_good} | {rms} | {largest} | {codes} |"
         )
-    total = [one for _, one in judged(stored)]
-    sums = {name: sum(getattr(one, name) for one in total) for name in ("runs", "good", "wrong_and_good")}
-    named = sum(one.wrong_and_good for row, one in judged(stored) if BY_ROW[row].must == "N")
+    every = [(BY_ROW[row].must == "N", BY_ROW[row].name, one) for row, one in judged(stored)]
+    runs, good = (sum(getattr(one, name) for _, _, one in every) for name in ("runs", "good"))
+    named, wrong = (sum(one.wrong_and_good for is_named, _, one in every if is_named is n) for n in (True, False))
+    twice = [name for is_named, name, one in every if not is_named and one.wrong_and_good > 1]
     first = (
-        f"{sums['runs']} results of {len(total)} worlds: {sums['good']} called good, {sums['wrong_and_good']} of "
-        f"them wrong, {named} of\nthese in rows *named*, whose results name it among what they cannot test."
+        f"{runs} results of {len(every)} worlds: {good} called good, {wrong + named} of them wrong "
+        f"({_percent(wrong + named, good)}).\n{named} of these are in rows *named*, whose results name it among what "
+        f"they cannot test; without these rows {wrong} are wrong ({_percent(wrong, good)}), "
+        + (f"twice or more in {', '.join(twice)}." if twice else "no world twice.")
     )
     rates = [f"{BY_ROW[row].name} ({one.rms:.2f})" for row, one in judged(stored) if "rms" in " ".join(one.faults)]
     second = f"Errors are not 0.8 to 1.15 standard errors, as far as the runs show, in {len(rates)} worlds"
     return "\n\n".join((first, f"{second}: {', '.join(rates)}." if rates else f"{second}.", "\n".join(rows)))
+
+
+def _percent(part: int, whole: int) -> str:
+    return f"{100 * part / max(whole, 1):.2g} %"
 
 
 def read(path: Path) -> dict[str, list[Run]]:

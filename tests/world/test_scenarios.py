@@ -112,5 +112,13 @@ def test_runs_are_kept_and_become_a_table(tmp_path, monkeypatch):
     text = page.read_text(encoding="utf-8")
     assert text.startswith("before\n")
     assert text.endswith("after\n")
-    assert "1 results of 1 worlds: 1 called good, 0 of them wrong, 0 of\n" in text
+    assert "1 results of 1 worlds: 1 called good, 0 of them wrong (0 %).\n0 of these" in text
+    assert "no world twice" in text
     assert "what was here" not in text
+
+
+def test_named_rows_are_counted_and_worlds_that_are_wrong_twice_are_listed():
+    wrong, right = (Run(k, True, ["untested"], "", [9.0 * (k < 2)], [], {}, k < 2, 0.5) for k in (1, 3))
+    text = table.page({"11": [right, right], "37g": [wrong, right], "32": [wrong, wrong]})
+    assert "6 results of 3 worlds: 6 called good, 3 of them wrong (50 %).\n1 of these" in text
+    assert f"2 are wrong (33 %), twice or more in {table.BY_ROW['32'].name}." in text

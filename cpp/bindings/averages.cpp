@@ -9,7 +9,7 @@
 #include <nanobind/stl/optional.h>
 
 #include "lommel/averages/disks.hpp"
-#include "lommel/chordal/aperture_averages.hpp"
+#include "lommel/chordal/aperture_sums.hpp"
 
 #include "pupils.hpp"
 
@@ -92,7 +92,9 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
             using Real = decltype(real);
             const lommel::ChordalDerivatives<Real> more{request.factors, nullptr, of_pupils.slope_error.data(), to.slopes,
                                                         of_pupils.steepest.data()};
-            lommel::ApertureAverages<Real>(stack, of_aperture, nodes, of_pupils.brightest.data(), more, off).run(threads);
+            lommel::ApertureSums<Real>(stack, of_aperture, nodes.rows, nodes.columns, 1.0, nullptr, &nodes,
+                                       of_pupils.brightest.data(), more, off)
+                .run(threads);
         };
         const bool in_single = single;
         released([&] { in_single ? ask(float()) : ask(double()); });
@@ -101,6 +103,27 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
         request, pupils.count, into, slopes.data(), bounds.data(), [&](const lommel::AverageAnswer& answer) {
             return lommel::average_at_nodes(request, {strehl, transmission}, pupils.count, answer, sample);
         });
+}
+
+template <class T>
+void aperture_images(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFields place, In<double, 3> weights, int threads,
+                     Out<T, 3> images, In<std::int32_t, 2> factors, Out<T, 4> slopes) {
+    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+    require_terms(list);
+    require_shape(place, images);
+    const lommel::DiskWindow window = one_axis_window(place).first;
+    require_request(window.step, 1.0, threads);
+    require(images.shape(0) == pupils_of(edge), "one image a pupil");
+    require(weights.shape(0) == weights.shape(1) && weights.shape(2) == 8, "weights of a quadrant must be (chords, chords, 8)");
+    const std::vector<lommel::ZernikeTerm> by = factors.shape(0) > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>();
+    std::vector<double> brightest(edge.shape(0)), bounds(by.size() * edge.shape(0));  // bounds are left to the caller
+    released([&] {
+        const lommel::DiskStack stack(list, edge.data(), edge.shape(0), 0.0, lommel::Amplitude());
+        lommel::ApertureSums<T>(stack, {2 * weights.shape(0), weights.data()}, {window.height, window.row},
+                                {window.width, window.column}, window.step, images.data(), nullptr, brightest.data(),
+                                {by, slopes.data(), bounds.data()}, 0.0)
+            .run(threads);
+    });
 }
 
 std::pair<Out<double, 1>, Out<double, 1>> transfer_rule(std::size_t degree) {
@@ -125,6 +148,12 @@ void bindings::define_averages(nb::module_& m) {
             "The same of an aperture, by weights of the nodes of the disk: rule(reach, tol, single, rows, columns) gives those "
             "of a quadrant, [chord][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im], what fields are off by within the "
             "reach, and whether sums may be in single precision, or None. Rows and columns are numbers of nodes.");
+    });
+    for_both([&](auto pixel) {
+        m.def("aperture_images", &aperture_images<decltype(pixel)>, "terms"_a, "edge"_a, "window"_a, "weights"_a, "threads"_a,
+              "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(),
+              "Intensities by such weights, and derivatives by the coefficients of `factors`, computed in the type of the "
+              "images. Errors are left to the caller.");
     });
     m.def("least_average", &lommel::least_average, "step"_a,
           "What the best placed pixel of a pitch in v averages at least, over the peak of I.");

@@ -232,6 +232,15 @@ def aperture_averages(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, N
     The same of an aperture, by weights of the nodes of the disk: rule(reach, tol, single, rows, columns) gives those of a quadrant, [chord][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im], what fields are off by within the reach, and whether sums may be in single precision, or None. Rows and columns are numbers of nodes.
     """
 
+@overload
+def aperture_images(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], window: tuple[tuple[int, int], tuple[float, float] | Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], float], weights: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], threads: int, images: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], factors: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], slopes: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None, None), order='C', device='cpu')]) -> None: ...
+
+@overload
+def aperture_images(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], window: tuple[tuple[int, int], tuple[float, float] | Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], float], weights: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], factors: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], slopes: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None, None), order='C', device='cpu')]) -> None:
+    """
+    Intensities by such weights, and derivatives by the coefficients of `factors`, computed in the type of the images. Errors are left to the caller.
+    """
+
 def least_average(step: float) -> float:
     """
     What the best placed pixel of a pitch in v averages at least, over the peak of I.

@@ -43,8 +43,8 @@ def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, cent
     pupil = lm.Pupil(FRONT + lm.Wavefront(defocus=[-4.0, 0.0, 4.0]), **APERTURES[aperture])
     names = (*TERMS, (1, 1), (1, -1))
     made = []
-    whole = nonuniform_fft.field_sums
-    monkeypatch.setattr(nonuniform_fft, "field_sums", lambda *args: made.append(1) or whole(*args))
+    whole = nonuniform_fft._moment_images
+    monkeypatch.setattr(nonuniform_fft, "_moment_images", lambda *of, **how: made.append(how) or whole(*of, **how))
 
     def images(tol):
         asked = {"center": center, "integrate": integrate, "dtype": "float64", "tol": tol}
@@ -64,10 +64,59 @@ def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, cent
         assert np.max(found.derivative_bounds[name]) < 1e-4
 
 
+def by_triangles(pupil, places, names=()):
+    """Return U and the fields of terms at places (y, x) in v by Gauss rules on triangles, (1 + k, n, places)."""
+    t, w = np.polynomial.legendre.leggauss(12)
+    u, v = 0.5 * (t + 1.0)[:, None], 0.5 * (t + 1.0)
+    fields = np.zeros((1 + len(names), *pupil.shape, len(places)), dtype=complex)
+    for shape, (piston, tip, tilt) in zip(pupil.stop.shapes, pupil.opening.phases, strict=True):
+        corners = np.array(shape.corners)
+        middle = corners.mean(axis=0)
+        for a, b in zip(corners - middle, np.roll(corners, -1, axis=0) - middle, strict=True):
+            x, y = (m + (u * (p + (q - p) * v)).ravel() for m, p, q in zip(middle, a, b, strict=True))
+            weight = (0.25 * np.outer(w, w) * abs(a[0] * b[1] - a[1] * b[0]) * u).ravel() / math.pi
+            rho, theta = np.hypot(x, y), np.arctan2(y, x)
+            phase = np.exp(1j * (pupil.wavefront.phase(rho, theta) + piston + tip * x + tilt * y))
+            wave = np.exp(-1j * (np.outer(x, places[:, 1]) + np.outer(y, places[:, 0])))
+            for field, (n, m) in zip(fields, ((0, 0), *names), strict=True):
+                field += (phase * weight * zernike.polynomial(n, m, rho, theta)) @ wave
+    return fields
+
+
+@pytest.mark.parametrize(("count", "dtype", "tol", "names"), [
+    (1, np.float64, 1e-9, ()), (3, np.float64, 1e-10, ((3, 1), (2, -2))), (19, np.float32, 1e-4, ()),
+    (2, np.float32, 1e-3, ()), (5, np.float32, 1e-4, ((4, 0),)),
+])  # fmt: skip
+def test_segmented_mirrors_are_within_their_bound(monkeypatch, count, dtype, tol, names):
+    monkeypatch.setattr(nonuniform_fft, "moment_rule_is_faster", lambda *_: True)
+    rng, made, whole = np.random.default_rng(count), [], nonuniform_fft._moment_images
+    monkeypatch.setattr(nonuniform_fft, "_moment_images", lambda *of, **how: made.append(how) or whole(*of, **how))
+    segments = lm.Segments.hexagonal(rings=1, gap=0.02, angle=0.1)
+    stop = segments.phased(*rng.normal(size=(3, 6)) * [[1.5], [0.8], [0.8]])
+    front = lm.Wavefront.zernike({term: rng.normal(scale=0.3, size=count) for term in TERMS[:5]})
+    pupil, shape, center = lm.Pupil(front, stop=stop), (17, 12), (7.3, 6.0)
+    asked = {"center": center, "tol": tol, "dtype": dtype, "integrate": False, "normalize": "strehl"}
+    found = lm.psf(pupil, shape, 0.6, derivatives=names, **asked)
+    assert [how["single_precision"] for how in made] == [dtype == np.float32]
+    brightest = found.values.reshape(count, -1).argmax(axis=1)
+    pixels = np.stack(np.unravel_index([*brightest, *rng.integers(0, 204, 3)], shape), axis=1)
+    field, *by = by_triangles(pupil, 0.6 * math.pi * (pixels - center), names)
+    scale, at = np.reshape(found.scale, (-1, 1)), (..., pixels[:, 0], pixels[:, 1])
+    peak = found.values.max(axis=(1, 2))
+    off = np.abs(found.values[at] - scale * np.abs(field) ** 2).max(axis=1)
+    assert (off <= found.error_bound * peak).all()
+    assert np.max(found.error_bound) <= tol
+    for name, derivative in zip(names, by, strict=True):
+        exact = -2.0 * scale * np.imag(np.conj(field) * derivative)
+        found_at = found.derivatives[name][at]
+        assert (np.abs(found_at - exact).max(axis=1) <= found.derivative_bounds[name] * peak).all()
+        assert np.abs(exact).max() > 0.01 * peak.max()
+
+
 @pytest.mark.parametrize(
     ("stop", "count", "names", "side", "expected"),
     [
-        (lm.Polygon.regular(6, radius=0.98), 27, (), 65, False),  # few nodes: Fourier transforms
+        (lm.Polygon.regular(6, radius=0.98), 5, (), 65, False),  # few nodes: Fourier transforms
         (lm.telescopes.hst(), 9, ((2, 0), (3, 1), (4, 0)), 33, True),
         (lm.telescopes.hst(), 1, (), 33, False),
         (lm.telescopes.hst(), 1, ((3, 1), (14, 0)), 33, False),
@@ -75,7 +124,7 @@ def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, cent
 )
 def test_moments_are_chosen_where_they_are_cheaper(monkeypatch, stop, count, names, side, expected):
     made = []
-    whole = nonuniform_fft.field_sums
-    monkeypatch.setattr(nonuniform_fft, "field_sums", lambda *args: made.append(1) or whole(*args))
+    whole = nonuniform_fft._moment_images
+    monkeypatch.setattr(nonuniform_fft, "_moment_images", lambda *of, **how: made.append(how) or whole(*of, **how))
     lm.psf(lm.Pupil(lm.Wavefront(defocus=np.linspace(0.0, 1.0, count)), stop=stop), side, 0.5, derivatives=names)
     assert bool(made) == expected

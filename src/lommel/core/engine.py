@@ -258,6 +258,14 @@ def aperture_averages(
     return images if compute(*arguments, *outputs) else None
 
 
+def aperture_images(stack: DiskStack, window: Window, weights: Array, wanted: Wanted) -> tuple[Pixels, Pixels]:
+    """Return I (n, h, w) and its derivatives (k, n, h, w) by such weights, computed and stored in `wanted.dtype`."""
+    count, factors = len(stack.edge), np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
+    values, slopes = (np.empty((*s, count, *window.shape), wanted.dtype) for s in ((), (len(factors),)))
+    _core.aperture_images(stack.terms, stack.edge, window, weights, wanted.threads, values, factors, slopes)
+    return values, slopes
+
+
 def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, float]:
     """Return the estimated times in nanoseconds of :func:`chordal_images` and of :func:`series_images`.
 

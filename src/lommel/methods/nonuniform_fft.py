@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Intensities, Pixels, Samples, Slopes, Wanted, not_met
-from lommel.core.engine import DiskStack, Window, aperture_averages, row_images
+from lommel.core.engine import DiskStack, Window, aperture_averages, aperture_images, row_images
 from lommel.methods.averaging import averaged_images
 from lommel.methods.matrix_fourier import samples_needed
 from lommel.methods.method import Method, relative_error, storing, to_images, with_storage_rounding
@@ -31,18 +31,20 @@ from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
-from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
 Complexes = NDArray[np.complex128]
 
 _UNIT = 2.0**-53  # unit roundoff
-_MAX_VALUES = 2**21  # largest number of values of the pupil function in memory at a time
-_MAX_TERM_DEGREE = 12  # Zernike degree above which products of polynomials of x and y lose digits by cancellation
-_MIN_FIELDS = 4  # smallest number of fields for which the moment rule saves time
+_MOMENT_SHARE = 0.2  # fraction of the requested error for each approximation by polynomials
+_MOMENT_SINGLE_SHARE = 1.0  # sums in single precision are tried up to this error over the requested one
 _MIN_FIELD_ERROR = 3e-12  # relative error of the field below which rounding errors dominate
-_MAX_WAVES = 2**22  # largest number of cached cosines and sines
-_DEGREE_STEP = 32  # degrees are rounded up to multiples of this
+_MAX_WAVES = 2**24  # largest number of tabulated cosines and sines of the nodes
+_MAX_DEGREE = 400  # largest degree of a moment rule
+_STEPS = 8  # assumed number of stacks or steps of a fit with the same rule
+_RULE_COST = 1.0  # factor of the time of a rule
+_DEGREE_STEP = 8  # degrees are rounded up to multiples of this
+_MOMENT_STEP = 32  # the same for degrees up to which moments are computed
 
 
 # Moment rule. A quadrature rule of the aperture is a linear functional L. For polynomials p up to degree D there is
@@ -60,20 +62,19 @@ def moment_rule_is_faster(
     pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, rule_degree: int, error: float
 ) -> bool:
     """Return True if the moment rule of these degrees and this error takes less time than transforms of rows."""
-    count, highest = math.prod(pupil.shape), max((n for n, _ in terms), default=0)
-    fields, degrees, (height, width) = 1 + len(terms), 1 + highest, grid.shape
-    rows = degree + _DEGREE_STEP / 2
-    if count * fields < _MIN_FIELDS or highest > _MAX_TERM_DEGREE or error < _MIN_FIELD_ERROR * pupil.amplitude:
+    count, fields, (height, width) = math.prod(pupil.shape), 1 + len(terms), grid.shape
+    rows = degree + 0.5 * _DEGREE_STEP + 2.0
+    if degree > _MAX_DEGREE or rows**2 * height > _MAX_WAVES or error < _MIN_FIELD_ERROR * pupil.amplitude:
         return False
-    if degrees * rows**2 / 4 * max(height, width) > _MAX_WAVES:
-        return False
-    # Cost per PSF, in units of the time per node in the transforms of rows, fitted to timings of stacks of 1 to 27
-    # PSFs of 17 to 257 pixels a side. Four stacks, or steps of a fit, are assumed to share the cost of the rule.
+    # Microseconds, fitted to timings of stacks of 1 to 64 PSFs of 33 to 129 pixels a side: the rule, sums with it,
+    # transforms of rows.
     _, rounded_degree, power = _round_up_degrees(degree, rule_degree, error)
     nodes_in_rows = _count_nodes(pupil.opening, rounded_degree, power)
-    setup = 0.16 * nodes_in_rows * rows / (4 * count)
-    sums = 1.6 * rows**2 + degrees * rows**2 * width / 300 + (degrees**2 * rows / 240 + fields / 3) * height * width
-    return setup + sums < (fields + 0.3) * nodes_in_rows + fields * (0.8 * height * width + 1700.0)
+    rule = _RULE_COST * (2.7 * rows**2 + 0.012 * nodes_in_rows * rows)
+    batch = 1e-3 * (rows**2 * (6.0 + 0.6 * height) + (0.2 * rows + 18.0) * width * height)
+    sums = 700.0 + batch * (1.0 + count * fields / 12)
+    transforms = 0.028 * count * ((fields + 0.3) * nodes_in_rows + fields * (0.8 * height * width + 1700.0))
+    return rule + _STEPS * sums < _STEPS * transforms
 
 
 class MomentRule(NamedTuple):
@@ -122,7 +123,7 @@ def degrees_and_error(pupil: Pupil, reach: float, allowed: float) -> tuple[int, 
     Each polynomial approximation has an error of at most `allowed`. For the derivative by a Zernike term, add the
     degree of the term to both degrees.
     """
-    terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
+    terms = [(n, w) for (n, _), w in pupil.wavefront.each_amplitude().items()]
     phases = pupil.opening.phases
     steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
     degree = degree_needed(terms, reach, pupil.illumination, allowed)
@@ -140,7 +141,8 @@ def phase_roundings(pupil: Pupil) -> float:
 
 def _round_up_degrees(degree: int, rule_degree: int, error: float) -> tuple[int, int, int]:
     """Return degrees rounded up and the exponent of the error rounded down, so that cached rules are reused."""
-    degree, rule_degree = (_DEGREE_STEP * math.ceil(n / _DEGREE_STEP) for n in (degree, max(rule_degree, degree)))
+    degree = _DEGREE_STEP * math.ceil(degree / _DEGREE_STEP)
+    rule_degree = _MOMENT_STEP * math.ceil(max(rule_degree, degree) / _MOMENT_STEP)
     return degree, rule_degree, 2 * math.floor(0.5 * math.log10(error))
 
 
@@ -152,21 +154,7 @@ def _count_nodes(opening: Opening, rule_degree: int, power: int) -> int:
 
 @lru_cache(maxsize=16)
 def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) -> MomentRule:
-    moments = np.zeros((degree + 1, degree + 1), dtype=np.complex128)
-    for rule, phase in zip(opening.rows(rule_degree, 10.0**power), opening.phases, strict=True):
-        # Moments L(phi): sums with Legendre polynomials along each row, then with Gegenbauer polynomials of y.
-        x, y, weight = rule.nodes
-        if not x.size:
-            continue
-        starts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
-        end = np.sqrt((1.0 - y) * (1.0 + y))
-        # Whole turns are removed exactly, since cosines of large angles lose digits.
-        piston = math.remainder(phase[0], 2.0 * math.pi)
-        phased = weight * np.exp(1j * (piston + phase[1] * x + phase[2] * y))
-        t = np.clip(x / end, -1.0, 1.0)
-        sums = np.array([np.add.reduceat(phased * part, starts) for part in _legendre(degree, t)])
-        for m, part in enumerate(_gegenbauer(degree, y[starts])):
-            moments[: len(part), m] += np.einsum("kr,kr->k", part, sums[: len(part)])
+    moments, edge_error = _moments(opening, _MOMENT_STEP * math.ceil(degree / _MOMENT_STEP), rule_degree, power)
     # Values of g = sum L(phi) phi at the nodes, times the weights of the disc rule (of sum 1) and the disc area pi.
     disc = nodes(degree + 2)
     values = np.zeros((degree + 1, disc.y.size), dtype=np.complex128)
@@ -174,8 +162,30 @@ def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) ->
         values[: len(part)] += part * moments[: len(part), m, None]
     weight = np.ascontiguousarray(values.T @ np.array(list(_legendre(degree, disc.t))) * (math.pi * disc.weight))
     weight.flags.writeable = False
-    edge_error = sum(rule.lost for rule in opening.rows(rule_degree, 10.0**power))
     return MomentRule(weight, float(np.abs(weight).sum()), edge_error)
+
+
+@lru_cache(maxsize=8)
+def _moments(opening: Opening, degree: int, rule_degree: int, power: int) -> tuple[Complexes, float]:
+    """Return L(phi) of the basis up to a `degree`, [k, m], and the error of U due to rounding of the edges."""
+    rules = opening.rows(rule_degree, 10.0**power)
+    counts = [rule.nodes.shape[1] for rule in rules]
+    x, y, weight = np.concatenate([rule.nodes for rule in rules], axis=1)
+    phases = np.array(opening.phases)
+    # Whole turns are removed exactly, since cosines of large angles lose digits.
+    phases[:, 0] = [math.remainder(piston, 2.0 * math.pi) for piston in phases[:, 0]]
+    piston, tip, tilt = np.repeat(phases, counts, axis=0).T
+    # Sums with Legendre polynomials along each row, then with Gegenbauer polynomials of y.
+    starts = np.flatnonzero(
+        (np.diff(y, prepend=np.nan) != 0.0) | (np.diff(np.repeat(range(len(rules)), counts), prepend=-1) != 0)
+    )
+    phased = weight * np.exp(1j * (piston + tip * x + tilt * y))
+    t = np.clip(x / np.sqrt((1.0 - y) * (1.0 + y)), -1.0, 1.0)
+    sums = np.array([np.add.reduceat(phased * part, starts) for part in _legendre(degree, t)])
+    moments = np.zeros((degree + 1, degree + 1), dtype=np.complex128)
+    for m, part in enumerate(_gegenbauer(degree, y[starts])):
+        moments[: len(part), m] = np.einsum("kr,kr->k", part, sums[: len(part)])
+    return moments, sum(rule.lost for rule in rules)
 
 
 def _legendre(degree: int, x: Array) -> Iterator[Array]:
@@ -193,69 +203,35 @@ def _gegenbauer(degree: int, y: Array) -> Iterator[Array]:
     area = np.cumprod(np.concatenate([[0.5 * math.pi], (k[1:, 0] + 0.5) / (k[1:, 0] + 1.0)]))
     end = np.sqrt((1.0 - y) * (1.0 + y))
     current = end**k / np.sqrt(area)[:, None]
-    previous = np.zeros_like(current)
-
-    # Off-diagonal coefficient of the orthonormal Gegenbauer recurrence, for each k.
-    def off_diagonal(m: int) -> Array:
-        return np.sqrt(m * (m + 2.0 * k + 1.0) / (4.0 * (m + k + 1.0) * (m + k)))
-
+    # Off-diagonal coefficients of the orthonormal Gegenbauer recurrence, for each k.
+    correction: Array | float = 0.0
     for m in range(degree + 1):
         yield current
         count = degree - m
-        correction = off_diagonal(m)[:count] * previous[:count] if m else 0.0
-        previous, current = current, (y * current[:count] - correction) / off_diagonal(m + 1)[:count]
         k = k[:count]
+        beta = np.sqrt((m + 1.0) * (m + 2.0 * k + 2.0) / (4.0 * (m + k + 2.0) * (m + k + 1.0)))
+        previous, current = current, (y * current[:count] - correction) / beta
+        correction = beta[: count - 1] * previous[: count - 1]
 
 
-def field_sums(
-    rule: MomentRule, pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...]
-) -> tuple[Array, Array, Array]:
-    """Return I (n, h, w), its derivatives by terms (k, n, h, w), and rounding error bounds of U and its derivatives.
-
-    Zernike terms are sums of Chebyshev products T_a(x) T_b(y). These products, and the cosines and sines of plane
-    waves, are even or odd in x and in y: a quarter of the nodes and pixels suffices. All products with the same a
-    share the sums along rows.
-    """
-    disc, q, edge, count = nodes(rule.rows), rule.rows // 2, pupil.wavefront.flattened().edge, math.prod(pupil.shape)
-    amplitude = rule.weight
-    if not pupil.illumination.uniform:
-        amplitude = amplitude * pupil.illumination.at(disc.x**2 + disc.y[:, None] ** 2)
-    phases, coefficients = _polynomials(pupil.wavefront.terms, rule.rows), _products(((0, 0), *terms))
-    degrees, (height, width) = coefficients.shape[1], grid.shape
-    step = grid.step(pupil) / grid.side
-    (xs, column), (ys, row) = (np.unique(np.abs(part), return_inverse=True) for part in (grid.x, grid.y))
-    x_waves, y_waves = _waves(rule.rows, step, tuple(xs.tolist()), degrees), _rows(rule.rows, step, ys, degrees)
-    signs = (np.ones(width), np.sign(grid.x)), (np.ones((height, 1)), np.sign(grid.y)[:, None])
-    values, derivatives = np.empty((count, height, width)), np.empty((len(terms), count, height, width))
-    block_size = max(1, _MAX_VALUES // (4 * degrees * q * q))
-    for start in range(0, count, block_size):
-        part = slice(start, min(start + block_size, count))
-        angle = edge[part] @ phases
-        wave = _multiply_wave(amplitude[:, None], np.cos(angle), np.sin(angle))
-        parts = _parts(wave, q)
-        size = len(edge[part])
-        field = np.zeros((1 + len(terms), size, height, width), dtype=np.complex128)
-        for i in range(2):
-            # Both parities along y: [parity, term, row of pixels, pupil, real or imaginary, column].
-            sums = np.zeros((2, len(coefficients), ys.size, size, 2, xs.size))
-            for a in range(degrees):
-                for c in range(2):
-                    row_sums = parts[i ^ (a & 1), c].reshape(q, -1, q) @ x_waves[i][a]
-                    product = y_waves[c][: degrees - a] @ row_sums.reshape(q, -1)
-                    product = product.reshape(degrees - a, *sums.shape[2:])
-                    for b in range(min(2, degrees - a)):
-                        sums[c ^ b] += np.tensordot(coefficients[:, a, b : degrees - a : 2], product[b::2], 1)
-            # e^{-i v.r} = (cos - i sin)(cos - i sin): each odd part has a factor -i and the sign of its x or y.
-            for j in range(2):
-                pixels = (sums[j, :, :, :, 0] + 1j * sums[j, :, :, :, 1]).swapaxes(1, 2)[:, :, row[:, None], column]
-                field += ((-1j) ** (i + j) * signs[0][i] * signs[1][j]) * pixels
-        u, term_fields = field[0], field[1:]
-        values[part] = u.real**2 + u.imag**2
-        # dI/dc = -2 Im(conj(U) D), with D the field of the term: certificate, section 8, "Derivatives".
-        derivatives[:, part] = 2.0 * (u.imag * term_fields.real - u.real * term_fields.imag)
-    reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
-    rounding = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(coefficients).sum(axis=(1, 2)).max())])
-    return values, derivatives, rounding
+def _moment_images(
+    rule: MomentRule, pupil: Pupil, grid: Grid, wanted: Wanted, *, single_precision: bool
+) -> tuple[Array, Array]:
+    """Return I (n, h, w) and its derivatives (k, n, h, w) by a moment rule."""
+    # The nodes lie on lines of constant y here, but of constant x in the core: x and y are exchanged.
+    window, (terms, signs) = window_of(pupil, grid), exchange_axes(wanted.terms)
+    values, slopes = aperture_images(
+        transposed(disk_stack(pupil)),
+        window._replace(shape=window.shape[::-1], center=window.center[::-1]),
+        quadrant_weights(rule, pupil),
+        Wanted(
+            dtype=np.float32 if single_precision else np.float64,
+            threads=wanted.threads,
+            terms=tuple((int(n), int(m)) for n, m in terms),
+        ),
+    )
+    signed = np.multiply(slopes.swapaxes(2, 3), signs[:, None, None, None], order="C")
+    return values.swapaxes(1, 2).astype(np.float64, order="C"), signed
 
 
 def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single_precision: bool = False) -> float:
@@ -265,79 +241,16 @@ def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single_precision:
     per_term = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
     units = float((np.abs(edge) @ per_term).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
     # Sums over mirrored chords and nodes, and phases in multiples of 2^-32 turns: section 8, "In single precision".
-    extra = 2.0**-24 * (36.0 + 0.875 * rule.rows) + 7.4e-10 * (len(edge[0]) + 6) if single_precision else 0.0
+    half = rule.rows // 2
+    steps = half if half < 2 * _SUM_BLOCK else _SUM_BLOCK + math.ceil(half / _SUM_BLOCK)
+    extra = 2.0**-24 * (36.0 + 3.5 * steps) + 7.4e-10 * (len(edge[0]) + 6) if single_precision else 0.0
     return (_UNIT * units + extra) * rule.total + rule.edge_error
 
 
-@lru_cache(maxsize=8)
-def _products(terms: tuple[tuple[int, int], ...]) -> Array:
-    """Return the Chebyshev coefficients of Zernike terms, the factors of T_a(x) T_b(y), shape (terms, a, b)."""
-    from numpy.polynomial.chebyshev import chebvander
-
-    count = 1 + max(n for n, _ in terms)
-    # Interpolation at Chebyshev points along both axes, exact for polynomials of this degree.
-    x = np.cos((np.arange(count) + 0.5) * (math.pi / count))
-    inverse = np.linalg.inv(chebvander(x, count - 1))
-    rho, theta = np.hypot(x[:, None], x), np.arctan2(x, x[:, None])
-    products = np.array([inverse @ zernike.polynomial(n, m, rho, theta) @ inverse.T for n, m in terms])
-    # Coefficients of the wrong parity are rounding errors; setting them to 0 saves sums.
-    return np.where(np.abs(products) > 1e-14 * np.abs(products).max(), products, 0.0)
-
-
-def _multiply_wave(amplitude: Complexes, cosine: Array, sine: Array) -> Array:
-    """Return amplitude * (cosine + i sine), [row, pupil, real or imaginary, node]."""
-    real, imag = amplitude.real, amplitude.imag
-    if not imag.any():
-        return np.stack([real * cosine, real * sine], axis=2)
-    return np.stack([real * cosine - imag * sine, real * sine + imag * cosine], axis=2)
-
-
-def _parts(wave: Array, q: int) -> dict[tuple[int, int], Array]:
-    """Return parts even (0) or odd (1) in x and in y on a quarter of the disc: {(x, y parity): [row, ..., node]}."""
-    y = [wave[:q] + sign * wave[: q - 1 : -1] for sign in (1.0, -1.0)]
-    mirrored = [part[..., : q - 1 : -1] for part in y]
-    return {
-        (i, j): np.ascontiguousarray(y[j][..., :q] + sign * mirrored[j])
-        for i, sign in enumerate((1.0, -1.0))
-        for j in range(2)
-    }
-
-
-@lru_cache(maxsize=8)
-def _polynomials(terms: tuple[tuple[int, int], ...], rows: int) -> Array:
-    """Return Zernike terms (1 at the edge) at the nodes of a rule, shape (rows, terms, rows)."""
-    disc = nodes(rows)
-    y = np.broadcast_to(disc.y[:, None], disc.x.shape)
-    rho, theta = np.hypot(disc.x, y), np.arctan2(y, disc.x)
-    return np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
-
-
-@lru_cache(maxsize=4)
-def _waves(rows: int, step: float, columns: tuple[float, ...], degrees: int) -> tuple[Array, Array]:
-    """Return T_a(x) times cosines and sines of step * x * column on a quarter disc: (a, row, node, column)."""
-    q = rows // 2
-    x = nodes(rows).x[:q, :q]
-    turn = step * x[:, :, None] * np.array(columns)
-    powers = np.moveaxis(np.polynomial.chebyshev.chebvander(x, degrees - 1), -1, 0)[..., None]
-    return powers * np.cos(turn), powers * np.sin(turn)
-
-
-def _rows(rows: int, step: float, pixel_rows: Array, degrees: int) -> tuple[Array, Array]:
-    """Return T_b(y) times cosines and T_b(y) times sines, swapped for odd b: (b, row of pixels, row of nodes)."""
-    y = nodes(rows).y[: rows // 2]
-    turn = step * np.outer(pixel_rows, y)
-    powers = np.polynomial.chebyshev.chebvander(y, degrees - 1).T[:, None]
-    cosines, sines = powers * np.cos(turn), powers * np.sin(turn)
-    is_odd = np.arange(degrees)[:, None, None] % 2 == 1
-    return np.where(is_odd, sines, cosines), np.where(is_odd, cosines, sines)
-
-
+_SUM_BLOCK = 16  # number of terms that the core adds up at a time in single precision
 _MIN_IMAGES = 4  # number of images and derivatives that fill vector lanes
-_STEPS = 8  # assumed number of stacks or steps of a fit with the same rule
-_RULE_COST = 2.4e-5  # ms, times the cube of the number of rows (measured, like the next two costs)
 _SUM_COST = 5.5e-8  # ms per product in the sums over nodes
 _SAMPLE_COST = 1.15e-4  # ms per filtered sample
-_MAX_DEGREE = 400  # largest degree of a moment rule for averages
 _SINGLE_SHARE = 0.5  # fraction of the tolerance that sums in single precision may use
 _MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors dominate
 
@@ -396,7 +309,7 @@ def _transposed_back(images: Samples, signs: Array, out: Pixels | None) -> Sampl
 def _nodes_are_faster(count: int, rows: float, sums: float, window: Window) -> bool:
     """Return whether sums over nodes take less time than filtering samples, with a rule shared by several stacks."""
     samples = _SAMPLE_COST * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
-    return _RULE_COST * rows**3 < _STEPS * count * (samples - sums)
+    return 2.4e-5 * _RULE_COST * rows**3 < _STEPS * count * (samples - sums)
 
 
 def exchange_axes(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:
@@ -513,8 +426,8 @@ def _sample_images(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, ever
     budget = tol - (1.0 + tol) * storing(wanted.dtype)
     if wanted.scale is None:
         budget *= 0.49  # division by the computed peak doubles the error (section 6)
-    # Estimate of max |U|, for light that is spread evenly over the blur; usually an underestimate.
-    peak_field = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1))
+    # Estimate of max |U|, mostly an underestimate.
+    peak_field = 0.5 * pupil.amplitude * math.sqrt(pupil.likely_strehl * pupil.opening.likely_strehl)
     outer_peak: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
     # The first requested error of U assumes the estimated peak. It is reduced if the error bound, relative to the
     # computed peak, exceeds `tol` (section 6).
@@ -604,17 +517,24 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
     if pupil.mask is None:
         # Pistons are reduced to [-pi, pi), since sines of large phases lose digits.
         phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
-        terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
+        terms = [(n, w) for (n, _), w in pupil.wavefront.each_amplitude().items()]
         steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
-        allowed = 0.3 * error * amplitude
+        allowed = _MOMENT_SHARE * error * amplitude
         degree, rule_degree, approximation_error = degrees_and_error(pupil, reach, allowed)
         degree, rule_degree = degree + highest, rule_degree + highest
         if moment_rule_is_faster(pupil, grid, wanted.terms, degree, rule_degree, allowed):
             rule = moment_rule(pupil.opening, degree, rule_degree, allowed)
-            values, slopes, rounding = field_sums(rule, pupil, grid, wanted.terms)
-            bounds = approximation_error + 1.1 * allowed + rounding
-            field_bounds, slope_bounds = np.tile(bounds[:, None], len(values))
-            return values, slopes, field_bounds, slope_bounds
+            rounding = roundings(rule, pupil, reach, single_precision=True)
+            single = wanted.dtype == np.float32 and rounding < _MOMENT_SINGLE_SHARE * error * amplitude
+            values, slopes = _moment_images(rule, pupil, grid, wanted, single_precision=single)
+            field_bound = (
+                approximation_error + 1.1 * allowed + (rounding if single else roundings(rule, pupil, reach))
+            )
+            # The factor, its products, and the two products of I': certificate, section 8, "Derivatives".
+            slope_bound = field_bound + 6.0 * _UNIT * (1 + highest**2) + (7.0 * 2.0**-24 if single else 0.0)
+            return values, slopes, *np.tile(np.array([[field_bound], [slope_bound]]), len(values))
+        allowed = 0.3 * error * amplitude
+        _, _, approximation_error = degrees_and_error(pupil, reach, allowed)
         degree = degree_needed(terms, reach + steepest, pupil.illumination, allowed) + highest
         rules = pupil.opening.rows(degree, allowed)
     else:

@@ -185,7 +185,7 @@ class Pupil(BasePupil):
         """True if there is a complex mask."""
         return self.mask is not None and self.mask.values.dtype.kind == "c"
 
-    @property
+    @cached_property
     def opening(self) -> Opening:
         """The clear region, without a mask."""
         from lommel.optics.aperture.opening import Opening

@@ -113,6 +113,25 @@ def test_every_rule_is_positive_lies_where_light_passes_and_integrates_what_it_p
     assert abs(field(x, y, w) - field(*fine)) <= 1e-11
 
 
+def test_a_degree_suffices_for_all_wavefronts_of_a_stack():
+    sizes = {2: np.array([3.0, 0.0, 1.0]), 5: np.array([0.0, 2.0, 0.5])}
+    each = [degree_needed([(n, size[i]) for n, size in sizes.items()], 7.0, lm.Apodization(), 1e-7) for i in range(3)]
+    both = degree_needed(list(sizes.items()), 7.0, lm.Apodization(), 1e-7)
+    most = degree_needed([(n, size.max()) for n, size in sizes.items()], 7.0, lm.Apodization(), 1e-7)
+    assert max(each) <= both < most
+    assert both <= max(each) + 1
+    twice = degree_needed([(2, 1.0), (2, 2.0), (5, 0.0)], 7.0, lm.Apodization(), 1e-7)
+    assert twice == each[0]
+
+
+def test_likely_strehl_ratios_fall_with_phases_of_segments():
+    segments = lm.Segments.hexagonal(1)
+    tilted, scattered = segments.phased(tip=4.0), segments.phased(np.linspace(0.0, 2.0 * np.pi, 7)[:6])
+    assert Opening(0.3).likely_strehl == Opening(stop=segments).likely_strehl == 1.0
+    assert Opening(stop=scattered).likely_strehl == pytest.approx(1.0 / 6.0)
+    assert Opening(stop=tilted).likely_strehl < 0.7
+
+
 def covered(opening, side):
     at = cell_centers(side)
     return opening.coverage(at[None, :], at[:, None], 1.0 / side)

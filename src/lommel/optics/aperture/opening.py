@@ -11,7 +11,7 @@ import math
 from bisect import bisect_left
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import combinations
 from typing import NamedTuple, cast
 
@@ -63,7 +63,7 @@ _B = np.geomspace(1e-3, 4.0, 192)
 
 
 def degree_needed(
-    terms: Iterable[tuple[int, float]],
+    terms: Iterable[tuple[int, float | Array]],
     v: float,
     light: Apodization,
     error: float,
@@ -82,9 +82,10 @@ def degree_needed(
 
     Parameters
     ----------
-    terms : iterable of (int, float)
+    terms : iterable of (int, float or ndarray)
         Degree n_j and amplitude W_j in radians of each Zernike term; for a cosine and a sine together, the amplitude
-        is the root of the sum of squares.
+        is the root of the sum of squares. Arrays of equal shape have the amplitudes of several wavefronts; the degree
+        suffices for all of them.
     v : float
         Largest abs(v) of the image.
     light : Apodization
@@ -111,9 +112,13 @@ def degree_needed(
     growth = v * np.sinh(_B) + power * light.growth(radius**2 * (1.0 + np.cosh(2.0 * _B)) - 1.0)
     if not isinstance(terms, Iterable):
         raise TypeError(f"terms must be pairs (n, amplitude), got {validation.shown(terms)}")
+    sizes: dict[int, float | Array] = {}
     for n, amplitude in terms:
+        sizes[n] = sizes.get(n, 0.0) + amplitude
+    if sizes:
         with np.errstate(over="ignore"):  # phases so large that no degree suffices
-            growth = growth + amplitude * np.sinh(np.minimum(n * _B, 700.0))
+            each = np.stack([np.ravel(size) for size in sizes.values()], axis=-1)
+            growth = growth + (each @ np.sinh(np.minimum(np.multiply.outer(list(sizes), _B), 700.0))).max(axis=0)
 
     def suffices(degree: int) -> bool:
         # Sum of (n + 1)^(3/2) exp(-n b) from degree + 1 on: a geometric series with this ratio bounds it.
@@ -201,6 +206,17 @@ class Opening:
     def phases(self) -> Array:
         """Phase of each region extrapolated to the axis, and its slopes along x and y; radians, (regions, 3)."""
         return self.stop.phases if isinstance(self.stop, Segments) else np.zeros((1, 3))
+
+    @cached_property
+    def likely_strehl(self) -> float:
+        """Estimate of the Strehl ratio that the phases of segments leave."""
+        if not isinstance(self.stop, Segments):
+            return 1.0
+        count = len(self.stop.shapes)
+        # Beside the light in phase, segments out of phase add their intensities; tilts move light away from the axis.
+        in_phase = float(abs(np.exp(1j * np.array(self.stop.piston)).mean())) ** 2 + 1.0 / count
+        tilts = float(np.hypot(self.stop.tip, self.stop.tilt).mean()) / math.sqrt(count)
+        return min(1.0, in_phase) / (1.0 + 0.25 * tilts**2)
 
     def phase(self, x: Array, y: Array) -> Array | float:
         """Return the phase of the segments at points (`x`, `y`), radians; 0 without segments."""

@@ -538,11 +538,15 @@ class Wavefront(EqualByContent, display.Shown):
 
     def amplitudes(self) -> dict[Term, float]:
         """Return amplitudes ``sqrt(cosine^2 + sine^2)`` of nonzero terms by (n, abs(m)); the largest in a stack."""
+        return {term: float(size.max()) for term, size in self.each_amplitude().items() if size.any()}
+
+    def each_amplitude(self) -> dict[Term, Array]:
+        """Return :meth:`amplitudes` of each wavefront of a stack, those of terms that are zero included."""
         sizes: dict[Term, Array] = {}
         for (n, m), c in self.edge_terms().items():
             # a cos(m theta) + b sin(m theta) has the amplitude sqrt(a^2 + b^2).
             sizes[n, abs(m)] = np.hypot(sizes.get((n, abs(m)), 0.0), c)
-        return {term: float(size.max()) for term, size in sizes.items() if size.any()}
+        return sizes
 
     @cached_property
     def flat(self) -> bool:

@@ -57,6 +57,17 @@ def test_the_bayes_factor_is_that_of_integrals_over_sizes():
     assert found == pytest.approx(np.log(each[0] / each[1]), rel=1e-6)
 
 
+@pytest.mark.parametrize("size", [0.4, 0.1, -0.1, -0.4])
+def test_an_effect_that_cannot_be_negative_has_half_the_prior(size):
+    one = Candidate("one", (3,), 0.3, positive=True)
+    (test,), _ = simulated(np.array([1.0, -2.0, 0.5, size, 0, 0, 0, 0, 0]), candidates=[one])
+    s = np.linspace(0.0, 4.0, 200001)
+    likelihood = np.exp(-0.5 * ((s - test.size[0]) ** 2 - test.size[0] ** 2) / test.errors[0] ** 2)
+    factor = np.trapezoid(likelihood * 2.0 * np.exp(-0.5 * (s / 0.3) ** 2) / (0.3 * np.sqrt(2 * np.pi)), s)
+    assert test.log_bayes == pytest.approx(np.log(factor), rel=1e-4)
+    assert bool(seen([test])) == (size == 0.4)
+
+
 def test_of_what_is_not_there_nothing_is_seen():
     alarms = sum(bool(seen(simulated(np.array([1.0, -2.0, 0.5, 0, 0, 0, 0, 0, 0]), seed)[0])) for seed in range(400))
     assert alarms <= 2

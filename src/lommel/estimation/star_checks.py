@@ -290,7 +290,10 @@ def candidates_of(effects: Sequence[MissingEffect], first_column: int) -> list[C
     """Return candidates of score tests for effects, whose coefficients have the columns from `first_column` on."""
     ends = itertools.accumulate((len(effect.images) for effect in effects), initial=first_column)
     columns = (tuple(range(*pair)) for pair in itertools.pairwise(ends))
-    return [Candidate(effect.name, indices, effect.scale) for effect, indices in zip(effects, columns, strict=True)]
+    return [
+        Candidate(effect.name, indices, effect.scale, positive=effect.name in _TRAILS.values())
+        for effect, indices in zip(effects, columns, strict=True)
+    ]
 
 
 def to_marginalize(

@@ -8,7 +8,8 @@ covariance ``S^-1`` (C. R. Rao, doi:10.1017/S0305004100023987).
 The Bayes factor compares two priors of c: N(0, tau^2) if the effect is present, and N(0, sigma^2) in the model, where
 sigma is 0 for effects that the model lacks. It is the ratio of the densities of ``S^-1 V`` under N(0, tau^2 + S^-1)
 and N(0, sigma^2 + S^-1). A larger tau reduces the density at small estimates, and so the Bayes factor of weak
-effects.
+effects. If c cannot be negative, the prior is the positive half of N(0, tau^2), which multiplies the factor by
+``2 Phi(m / s)``: m and s are mean and standard deviation of c given the data, and Phi is the normal distribution.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ class Candidate:
     `columns` are the indices of its coefficients in the information matrix, and `scale` is their prior standard
     deviation tau. For an estimated parameter, `known` is the standard deviation sigma of the prior that the
     information matrix and the slope include, and `offset` is the estimate minus the mean of this prior, for each
-    column.
+    column. A `positive` effect has one coefficient, which cannot be negative.
     """
 
     name: str
@@ -50,6 +51,7 @@ class Candidate:
     scale: float
     known: float = 0.0
     offset: float | Array = 0.0
+    positive: bool = False
 
     def widened(self, information: Array, slope: Array) -> tuple[Array, Array]:
         """Return information and slope after the prior's standard deviation changes from `known` to `scale`."""
@@ -137,6 +139,10 @@ def _tested_together(
     size = (variance @ gradient[chosen, :, None])[..., 0] + offset[chosen]
     errors = np.sqrt(variance.diagonal(axis1=1, axis2=2))
     distances, log_bayes = _distances_and_factors(size, variance, known, scale)
+    positive = np.array([candidates[k].positive for k in chosen.tolist()], dtype=bool)
+    if positive.any():
+        ratio = size[:, 0] / errors[:, 0] / np.sqrt(1.0 + (errors[:, 0] / scale) ** 2)
+        log_bayes = log_bayes + positive * (math.log(2.0) + scipy.special.log_ndtr(ratio))
     if size.shape[1] == 1:
         sigmas = np.copysign(np.sqrt(distances), size[:, 0])
     else:

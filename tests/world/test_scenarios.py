@@ -23,6 +23,13 @@ def test_a_result_is_right_or_told(scenario):
     assert judge(scenario, [run]).faults == [], run.text
 
 
+@pytest.mark.parametrize("row", ["24n", "49c", "51e", "52c"])
+def test_a_verdict_has_at_most_twelve_lines(row):
+    printed = repr(next(one for one in SCENARIOS if one.row == row).run(0).result)
+    assert sum(1 + len(one) // 100 for one in printed.splitlines()) <= 12
+    assert printed.startswith("<")
+
+
 def answer(*findings, z=0.0, **more):
     return Trial(SimpleNamespace(findings=Findings(findings), message=""), np.array([z]), **more)
 

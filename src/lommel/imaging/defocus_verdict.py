@@ -73,7 +73,7 @@ _UNTESTED = (
 _NEWTON_STEPS = 5  # number of Newton steps to the minimum of an energy
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class DefocusVerdict(FitReport):
     """Test of frames that differ in focus against their stated lenses and noise.
 

@@ -124,7 +124,7 @@ class OPDMap:
         return f"<OPDMap {', '.join([size, f'{percent(self.mask.mean(), 1)} measured', *lengths])}>"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class WavefrontFit(Judged):
     """A wavefront fitted to measurements, and its residual.
 
@@ -152,6 +152,8 @@ class WavefrontFit(Judged):
         Unit of `piston`, `rms`, `peak_to_valley` and `residual`.
     findings : Findings
         Findings on the residual, from which `status`, `converged` and `reliable` follow.
+    message : str
+        The verdict in words, with the rms of the residual (the largest of a stack).
     """
 
     wavefront: Wavefront
@@ -163,6 +165,14 @@ class WavefrontFit(Judged):
     condition: float
     unit: str
     findings: Findings
+
+    @property
+    def message(self) -> str:
+        """The verdict in words, with the rms of the residual (the largest of a stack)."""
+        return self._message(f"the residual is {np.max(self.rms):.3g} {self.unit} rms")
+
+    def __repr__(self) -> str:
+        return f"<WavefrontFit: {self.message}>"
 
 
 def fit_opd(

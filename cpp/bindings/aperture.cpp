@@ -1,8 +1,10 @@
 // Apertures of ellipses and polygons: quadrature along their rows, and images.
 #include <nanobind/stl/vector.h>
 
+#include <numeric>
 #include <vector>
 
+#include "lommel/aperture/moments.hpp"
 #include "lommel/aperture/row_images.hpp"
 
 #include "pupils.hpp"
@@ -83,6 +85,34 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
     });
 }
 
+void require_basis(std::size_t degree) { require(degree <= 2000, "degree must be 2000 at most"); }
+
+Out<complex, 2> moments(std::size_t degree, In<double, 1> y, In<std::int64_t, 1> counts, In<double, 1> t,
+                        In<complex, 1> weights) {
+    require_basis(degree);
+    require(y.size() == counts.size() && t.size() == weights.size(), "one count a row, and one weight a node");
+    const auto nonnegative = [](std::int64_t count) { return count >= 0; };
+    require(std::all_of(counts.data(), counts.data() + counts.size(), nonnegative) &&
+                std::accumulate(counts.data(), counts.data() + counts.size(), std::int64_t{0}) ==
+                    static_cast<std::int64_t>(t.size()),
+            "counts must sum to the number of nodes");
+    auto made = new_array<complex, 2>({degree + 1, degree + 1});
+    std::fill_n(made.data(), made.size(), complex(0.0));
+    released(
+        [&] { lommel::DiskBasis(degree).moments(y.data(), counts.data(), y.size(), t.data(), weights.data(), made.data()); });
+    return made;
+}
+
+Out<complex, 2> moment_values(std::size_t degree, In<complex, 2> moments, In<double, 1> y, In<double, 1> t) {
+    require_basis(degree);
+    require(moments.shape(0) > degree && moments.shape(1) > degree, "moments up to the degree");
+    auto made = new_array<complex, 2>({y.size(), t.size()});
+    released([&] {
+        lommel::DiskBasis(degree).values(moments.data(), moments.shape(1), y.data(), y.size(), t.data(), t.size(), made.data());
+    });
+    return made;
+}
+
 }  // namespace
 
 void bindings::define_aperture(nb::module_& m) {
@@ -96,4 +126,8 @@ void bindings::define_aperture(nb::module_& m) {
     m.def("row_images", &images, "rules"_a, "phases"_a, "stack"_a, "window"_a, "precision"_a, "threads"_a,
           "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "losses"_a.noconvert(),
           "Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.");
+    m.def("moments", &moments, "degree"_a, "y"_a, "counts"_a, "t"_a, "weights"_a,
+          "Sums of an orthonormal basis of the unit disc, [k][m], over nodes in rows at y, at x = t sqrt(1 - y^2).");
+    m.def("moment_values", &moment_values, "degree"_a, "moments"_a, "y"_a, "t"_a,
+          "Sums over the basis times moments at the points (t sqrt(1 - y^2), y), shape (rows, nodes).");
 }

@@ -142,6 +142,16 @@ def row_images(rules: Sequence[RowRule], phases: Annotated[NDArray[numpy.float64
     Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.
     """
 
+def moments(degree: int, y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], counts: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.complex128], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')]:
+    """
+    Sums of an orthonormal basis of the unit disc, [k][m], over nodes in rows at y, at x = t sqrt(1 - y^2).
+    """
+
+def moment_values(degree: int, moments: Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu', writable=False)], y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')]:
+    """
+    Sums over the basis times moments at the points (t sqrt(1 - y^2), y), shape (rows, nodes).
+    """
+
 @overload
 def chordal_images(stack: tuple[Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], float, Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]], window: tuple[tuple[int, int], tuple[float, float] | Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], float], request: tuple[float, int, float], images: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], numbers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float: ...
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.core import engine
 from lommel.methods import nonuniform_fft
 from lommel.special import zernike
 
@@ -17,6 +18,25 @@ APERTURES = {
     "segments": {"stop": SEGMENTS.phased(np.linspace(-1.0, 1.0, 18), 0.7, np.linspace(-2.0, 3.0, 18))},
     "Gaussian": {"vignetting": lm.CatEye((0.3, 0.2)), "apodization": 1.0},
 }
+
+
+@pytest.mark.parametrize("degree", [0, 5, 61])
+def test_polynomials_have_the_moments_of_which_they_are_made(degree):
+    """Values of an expansion at the nodes of a rule of twice the degree have its coefficients as moments."""
+    rng, disc = np.random.default_rng(degree), nonuniform_fft.nodes(degree + 2)
+    k, m = np.mgrid[: degree + 1, : degree + 1]
+    given = np.where(k + m <= degree, rng.normal(size=k.shape) + 1j * rng.normal(size=k.shape), 0.0)
+    values = engine.moment_values(np.pad(given, (0, 3)), degree, disc.y, disc.t)
+    weights = (math.pi * disc.weight * values).ravel()
+    counts, t = np.full(disc.y.size, disc.t.size), np.tile(disc.t, disc.y.size)
+    np.testing.assert_allclose(engine.moments(degree, disc.y, counts, t, weights), given, atol=1e-12 * (degree + 1))
+    with pytest.raises(ValueError, match="counts must sum"):
+        engine.moments(degree, disc.y, counts - 1, t, weights)
+    # Of the whole degree in x alone, a term is a Legendre polynomial.
+    top = engine.moment_values(np.where((k == degree) & (m == 0), 1.0 + 0j, 0.0), degree, disc.y, disc.t)
+    legendre = np.polynomial.legendre.Legendre.basis(degree)(disc.t)
+    np.testing.assert_allclose(top / top[degree // 2, 0], np.outer((1.0 - disc.y**2) ** (0.5 * degree), legendre) / (
+        (1.0 - disc.y[degree // 2] ** 2) ** (0.5 * degree) * legendre[0]), atol=1e-11)  # fmt: skip
 
 
 @pytest.mark.parametrize("aperture", ["vanes", "segments"])

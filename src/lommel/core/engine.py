@@ -656,6 +656,22 @@ def row_images(
     return values, slopes, bounds
 
 
+def moments(
+    degree: int, y: Array, counts: NDArray[np.int64], t: Array, weights: NDArray[np.complex128]
+) -> NDArray[np.complex128]:
+    """Return sums of an orthonormal basis of the disc, [k, m], over nodes in rows, `counts` of them at each `y`.
+
+    The basis, k + m <= `degree`, is a Legendre polynomial of degree k in `t` = x / sqrt(1 - y^2) times
+    (1 - y^2)^(k / 2) and a Gegenbauer polynomial of degree m in y.
+    """
+    return _core.moments(degree, y, counts, t, weights)
+
+
+def moment_values(moments: NDArray[np.complex128], degree: int, y: Array, t: Array) -> NDArray[np.complex128]:
+    """Return the sum over the basis of :func:`moments` up to a `degree` times `moments`, shape (len(y), len(t))."""
+    return _core.moment_values(degree, moments, y, t)
+
+
 def star_likelihood(images: Sequence[Pixels], flux: Array, star: Array, threads: int) -> tuple[Array, Array]:
     """Return the sums that Fisher scoring requires, for n star images and several sets of parameters.
 

@@ -13,7 +13,7 @@ Functions, Academic Press (1975), 435.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import NamedTuple
@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
+from lommel.core import engine
 from lommel.core.answers import Declined, Intensities, Pixels, Samples, Slopes, Wanted, not_met
 from lommel.core.engine import DiskStack, Window, aperture_averages, aperture_images, row_images
 from lommel.methods.averaging import averaged_images
@@ -70,7 +71,7 @@ def moment_rule_is_faster(
     # transforms of rows.
     _, rounded_degree, power = _round_up_degrees(degree, rule_degree, error)
     nodes_in_rows = _count_nodes(pupil.opening, rounded_degree, power)
-    rule = _RULE_COST * (2.7 * rows**2 + 0.012 * nodes_in_rows * rows)
+    rule = _RULE_COST * (0.5 * rows**2 + 0.0025 * nodes_in_rows * rows)
     batch = 1e-3 * (rows**2 * (6.0 + 0.6 * height) + (0.2 * rows + 18.0) * width * height)
     sums = 700.0 + batch * (1.0 + count * fields / 12)
     transforms = 0.028 * count * ((fields + 0.3) * nodes_in_rows + fields * (0.8 * height * width + 1700.0))
@@ -157,10 +158,7 @@ def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) ->
     moments, edge_error = _moments(opening, _MOMENT_STEP * math.ceil(degree / _MOMENT_STEP), rule_degree, power)
     # Values of g = sum L(phi) phi at the nodes, times the weights of the disc rule (of sum 1) and the disc area pi.
     disc = nodes(degree + 2)
-    values = np.zeros((degree + 1, disc.y.size), dtype=np.complex128)
-    for m, part in enumerate(_gegenbauer(degree, disc.y)):
-        values[: len(part)] += part * moments[: len(part), m, None]
-    weight = np.ascontiguousarray(values.T @ np.array(list(_legendre(degree, disc.t))) * (math.pi * disc.weight))
+    weight = engine.moment_values(moments, degree, disc.y, disc.t) * (math.pi * disc.weight)
     weight.flags.writeable = False
     return MomentRule(weight, float(np.abs(weight).sum()), edge_error)
 
@@ -169,49 +167,19 @@ def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) ->
 def _moments(opening: Opening, degree: int, rule_degree: int, power: int) -> tuple[Complexes, float]:
     """Return L(phi) of the basis up to a `degree`, [k, m], and the error of U due to rounding of the edges."""
     rules = opening.rows(rule_degree, 10.0**power)
-    counts = [rule.nodes.shape[1] for rule in rules]
     x, y, weight = np.concatenate([rule.nodes for rule in rules], axis=1)
-    phases = np.array(opening.phases)
+    phases, regions = (
+        np.array(opening.phases),
+        np.repeat(np.arange(len(rules)), [rule.nodes.shape[1] for rule in rules]),
+    )
     # Whole turns are removed exactly, since cosines of large angles lose digits.
     phases[:, 0] = [math.remainder(piston, 2.0 * math.pi) for piston in phases[:, 0]]
-    piston, tip, tilt = np.repeat(phases, counts, axis=0).T
-    # Sums with Legendre polynomials along each row, then with Gegenbauer polynomials of y.
-    starts = np.flatnonzero(
-        (np.diff(y, prepend=np.nan) != 0.0) | (np.diff(np.repeat(range(len(rules)), counts), prepend=-1) != 0)
-    )
+    piston, tip, tilt = phases.T[:, regions]
     phased = weight * np.exp(1j * (piston + tip * x + tilt * y))
     t = np.clip(x / np.sqrt((1.0 - y) * (1.0 + y)), -1.0, 1.0)
-    sums = np.array([np.add.reduceat(phased * part, starts) for part in _legendre(degree, t)])
-    moments = np.zeros((degree + 1, degree + 1), dtype=np.complex128)
-    for m, part in enumerate(_gegenbauer(degree, y[starts])):
-        moments[: len(part), m] = np.einsum("kr,kr->k", part, sums[: len(part)])
+    starts = np.flatnonzero(np.diff(y, prepend=np.nan) + np.diff(regions, prepend=0))
+    moments = engine.moments(degree, y[starts], np.diff(starts, append=y.size), t, phased)
     return moments, sum(rule.lost for rule in rules)
-
-
-def _legendre(degree: int, x: Array) -> Iterator[Array]:
-    """Yield the orthonormal Legendre polynomials on [-1, 1], of degrees 0 to `degree`, at `x`."""
-    previous, current = np.zeros_like(x), np.ones_like(x)
-    for k in range(degree + 1):
-        yield math.sqrt(k + 0.5) * current
-        previous, current = current, ((2 * k + 1) * x * current - k * previous) / (k + 1)
-
-
-def _gegenbauer(degree: int, y: Array) -> Iterator[Array]:
-    """Yield the y factors of the basis for degrees m = 0, 1, ..., each as an array [k, y] for k <= ``degree - m``."""
-    # (1 - y^2)^(k / 2) times polynomials of degree m, orthonormal with the weight (1 - y^2)^(k + 1/2).
-    k = np.arange(degree + 1.0)[:, None]
-    area = np.cumprod(np.concatenate([[0.5 * math.pi], (k[1:, 0] + 0.5) / (k[1:, 0] + 1.0)]))
-    end = np.sqrt((1.0 - y) * (1.0 + y))
-    current = end**k / np.sqrt(area)[:, None]
-    # Off-diagonal coefficients of the orthonormal Gegenbauer recurrence, for each k.
-    correction: Array | float = 0.0
-    for m in range(degree + 1):
-        yield current
-        count = degree - m
-        k = k[:count]
-        beta = np.sqrt((m + 1.0) * (m + 2.0 * k + 2.0) / (4.0 * (m + k + 2.0) * (m + k + 1.0)))
-        previous, current = current, (y * current[:count] - correction) / beta
-        correction = beta[: count - 1] * previous[: count - 1]
 
 
 def _moment_images(
@@ -309,7 +277,7 @@ def _transposed_back(images: Samples, signs: Array, out: Pixels | None) -> Sampl
 def _nodes_are_faster(count: int, rows: float, sums: float, window: Window) -> bool:
     """Return whether sums over nodes take less time than filtering samples, with a rule shared by several stacks."""
     samples = _SAMPLE_COST * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
-    return 2.4e-5 * _RULE_COST * rows**3 < _STEPS * count * (samples - sums)
+    return 8e-6 * _RULE_COST * rows**3 < _STEPS * count * (samples - sums)
 
 
 def exchange_axes(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:

@@ -275,7 +275,7 @@ class Grid(EqualByContent):
     def paint(self, values: Array, scale: Array, out: NDArray[np.float32] | Array, threads: int = 0) -> None:
         """Write images times `scale` to `out`; `values` are images, or at the distinct radii ``(n, radii)``."""
         if values.ndim == 3:
-            out[:] = values * scale[:, None, None]
+            np.multiply(values, scale[:, None, None], out=out, casting="same_kind")
         else:
             engine.scatter(np.ascontiguousarray(values), scale, threads, out)
 

@@ -152,6 +152,8 @@ def write_files(place: Path) -> None:
     photo.save("photo.png")
     for name in ("photo", "raw"):
         photo.save(f"{name}.tif")
+    star = np.exp(-0.5 * (np.arange(-8.0, 9.0) / 1.5) ** 2)
+    Image.fromarray((200.0 * star[:, None] * star).astype(np.uint8)).save("star.tif")
     distance = np.where(x < 32, 1.9, 2.1)
     tifffile.imwrite("depth.tif", distance.astype(np.float32))
     Image.fromarray((1e3 * distance).astype(np.uint16)).save("depth.png")

@@ -652,14 +652,16 @@ class PSF(Measured, PSFLike, display.Shown):
         diameter: float | None = None,
         background: float | None = None,
     ) -> MeasuredPSF:
-        """Return a measured PSF, for the deconvolution of stacks: the mean of beads, or a PSF of another program.
+        """Return a measured PSF, for deconvolution and deblurring: of beads, a point, or another program.
 
         Parameters
         ----------
-        array : path, array_like or Frames, shape (planes, height, width)
-            Stack of one bead, or of a field in which isolated beads are found, as recorded; or a PSF.
+        array : path, array_like or Frames, shape (planes, height, width) or (height, width)
+            Stack of one bead, or of a field in which isolated beads are found, as recorded; or a PSF. For photographs
+            the image of one point of light, such as a star, in linear light.
         pixel, step : float, optional
-            Pixel in the sample and step between planes, metres; by default those of the file.
+            Pixel in the sample and step between planes, metres; by default those of the file. For photographs the
+            pixel pitch.
         microscope : Microscope, optional
             Microscope of the beads: its objective states the light of each plane, and the place of the point.
         diameter : float, optional
@@ -684,7 +686,8 @@ class PSF(Measured, PSFLike, display.Shown):
         point through the objective; without an objective it is the median of the outer pixels of the planes in focus.
         Beads are shifted to their mean by least squares, and averaged. A Wiener filter by the power in rings of equal
         frequencies along z and across removes what is outside of the pass band, negative values are set to 0, and the
-        sum is 1. The point is where the PSF of the objective fits best, or at the peak. There is no error bound.
+        sum is 1. The point is where the PSF of the objective fits best, or at the peak, that of an image in its
+        centroid. There is no error bound.
 
         Examples
         --------

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import tifffile
 from PIL import Image
+from scipy.ndimage import convolve
 
 import lommel as lm
 from lommel.base.encoding import from_light
@@ -120,7 +121,7 @@ def test_one_distance_is_stated_or_estimated(call_lommel, folder):
     facts = json.loads(ran(call_lommel(*arguments, "--at", "2.2m", folder=folder)))
     same = restore(photo, 2.2, OPTICS, 8e-6, encoding="linear", noise=NOISE)
     np.testing.assert_array_equal(tifffile.imread(folder / "sharp.tif"), same.values)
-    assert (facts["method"], facts["stopped"]) == ("blend", "one pass")
+    assert (facts["method"], facts["stopped"]) == ("default", "one pass")
     unknown = json.loads(ran(call_lommel(*arguments, "--at", "unknown", folder=folder)))
     errors = np.abs(np.array(unknown["distances"]) - 2.2) / unknown["distance_errors"]
     assert errors.min() < 3.0
@@ -151,3 +152,28 @@ def test_a_field_is_undone_by_its_table(call_lommel, folder):
     assert np.std((sharp - scene)[inner]) < 0.75 * np.std((photo - scene)[inner])
     both = call_lommel(*arguments, "--field", "field.csv", "--at", "2m", folder=folder)
     assert "--at cannot be combined with --field" in both.stderr
+
+
+def test_a_measured_psf_needs_no_lens(call_lommel, folder):
+    rng = np.random.default_rng(7)
+    window = np.outer(np.hanning(9)[1:-1], np.hanning(13)[1:-1])
+    scene = rng.uniform(0.05, 0.8, (18, 18)).repeat(4, axis=0).repeat(4, axis=1)
+    photo = NOISE.record(5000.0 * convolve(scene, window / window.sum(), mode="reflect"), seed=1).astype(np.float32)
+    tifffile.imwrite(folder / "grey.tif", photo)
+    star = np.pad(0.5 * window, ((12, 12), (10, 10)))
+    tifffile.imwrite(folder / "star.tif", star.astype(np.float32))
+    arguments = ("restore", "grey.tif", *GIVEN, "--psf", "star.tif", "-o", "sharp.tif")
+    facts = json.loads(ran(call_lommel(*arguments, "--json", folder=folder)))
+    assert (facts["stopped"], "focal_length" in facts) == ("one pass", False)
+    inner, sharp = np.s_[6:-6, 6:-6], tifffile.imread(folder / "sharp.tif")
+    assert np.std((sharp - scene)[inner]) < 0.75 * np.std((photo - scene)[inner])
+    Image.fromarray((255 * star / star.max()).astype(np.uint8)).save(folder / "full.png")
+    for more, message in (
+        (("--at", "2m"), "--at cannot be combined with --psf"),
+        (("--focus", "2m"), "--focus cannot be combined with --psf"),
+    ):
+        assert message in call_lommel(*arguments, *more, folder=folder).stderr
+    given = "restore", "grey.tif", "lens.toml", *GIVEN, "--psf", "star.tif", "-o", "a.tif"
+    assert "a lens cannot be combined with --psf" in call_lommel(*given, folder=folder).stderr
+    given = "restore", "grey.tif", *GIVEN, "--psf", "full.png", "-o", "a.tif"
+    assert "--psf must not be saturated" in call_lommel(*given, folder=folder).stderr

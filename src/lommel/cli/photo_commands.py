@@ -38,7 +38,9 @@ from lommel.imaging.settings import channel_spectra
 from lommel.io import photos as photo_files
 from lommel.io.depth_maps import fill_missing
 from lommel.io.registry import suffixes
+from lommel.measures.measured_psf import MeasuredPSF
 from lommel.optics.lens import Lens
+from lommel.psf import PSF
 from lommel.recorded.noise import Noise
 from lommel.report import Facts, Report, Wrapped, finite
 from lommel.report.table import described, records_of, told
@@ -49,6 +51,7 @@ if TYPE_CHECKING:
     from lommel.imaging.photograph import Pixels
     from lommel.lensfiles.instrument import Instrument
 
+_UNIT_PIXEL = 1e-6  # pitch of the pixels of a measured PSF, metres: only the ratio to that of the photo matters
 _READ = 3.0  # default read noise, rms electrons, without a camera
 _ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
 
@@ -326,6 +329,7 @@ def restore(
     output: Annotated[Path, OUTPUT],
     at: Annotated[float | str | None, AT] = None,
     field: Annotated[Path | None, Shown(metavar="FILE")] = None,
+    psf: Annotated[Path | None, Shown(metavar="FILE")] = None,
     encoding: Annotated[Encoding | None, ENCODING] = None,
     algorithm: Annotated[Literal["blend", "richardson-lucy", "total-variation", "one-pass"] | None, METHOD] = None,
     restoring: imaging.RestoreOptions = imaging.RestoreOptions(),
@@ -359,6 +363,9 @@ def restore(
     field
         Aberrations over the field in place of DEPTH: a table as written by lommel fit-field (.csv), or a lens file
         with a section [field]. The axis is in the middle of the photo.
+    psf
+        Measured PSF in place of DEPTH and LENS: the photo of one point of light, such as a star or a pinhole, by the
+        same camera, focus and distance, with the channels of PHOTO or grey; not saturated.
     algorithm
         Blend mixes Wiener filters and total variation for one distance, and is the default there. For depth maps,
         Richardson-Lucy, the default, maximises the likelihood; total variation also preserves edges, but is ten to
@@ -371,20 +378,23 @@ def restore(
       lommel restore photo.tif phone.toml --focus 2m --at 1.5m --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif phone.toml --focus 2m --at unknown --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif phone.toml --field field.csv --white 5000 --read 3 -o sharp.tif
+      lommel restore photo.tif --psf star.tif --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     photo_files.find(output, "--output")
     with Stop().signals(), progress("reading") as status:
-        if at is not None and field is not None:
-            raise ValueError("--at cannot be combined with --field, which states the defocus")
-        if at is not None or field is not None:
-            if lens is not None:
-                raise ValueError(f"DEPTH cannot be combined with --{'field' if at is None else 'at'}")
+        states = {"--at": at, "--field": field, "--psf": psf}
+        stated = [flag for flag, value in states.items() if value is not None]
+        if len(stated) > 1:
+            raise ValueError(f"{stated[0]} cannot be combined with {stated[1]}, which states the blur")
+        if stated:
+            if lens is not None or (psf is not None and depth is not None):
+                raise ValueError(f"{'DEPTH' if psf is None else 'a lens'} cannot be combined with {stated[0]}")
             depth, lens = None, depth
         elif depth is None:
             raise ValueError("give a depth map DEPTH, or --at, the distance of the whole scene (or unknown)")
-        job = Job((photo, depth, lens), output, encoding, camera_options, depth_map)
+        job = Job((photo, depth, lens), output, encoding, camera_options, depth_map, needs_lens=psf is None)
         values = job.photograph.values
         (values,) = apply_mask([values], noise_options.mask)
         status("computing PSFs")
@@ -395,10 +405,14 @@ def restore(
             status(f"step {step}, discrepancy {discrepancy:.3g}", elapsed / max(elapsed + remaining, 1e-9))
 
         chosen = replace(restoring, method=_METHODS[algorithm]() if algorithm else None)
-        place: tuple[Any, ...] = job.filled_depth if at is None else at, job.lens, job.pixel
-        if field is not None:
+        place: tuple[Any, ...]
+        if psf is not None:
+            place = None, _measured_psfs(psf, encoding), None
+        elif field is not None:
             place = None, _field_blur(field, job), None
             chosen = replace(chosen, saturation=chosen.saturation or 1.0)
+        else:
+            place = job.filled_depth if at is None else at, job.lens, job.pixel
         result = imaging.restore(
             values,
             *place,
@@ -412,6 +426,16 @@ def restore(
     facts = {"seconds": seconds, "method": algorithm or "default"} | result.to_dict() | {"clipped": clipped}
     findings = [Wrapped(with_options(found.text)) for found in result.findings.printed]
     return job.report(facts) + Report({}, findings, result.converged)
+
+
+def _measured_psfs(path: Path, encoding: Encoding | None) -> list[MeasuredPSF]:
+    """Return the PSFs of the channels of the photo of a point, in units of pixels."""
+    photograph = imaging.read_photo(path, encoding)
+    light = photograph.light()
+    if (full := float(light.max())) >= 1.0 and photograph.values.dtype.kind == "u":
+        raise ValueError(f"--psf must not be saturated, got {path.name} with pixels at {full:g} of white")
+    planes = np.moveaxis(light.reshape(*light.shape[:2], -1), 2, 0)
+    return [PSF.measured(plane, _UNIT_PIXEL) for plane in planes]
 
 
 def _field_blur(path: Path, job: Job) -> imaging.FieldBlur:
@@ -460,8 +484,9 @@ class Job:
         stated: PhotoCamera,
         depth_map: imaging.DepthMapOptions,
         points: int = 1,
+        needs_lens: bool = True,
     ) -> None:
-        """Read the files, of which a depth map may be missing.
+        """Read the files, of which a depth map may be missing, and the lens unless it is not needed.
 
         `points` is the number of points of the photo along each side of a pixel of the result.
         """
@@ -473,11 +498,14 @@ class Job:
         if depth is not None:
             self._depth = imaging.read_depth(depth, shape=shape, options=replace(depth_map, missing=None))
         self.filled_depth = fill_missing(self._depth, depth_map.missing)
-        if lens is not None:
+        self._has_lens, self.camera = needs_lens, stated.camera
+        if not needs_lens:
+            _refuse({"f_number", "focus_distance", "pixel"} & given_flags().keys(), "cannot be combined with --psf")
+        elif lens is not None:
             instrument = radial_instrument(lens, **vars(stated))
             self.lens, self.pixel, self.camera = instrument.lens, instrument.side, instrument.camera
         else:
-            self.lens, self.camera = self._lens_of_exif(stated.f_number), stated.camera
+            self.lens = self._lens_of_exif(stated.f_number)
             pixel = stated.pixel or (None if stated.camera is None else stated.camera.side)
             if pixel is None:
                 raise ValueError("without a lens file give --camera or --pixel")
@@ -485,7 +513,8 @@ class Job:
                 raise ValueError("without a lens file give --focus")
             self.lens = self.lens.focused(stated.focus_distance)
             self.pixel = pixel
-        tell_optics(self._photo.name, self.photograph.exif, self.pixel / points, self.lens)
+        if needs_lens:
+            tell_optics(self._photo.name, self.photograph.exif, self.pixel / points, self.lens)
         self._points = points
         self._dtype, self._stored_as = output_type(self.photograph, output)
         photo_files.find(output, "--output", holding=f"of {self._dtype}")
@@ -508,18 +537,21 @@ class Job:
 
     def report(self, facts: Facts) -> Report:
         """Return the report: facts of the command, after those common to all commands."""
-        photograph, lens = self.photograph, self.lens
+        photograph = self.photograph
         height, width, *channels = photograph.values.shape
-        common = {
+        common: Facts = {
             "shape": [height // self._points, width // self._points, *channels],
             "encoding": _encodings(photograph, self._stored_as),
             "read": _read_as(photograph),
             "bits": "float" if self._dtype.kind == "f" else str(8 * self._dtype.itemsize),
-            "focal_length": lens.focal_length,
-            "f_number": lens.f_number,
-            "focus_distance": finite(lens.focus_distance),
-            "pixel": self.pixel,
         }
+        if self._has_lens:
+            common |= {
+                "focal_length": self.lens.focal_length,
+                "f_number": self.lens.f_number,
+                "focus_distance": finite(self.lens.focus_distance),
+                "pixel": self.pixel,
+            }
         depth = depth_facts(self._depth) if self._depth.size else {}
         return told(common | depth | facts) + written([self._output])
 

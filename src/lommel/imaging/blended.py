@@ -38,6 +38,7 @@ from lommel.deconvolve.linear import LinearBlur, copies
 from lommel.estimation.focal_model import Spectrum, pupil_curve
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum, cosine_axes
 from lommel.imaging.field_blur import FieldBlur
+from lommel.imaging.measured_blur import MeasuredBlur
 from lommel.imaging.one_pass import fill_unknown
 from lommel.optics.pupil import Pupil
 
@@ -119,7 +120,8 @@ class Blend:
             tiles = _tiles(blur.shape, _TILE, _OVERLAP)
             problem_of: Callable[[_Tile], _Problem] = partial(_Problem.uniform, photo, blur)
         elif uniform_over_field(blur):
-            tiles = _tiles(blur.shape, _FIELD_TILE, _FIELD_TILE, beyond=_FIELD_TILE // 2)
+            stride, overlap = (_TILE, _OVERLAP) if isinstance(blur, MeasuredBlur) else (_FIELD_TILE, _FIELD_TILE)
+            tiles = _tiles(blur.shape, stride, overlap, beyond=_FIELD_TILE // 2)
             problem_of = partial(_FieldProblem.at_centre, photo, blur)
         else:
             raise ValueError(
@@ -149,9 +151,9 @@ class Blend:
         )  # fmt: skip
 
 
-def uniform_over_field(blur: LinearBlur) -> TypeGuard[FieldBlur]:
-    """Return True for a blur that varies over the field, but not with depth."""
-    return isinstance(blur, FieldBlur) and float(np.ptp(blur.defocus)) == 0.0
+def uniform_over_field(blur: LinearBlur) -> TypeGuard[FieldBlur | MeasuredBlur]:
+    """Return True for a blur that may vary over the field, but not with depth."""
+    return isinstance(blur, MeasuredBlur) or (isinstance(blur, FieldBlur) and float(np.ptp(blur.defocus)) == 0.0)
 
 
 def _cosines(planes: Values) -> Values:
@@ -462,7 +464,7 @@ class _FieldProblem(_Problem):
     _periodic = True
 
     @classmethod
-    def at_centre(cls, photo: _Photo, blur: FieldBlur, tile: _Tile) -> Self:
+    def at_centre(cls, photo: _Photo, blur: FieldBlur | MeasuredBlur, tile: _Tile) -> Self:
         """Return the problem of a tile, with the PSF of its centre."""
         row, column = (
             min(max((start + stop) // 2, 0), side - 1)

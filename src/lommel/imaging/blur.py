@@ -202,10 +202,11 @@ def parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:
     return bank.windows, bank.halves, bank.energies
 
 
-def require_lens(lens: object, order: str) -> None:
-    """Raise TypeError unless `lens` is a Lens; the message states the `order` of the arguments."""
+def require_lens(lens: object, order: str) -> Lens:
+    """Return `lens`; TypeError unless it is a Lens: the message states the `order` of the arguments."""
     if not isinstance(lens, Lens):
         raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order of arguments is {order}")
+    return lens
 
 
 def require_depth(depth: ArrayLike) -> Array:

@@ -16,7 +16,7 @@ et al. 2008, doi:10.1109/TIP.2008.2001404). In the last term, which is small for
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal
 
@@ -44,6 +44,8 @@ from lommel.fit.findings import Finding, Findings, untested_finding
 from lommel.imaging.blended import Blend, uniform_over_field
 from lommel.imaging.blur import DepthBlur, require_lens, warn_of_depths
 from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict
+from lommel.imaging.field_blur import FieldBlur
+from lommel.imaging.measured_blur import MeasuredBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
@@ -54,6 +56,7 @@ from lommel.imaging.photograph import (
 )
 from lommel.imaging.settings import WindowOptions, channel_spectra, spectra
 from lommel.imaging.uniform_scene import DistanceEstimate, UniformScene, estimate_scene
+from lommel.measures.measured_psf import MeasuredPSF
 from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
@@ -182,7 +185,7 @@ class RestoreOptions(WindowOptions):
 def restore(
     photo: ArrayLike,
     depth: ArrayLike | Literal["unknown"] | None,
-    lens: Lens | LinearBlur,
+    lens: Lens | LinearBlur | MeasuredPSF | Sequence[MeasuredPSF],
     pixel: float | None = None,
     *,
     encoding: Encoding,
@@ -203,12 +206,13 @@ def restore(
         and masked elements of a masked array mark unknown pixels.
     depth : float, array_like of shape (height, width), "unknown" or None
         Distance of the scene, or of each point, from the lens along the axis, metres; may be infinite. "unknown"
-        estimates one distance of the whole scene from the photograph. None for a blur operator.
-    lens : Lens or LinearBlur
-        A lens with radially symmetric aberrations; or a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
-        subclass of your own, whose matrix must not have negative elements.
+        estimates one distance of the whole scene from the photograph. None for a blur operator or a PSF.
+    lens : Lens, LinearBlur or MeasuredPSF
+        A lens with radially symmetric aberrations; a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
+        subclass of your own, whose matrix must not have negative elements; or the PSF of :meth:`lommel.PSF.measured`
+        from the image of a point, or a sequence of one for each channel.
     pixel : float, optional
-        Pixel pitch, metres. Not for a blur operator.
+        Pixel pitch, metres. Not for a blur operator; by default that of a measured PSF.
     encoding : {"srgb", "linear"} or float
         Encoding of `photo` and of the result; a number states ``light = value ** number``.
     noise : Noise
@@ -247,15 +251,23 @@ def restore(
     validation.function("progress", progress, required=False)
     image, mask = validation.parted("photo", photo, "counts")
     method, uniform, estimate = o.method, None, None
-    if isinstance(lens, LinearBlur):
+    psfs = [lens] if isinstance(lens, MeasuredPSF) else lens
+    if isinstance(psfs, list | tuple) and psfs and all(isinstance(psf, MeasuredPSF) for psf in psfs):
+        require_image("photo", image.shape)
+        given_blur: LinearBlur | None = MeasuredBlur.of(image.shape, psfs, pixel)
+        usual, pixel = o.saturation, None
+    else:
+        given_blur = lens if isinstance(lens, LinearBlur) else None
+        usual = math.inf if o.saturation is None else o.saturation
+    if given_blur is not None:
         if depth is not None or pixel is not None:
-            raise ValueError("depth and pixel are for a Lens, got a blur operator, which has its own")
-        limit = full_light(image, encoding, math.inf if o.saturation is None else o.saturation)
-        light, blur = recorded(image, encoding, limit, mask), lens
+            raise ValueError("depth and pixel are for a Lens, got a PSF or blur operator, which has its own")
+        limit = full_light(image, encoding, usual)
+        light, blur = recorded(image, encoding, limit, mask), given_blur
         blur.require(light, "photo", missing=True)
         method = method or (Blend() if uniform_over_field(blur) else None)
     else:
-        require_lens(lens, "photo, depth, lens, pixel")
+        lens = require_lens(lens, "photo, depth, lens, pixel")
         if depth is None or pixel is None:
             raise ValueError("depth and pixel must be given with a Lens, both in metres, got None")
         limit = full_light(image, encoding, o.saturation)
@@ -289,7 +301,7 @@ def restore(
     result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
     if o.method is None and isinstance(method, Blend):
         if stopped == MISFIT:  # a PSF that varies within tiles is none
-            unsuited = isinstance(lens, LinearBlur)
+            unsuited = isinstance(blur, FieldBlur)
         else:
             unsuited = observed.mean(observed.discrepancies_of(result.light)) > _MAX_RINGING
         if unsuited:
@@ -315,6 +327,8 @@ def restore(
     findings = _findings(stopped, share, discrepancy, 1.0 + observed.slack, verdict is not None)
     if estimate is not None:
         findings = _distance_findings(estimate, findings)
+    if isinstance(blur, MeasuredBlur):
+        findings = [*blur.findings, *findings]
     return Restoration(
         values, restored, discrepancy, tuple(map(float, after)), before, result.steps,
         stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,

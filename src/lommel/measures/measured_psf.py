@@ -17,14 +17,14 @@ _EQUAL = 1e-3  # relative difference of voxels below which a PSF is not resample
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPSF:
-    """A measured PSF of sum 1; :meth:`lommel.PSF.measured` makes it.
+    """A measured PSF of sum 1; :meth:`lommel.PSF.measured` makes it. That of a photograph has one plane.
 
     Attributes
     ----------
     values : ndarray, shape (planes, height, width)
         Fraction of the light in each voxel. The point lies in the middle voxel, ``planes // 2`` and so on.
     pixel, step : float
-        Pixel in the sample and step between planes, metres.
+        Pixel in the sample (of a photograph: on the sensor) and step between planes, metres.
     beads : int
         Number of beads in the mean.
     findings : Findings
@@ -52,7 +52,7 @@ class MeasuredPSF:
         if max(abs(ratio - 1.0) for ratio in ratios) < _EQUAL:
             return self
         halves = [int((side // 2 + 0.49) / ratio) for side, ratio in zip(self.values.shape, ratios, strict=True)]
-        if min(halves) < _LEAST_HALF:
+        if min(halves if len(self.values) > 1 else halves[1:]) < _LEAST_HALF:
             raise ValueError(
                 f"psf must have 5 voxels or more in each direction of the recording's {format_length(pixel)} and "
                 f"{format_length(step)}, got {' x '.join(str(2 * half + 1) for half in halves)}"

@@ -67,6 +67,8 @@ def measured_psf(
     channel: int | None = None,
 ) -> MeasuredPSF:
     """Return a measured PSF, of one `channel` of a file: see :meth:`lommel.PSF.measured`."""
+    if not isinstance(array, str | PathLike | Frames) and np.ndim(array) == 2:  # an image of a point, not a stack
+        array, step = np.asarray(array)[None], pixel
     with frames_of("array", array) as frames:
         # One axis of images, of a file that calls it time or nothing, is that of the planes.
         recording = frames.as_channels(axes="ZYX" if frames.ndim == 3 and "C" not in frames.axes else None)
@@ -80,14 +82,17 @@ def measured_psf(
                 f"{name} of the PSF must be stated (--psf-{name}), metres in the sample: {recording.name} states none"
             )
         sizes[name] = validation.real(name, stated, above=0.0, most=1e-4, unit="metres")
-    if min(stack.shape) < 2 * _LEAST_HALF + 1 or not np.isfinite(stack).all():
-        raise ValueError(f"array must be finite and have 5 voxels or more in each direction, got {stack.shape}")
+    sides = stack.shape if len(stack) > 1 else stack.shape[1:]
+    if min(sides) < 2 * _LEAST_HALF + 1 or not np.isfinite(stack).all():
+        raise ValueError(f"array must be finite and have 5 voxels or more in each direction, got {sides}")
     if diameter is not None:
         validation.real("diameter", diameter, least=0.0, most=1e-5, unit="metres")
     if background is not None:
         validation.real("background", background)
     optics = None
     if microscope is not None:
+        if len(stack) == 1:
+            raise ValueError("microscope is for a stack, got the image of a point")
         objective = getattr(microscope, "objective", None)
         if not isinstance(objective, Objective):
             raise TypeError(f"microscope must be a Microscope, got {validation.shown(microscope)}")
@@ -107,7 +112,8 @@ class _Beads:
         places = [_brightest(window) for window in windows]
         # Number of planes on the nearer side of the focus of each bead.
         halves = np.array([min(plane, len(stack) - 1 - plane) for plane, _, _ in places])
-        usable = halves >= max(_NEAR_END * float(np.median(halves)), _LEAST_HALF)
+        least = _LEAST_HALF if len(stack) > 1 else 0
+        usable = halves >= max(_NEAR_END * float(np.median(halves)), least)
         if not usable.any():
             raise ValueError(
                 f"array must show a bead in focus, with two planes or more on either side; the brightest voxel is in "
@@ -130,6 +136,8 @@ class _Beads:
         """Return windows around beads, or the whole stack if it shows one, and the odd side of a PSF in pixels."""
         least = min(stack.shape[1:])
         whole = [stack], least - (least % 2 == 0)
+        if len(stack) == 1:
+            return whole
         widest = least
         if self._optics is not None:
             camera, shape = self._pixel * self._optics.objective.magnification, (len(stack) // 2 + 1, least, least)
@@ -183,8 +191,8 @@ class _Beads:
         mean = crops[lights.argmax()] / lights.max() if ideal is None else ideal
         shifts, used = np.zeros((len(crops), 3)), np.ones(len(crops), bool)
         for _ in range(_ALIGNMENTS if len(crops) > 1 else 1):
-            aligned = np.empty_like(crops)
-            for k, crop in enumerate(crops):
+            aligned = crops.copy()
+            for k, crop in enumerate(crops if len(crops) > 1 else ()):
                 shifts[k] = _registered(crop / lights[k], mean, shifts[k])
                 aligned[k] = sampled(crop, places_of(shape, shifts[k]))
             mean = aligned[used].sum(axis=0) / lights[used].sum()
@@ -193,9 +201,13 @@ class _Beads:
             used = residuals <= _UNLIKE * np.median(residuals)
         self._count("unlike the others", int((~used).sum()))
         gain, noise = _pass_band(mean)
-        gain, text = _without_ball(gain, (self._step, self._pixel, self._pixel), diameter)
-        # The point is where the PSF of the objective fits best, or at the peak.
-        shift = _summit(mean) if ideal is None else _registered(mean, ideal, np.zeros(3))
+        gain, removed = _without_ball(gain, (self._step, self._pixel, self._pixel), diameter)
+        # The point is where the PSF of the objective fits best, or at the peak; in an image, which may be out of
+        # focus, at the centroid.
+        if ideal is None:
+            shift = _summit(mean) if len(mean) > 1 else _centroid(mean)
+        else:
+            shift = _registered(mean, ideal, np.zeros(3))
         values = np.maximum(sampled(mean, places_of(shape, shift), gain), 0.0)
         values /= values.sum()
         rim, count = 1.0 - float(values[:, 1:-1, 1:-1].sum()), int(used.sum())
@@ -208,11 +220,13 @@ class _Beads:
             "beads": count, "window": shape[1], "planes": shape[0], "pixel": self._pixel, "step": self._step,
             "noise": noise, "peak": float(values.max()), "rim": rim, "diameter": diameter,
         }  # fmt: skip
+        size = f"{shape[0]} x {shape[1]} x {shape[2]} voxels of {voxel_text(self._pixel, self._step)}"
+        if len(mean) == 1:
+            size = f"{shape[1]} x {shape[2]} pixels of {format_length(self._pixel, digits=4)}"
         source = "a single image" if len(crops) == 1 else f"the mean of {count} beads"
         text = (
-            f"the PSF is {source}: {shape[0]} x {shape[1]} x {shape[2]} voxels of "
-            f"{voxel_text(self._pixel, self._step)}, noise of {percent(noise)} of its light, {percent(rim)} of it on "
-            f"the rim, {100.0 * float(values.max()):.2g} % in the brightest voxel; {text}"
+            f"the PSF is {source}: {size}, noise of {percent(noise)} of its light, {percent(rim)} of it on "
+            f"the rim, {100.0 * float(values.max()):.2g} % in the brightest voxel" + f"; {removed}" * (len(mean) > 1)
         )
         findings = [Finding("measured_psf", "note", text, numbers)]
         if self._refused:
@@ -272,6 +286,13 @@ def _summit(mean: Array) -> Array:
         low, middle, high = (smooth[tuple(peak + k * one)] for k in (-1, 0, 1))
         places[axis] += 0.5 * (low - high) / min(low - 2.0 * middle + high, -1e-300)
     return np.asarray(places)
+
+
+def _centroid(image: Array) -> Array:
+    """Return the distance of the centroid of an image of one plane from the middle pixel."""
+    light = np.maximum(image[0], 0.0)
+    sums = [light.sum(axis=1 - axis) @ (np.arange(side) - side // 2) for axis, side in enumerate(light.shape)]
+    return np.asarray(np.array([0.0, *sums]) / max(float(light.sum()), 1e-300))
 
 
 def _pass_band(mean: Array) -> tuple[Array, float]:

@@ -143,6 +143,8 @@ def _with_psfs(recording: Frames, psfs: Sequence[PSF | MeasuredPSF], stated: Sta
         names = ", ".join(recording.metadata["names"])
         raise ValueError(f"microscope must have one PSF for each channel of the stack, {names}, got {len(psfs)}")
     if measured:
+        if min(len(psf.values) for psf in measured) == 1:
+            raise ValueError("microscope must be the PSF of a stack, got that of a photograph, which has one plane")
         pixel, step = _measured_voxel(recording, measured[0], stated, notes)
         psfs = [psf.resampled(pixel, step) for psf in measured]
     models = [GivenPSF(psf, recording.shape[1]) for psf in psfs]

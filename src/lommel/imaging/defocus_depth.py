@@ -331,7 +331,7 @@ def depth_from_defocus(
         return from_light(light, encoding, scene.dtype)
 
     sources = "noise and lens" if any(lens_errors) else "noise"
-    maps = images, valid, index_errors, misfit, estimate
+    maps = images, valid, step * index_errors, misfit, estimate
     judge = partial(judge_frames, engine, *maps, lens_errors, noise, excess=excess)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
 

@@ -57,6 +57,10 @@ _REACH = 3.0  # steps between candidates: extension of the depths of a tile for 
 _MIN_COUNT, _COUNT_PER_PIXEL = 48, 8.0  # frequencies along an axis: at least, and per pixel of the largest blur
 _CHUNK = 32  # number of candidates computed together
 _MIN_CELLS = 8  # least number of cells from which a scale is estimated
+_MAX_FAINT, _MIN_CLEAR = (
+    1.0 / 6.0,
+    0.1,
+)  # standard error by clear texture / largest one, and its share of known pixels
 MIN_BLOCKS = 16
 """Least number of blocks with a depth: fewer are false ones of noise, and no depth is known."""
 
@@ -173,8 +177,8 @@ class DefocusVerdict(FitReport):
             add(
                 "no_depth",
                 "error",
-                "no depth is known, or of few blocks: no texture, every depth out of range, or blocks left out "
-                "as stated beside",
+                "no depth is known, or of few blocks or faint texture in JPEG: no texture, every depth out of range, "
+                "or blocks left out as stated beside",
             )
         elif noise is not None:
             text = (
@@ -304,13 +308,17 @@ def judge_frames(
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
 
-    The other arrays are maps of shape (height, width): `valid` is True for known pixels, `errors` are standard errors
-    of depth in any unit, inf if depth is unknown, `vergence` is 1 / distance in 1 / m. `lens_errors`
+    The other arrays are maps of shape (height, width): `valid` is True for known pixels, `vergence` is 1 / distance
+    and `errors` are its standard errors in 1 / m, inf if depth is unknown. `lens_errors`
     are those stated of f-number and foci, `included` in standard errors or not, and `noise` is the noise estimated
     from the images, if none was stated, with `excess` times the variance of the finest details.
     """
     known = np.isfinite(errors)
-    if known.sum() < MIN_BLOCKS * BLOCK**2:
+    brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
+    compressed = any(map(is_compressed, images[brightest]))
+    # Compression makes the noise of plain areas faint texture.
+    faint = compressed and noise is not None and (errors < _MAX_FAINT * engine.known).sum() < _MIN_CLEAR * known.sum()
+    if faint or known.sum() < MIN_BLOCKS * BLOCK**2:
         return DefocusVerdict.of(math.nan)
     known_vergence = vergence[known].astype(np.float64)
     # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
@@ -319,7 +327,6 @@ def judge_frames(
     changes = 0.01 * float(np.median(np.abs(by_f_number))), 0.01 * float(np.median(np.sum(by_foci, axis=0)))
     # Inverse variances of depth.
     weight = np.where(known, 1.0 / np.maximum(errors, 1e-6) ** 2, 0.0)
-    brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     frames = partial(_tiles, images[brightest], valid, weight, engine)
     tiles = list(frames(1))
     median, judged = _judged_misfit(engine, brightest, tiles, vergence) or (float(np.median(misfit[known])), 1.0)
@@ -339,7 +346,7 @@ def judge_frames(
         excess=excess,
         exchanged=noise is None and median > _DOUBTFUL_MISFIT and _exchanged_agree(engine, brightest, tiles),
     )
-    if any(map(is_compressed, images[brightest])):
+    if compressed:
         return make_verdict(compressed=True)
     minima = _scale_minima(engine, brightest, next(frames(engine.binning), None), tiles, median if noise else 1.0)
     if not minima:

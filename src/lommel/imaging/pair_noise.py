@@ -42,8 +42,11 @@ def is_compressed(image: Values) -> bool:
         return False
     axes = []
     for values in (image, image.T):
-        sizes = np.median(np.abs(np.diff(values, 3, axis=1)), axis=0)
-        logs = np.log(np.maximum(sizes[: len(sizes) // 8 * 8], 1e-12)).reshape(-1, 8)
+        differences = np.abs(np.diff(values, 3, axis=1)[:, : (values.shape[1] - 3) // 8 * 8])
+        sizes = np.maximum(
+            np.median(differences, axis=0), 0.1 * differences.mean(axis=0)
+        )  # medians of plain areas are 0
+        logs = np.log(np.maximum(sizes, 1e-12)).reshape(-1, 8)
         edge = int((logs - np.roll(logs, 4, axis=1)).mean(axis=0).argmax())
         excess = logs[:, [edge]] - logs[:, (edge + np.arange(2, 7)) % 8]
         scores = excess.mean(axis=0) / np.maximum(excess.std(axis=0) / math.sqrt(len(logs)), 1e-12)

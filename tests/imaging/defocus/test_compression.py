@@ -12,9 +12,11 @@ from PIL import Image
 from lommel.cli.instruments import FrameNoise
 from lommel.cli.video_coding import coding_of
 from lommel.cli.video_faults import loss_note
+from lommel.imaging.defocus_depth import depth_from_defocus
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.pair_noise import is_compressed
 from lommel.recorded.noise import Noise
+from scenes import ThinLens, lommel_lens, plane, texture
 
 
 @pytest.mark.parametrize("quality", [75, 95, None])
@@ -45,6 +47,22 @@ def test_a_screen_of_eight_pixels_is_not_compressed(width, sigma, corner):
     points = scipy.ndimage.gaussian_filter(0.7 - 0.45 * (row[:, None] | column), 4 * sigma)
     light = points.reshape(240, 4, 240, 4).mean(axis=(1, 3))
     assert not is_compressed(np.random.default_rng(2).poisson(1e4 * light) / 1e4)
+
+
+@pytest.mark.parametrize("contrast", [0.0, 0.2])
+def test_depth_of_a_plain_area_in_jpeg_is_none(contrast):
+    thin = [ThinLens(35e-3, 8.0, focus, 540e-9, 4e-6) for focus in (1.35, 1.8)]
+    photos = []
+    for seed, light in enumerate(plane(1.0 + contrast * (texture("pink", 160, 3) - 1.0) / 0.2, thin, 1.55, 1.0)):
+        colours = np.random.default_rng(seed).poisson(2e3 * light[..., None], (160, 160, 3)) / 5e3
+        file = io.BytesIO()
+        Image.fromarray(np.round(255 * colours.clip(0, 1) ** (1 / 2.2)).astype(np.uint8)).save(
+            file, "JPEG", quality=85
+        )
+        photos.append(np.asarray(Image.open(file)))
+    found = depth_from_defocus(photos, [lommel_lens(lens) for lens in thin], 4e-6, encoding=2.2, between=(1.2, 2.0))
+    assert found.known > 0.001
+    assert (found.verdict.status == "no_depth") == (contrast == 0.0)
 
 
 def test_a_verdict_by_which_nothing_is_tested_is_not_reliable():

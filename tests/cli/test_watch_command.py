@@ -579,7 +579,9 @@ def test_the_noise_of_video_is_estimated_from_its_first_pair_and_told(linear, fo
     assert result.returncode == 0, result.stderr
     found = json.loads(result.stdout)
     assert (found["white"], found["noise_is_a_guess"]) == (pytest.approx(65535 if linear else WHITE, rel=0.15), False)
-    assert "estimated_noise" in [finding["code"] for finding in found["findings"]]
+    (note,) = (finding for finding in found["findings"] if finding["code"] == "estimated_noise")
+    assert (note["numbers"]["white"], note["numbers"]["read"]) == (found["white"], found["read_noise"])
+    assert f"white {found['white']:.4g}, read noise {found['read_noise']:.3g} electrons" in note["text"]
     for row, distance in zip(rows(folder / "found.csv")[1::2], DISTANCES, strict=True):
         assert abs(row["depth (m)"] - distance) < 0.6 * row["error (m)"]
         assert row["misfit"] == pytest.approx(1.0, abs=0.15)

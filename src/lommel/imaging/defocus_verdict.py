@@ -181,11 +181,7 @@ class DefocusVerdict(FitReport):
                 "or blocks left out as stated beside",
             )
         elif noise is not None:
-            text = (
-                f"noise estimated from the images: white {noise.white:.3g}, read noise {noise.read:.3g} electrons; "
-                "registration and noise are not tested"
-            )
-            add("estimated_noise", "note", text, noise.to_dict())
+            findings.append(noise_finding(noise))
             if (total := excess * misfit) > _DOUBTFUL_EXCESS:
                 text = (
                     f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted, "
@@ -291,6 +287,15 @@ class DefocusVerdict(FitReport):
     def agrees(self) -> bool:
         """True if every tested property agrees, without doubt."""
         return self.reliable
+
+
+def noise_finding(noise: Noise) -> Finding:
+    """Return the note on a noise that is estimated."""
+    text = (
+        f"noise estimated from the images: white {noise.white:.4g}, read noise {noise.read:.3g} electrons; "
+        "registration and noise are not tested"
+    )
+    return Finding("estimated_noise", "note", text, noise.to_dict())
 
 
 def judge_frames(

@@ -429,13 +429,16 @@ def reversed_findings(
 ) -> list[Finding]:
     """Return the finding of planes in reversed order, if these fit well and better than `best_posterior`.
 
-    If the chi2 of reversed planes is nearly `chi2`, not the order but the step or the objective is wrong.
+    If the chi2 of reversed planes is nearly `chi2`, not the order but the step or the objective is wrong. The search
+    starts from `start`, with the even terms of the opposite sign: in a symmetric set-up, this is the same fit.
     """
+    even = np.array([n % 2 == 0 for n, _ in model.images.estimated_terms], dtype=bool)
+    waves = np.where(even, -start.waves, start.waves)
     stacks = tuple(replace(stack, z=-stack.z) for stack in model.stacks)
     places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(stacks, model.depths, strict=True))
     try:
         steps = _STEPS if chi2 < GROSS_CHI2 else _STEPS // 2
-        reversed_fit = climb(replace(model, stacks=stacks), State(start.setup, start.waves, places), steps, report)
+        reversed_fit = climb(replace(model, stacks=stacks), State(start.setup, waves, places), steps, report)
     except (Declined, ValueError):
         return []
     (reversed_chi2, deviation), gain = reversed_fit.quality, reversed_fit.log_posterior - best_posterior

@@ -29,6 +29,7 @@ from lommel.estimation.bead_images import (
     expected,
 )
 from lommel.estimation.bead_search import (
+    GROSS_CHI2,
     MIN_FLUX_SIGMAS,
     BeadModel,
     Evaluation,
@@ -660,8 +661,10 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.
         if missing_findings or estimated_names or not Findings(findings).converged:
             few_model, few_fit = bead_checks.brightest_beads(model, fit)
-            added_waves = np.zeros(len(state.waves) - len(search.waves))
-            start = State(search.setup, np.append(search.waves, added_waves), few_fit.state.places)
+            # Of a fit that is grossly wrong, the terms are no start.
+            waves = np.pad(search.waves, (0, len(state.waves) - len(search.waves)))
+            waves = few_fit.state.waves if chi2 < GROSS_CHI2 else waves
+            start = State(search.setup, waves, few_fit.state.places)
             reversed_findings = bead_checks.reversed_findings(
                 few_model, start, few_fit.log_posterior + gain, few_fit.quality[0], search.report
             )

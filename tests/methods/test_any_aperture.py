@@ -281,7 +281,7 @@ def test_a_stack_has_the_images_of_its_pupils() -> None:
 
 @pytest.mark.parametrize("name", [n for n, kind in METHODS.items() if not kind.any_aperture])
 @pytest.mark.parametrize(
-    "shape", [{"spider": Spider(0.1, [0.0])}, {"vignetting": Ellipse(1, 0.5)}, {"mask": Mask([[1, 0]] * 2)}]
+    "shape", [{"spider": Spider(0.1, [0.0, 0.1])}, {"vignetting": Ellipse(1, 0.5)}, {"mask": Mask([[1, 0]] * 2)}]
 )
 def test_methods_for_circles_refuse_other_apertures_and_say_what_takes_them(name: str, shape: dict[str, Any]) -> None:
     lens = lm.Lens(focal_length=0.05, f_number=8.0, wavelength=5e-7)

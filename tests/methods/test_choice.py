@@ -63,7 +63,7 @@ def test_each_rule_of_the_table_has_a_pupil_that_it_is_the_first_for():
         (lm.Pupil(), 33),
         (COMA, 33),
         (lm.Pupil(obscuration=0.3, spider=lm.Spider.equal(3, width=0.05)), 33),
-        (lm.Pupil(spider=lm.Spider.equal(3, width=0.05)), 33),
+        (lm.Pupil(obscuration=0.02, spider=lm.Spider.equal(3, width=0.05)), 33),
     ]
     for rule, (pupil, side) in zip(choice.RULES, cases, strict=True):
         grid = Grid(side, 0.5)

@@ -72,23 +72,56 @@ def quadrature(pupil: lm.Pupil, grid: Grid, vanes: list[tuple[float, float, floa
         c, d = math.cos(angle), math.sin(angle)
         weight = -np.outer(ds * (end - start), dt) / math.pi
         parts.append((c * along - d * s[:, None], d * along + c * s[:, None], weight))
-    field = 0.0
+    return np.asarray(np.abs(field_of(pupil, grid, parts)) ** 2)
+
+
+def clear_parts(pupil: lm.Pupil, bars: list[tuple[float, float]]) -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Return nodes and weights between vanes from the axis, in polar coordinates, or between horizontal bars."""
+    t, w = gauss_legendre(40, 0.0, 1.0)
+    parts = []
+    if pupil.spider is None:
+        edges = [-1.0, *(edge for bar in bars for edge in bar), 1.0]
+        for low, high in zip(edges[::2], edges[1::2], strict=True):
+            turn = math.asin(low) + (math.asin(high) - math.asin(low)) * t
+            x, y = np.outer(np.cos(turn), 2.0 * t - 1.0), np.repeat(np.sin(turn)[:, None], 40, axis=1)
+            weight = np.outer(w * np.cos(turn) ** 2, w) * 2.0 * (math.asin(high) - math.asin(low)) / math.pi
+            parts.append((x, y, weight))
+        return parts
+    angles, half = sorted(pupil.spider.angles), 0.5 * pupil.spider.width
+    for a, b in zip(angles, [*angles[1:], angles[0] + 2.0 * math.pi], strict=True):
+        apex = np.linalg.solve([(-math.sin(a), math.cos(a)), (-math.sin(b), math.cos(b))], [half, -half])
+        c, s = np.cos(a + (b - a) * t), np.sin(a + (b - a) * t)
+        along = apex[0] * c + apex[1] * s
+        radius = np.outer(np.sqrt(along**2 + 1.0 - apex @ apex) - along, t)
+        weight = np.outer(w, w) * radius**2 / t * (b - a) / math.pi
+        parts.append((apex[0] + radius * c[:, None], apex[1] + radius * s[:, None], weight))
+    return parts
+
+
+def field_of(pupil: lm.Pupil, grid: Grid, parts: list[tuple[np.ndarray, np.ndarray, np.ndarray]]) -> np.ndarray:
+    """Return U by sums over nodes x, y with weights."""
+    field = np.zeros((*pupil.shape, *grid.shape), dtype=complex)
     wide = lm.Pupil(pupil.wavefront, obscuration=0.0, apodization=pupil.apodization)
     for x, y, weight in parts:
         values = (wide.values(x, y) * weight).reshape(*pupil.shape, -1)
         across = np.exp(-1j * math.pi / pupil.scale * np.outer(x.ravel(), grid.x))
         down = np.exp(-1j * math.pi / pupil.scale * np.outer(y.ravel(), grid.y))
-        field = field + np.einsum("pk,ky,kx->pyx", values, down, across, optimize=True)
-    return np.asarray(np.abs(field) ** 2)
+        field += np.einsum("pk,ky,kx->pyx", values, down, across, optimize=True)
+    return field
 
 
 def within_bounds(
-    pupil: lm.Pupil, grid: Grid, tol: float, dtype: str, vanes: list[tuple[float, float, float]] | None = None
+    pupil: lm.Pupil,
+    grid: Grid,
+    tol: float,
+    dtype: str,
+    vanes: list[tuple[float, float, float]] | None = None,
+    exact: np.ndarray | None = None,
 ) -> None:
     """Require that images are within their bounds, these within the tolerance."""
     shape, pixel, center = grid.shape, grid.pixel, grid.center
     image = lm.psf(pupil, pixel=pixel, shape=shape, center=center, method=ChordalGauss(tol), dtype=dtype, threads=1)
-    exact = quadrature(pupil, grid, vanes)
+    exact = quadrature(pupil, grid, vanes) if exact is None else exact
     found = np.asarray(image) / np.asarray(image.scale)[..., None, None]
     wrong = np.abs(found - exact).max(axis=(-2, -1)) / exact.max(axis=(-2, -1))
     assert np.all(wrong <= np.asarray(image.error_bound))
@@ -127,6 +160,49 @@ def test_vanes_off_the_axis_keep_their_bounds(seed: int, tol: float, dtype: str,
     within_bounds(pupil, Grid((12, 19), 0.4 + 0.2 * seed), tol, dtype, vanes)
 
 
+@pytest.mark.parametrize(
+    ("angles", "bars", "lines"),
+    [
+        ((0.3, 0.3 + 0.5 * math.pi, 0.3 + math.pi, 0.3 + 1.5 * math.pi), [], 2),
+        ((0.1, 2.0, 4.4), [], 6),
+        ((0.2, 0.9, 2.6, 0.2 + math.pi, 4.4), [], 10),
+        ((0.2, 1.2, 0.2 + math.pi, 1.2 + math.pi), [], 4),
+        (None, [(0.2, 0.25)], 1),
+        (None, [(-0.03, 0.03)], 1),
+        (None, [(-0.6, -0.52), (-0.03, 0.03), (0.3, 0.33)], 3),
+    ],
+)
+@pytest.mark.parametrize(("tol", "dtype", "stack"), [(1e-4, "f4", 9), (1e-5, "f4", 1), (1e-9, "f8", 2)])
+def test_vanes_without_an_obscuration_keep_their_bounds(
+    angles: tuple[float, ...] | None, bars: list[tuple[float, float]], lines: int, tol: float, dtype: str, stack: int
+) -> None:
+    rng, stop = np.random.default_rng(stack), lm.Disc()
+    for low, high in bars:
+        stop = stop - lm.Polygon.strip((-2.0, 0.5 * (low + high)), (2.0, 0.5 * (low + high)), high - low)
+    wavefront = lm.Wavefront.zernike({term: rng.normal(0.0, 0.3, stack) for term in TERMS}, normalization="rms")
+    pupil = lm.Pupil(
+        wavefront,
+        spider=None if angles is None else lm.Spider(0.06, angles),
+        stop=stop if angles is None else None,
+        apodization=0.3,
+    )
+    assert pupil.strips is not None
+    assert pupil.strips[0] == 0.0
+    assert len(pupil.strips[1]) == lines
+    grid = Grid((9, 10), 0.8, center=(3.0, 4.5))
+    within_bounds(pupil, grid, tol, dtype, exact=np.abs(field_of(pupil, grid, clear_parts(pupil, bars))) ** 2)
+
+
+@pytest.mark.parametrize("angles", [(0.4,), (0.4, 1.1), (0.4, 0.4 + math.pi), (0.0, 1.0, 2.0)])
+def test_vanes_end_at_the_axis_where_none_is_near(angles: tuple[float, ...]) -> None:
+    wavefront = lm.Wavefront.zernike({(2, 0): [0.3, 0.1], (3, 1): [0.2, -0.4]}, normalization="rms")
+    pupil = lm.Pupil(wavefront, spider=lm.Spider(0.2, angles))
+    other = lm.psf(pupil, (9, 11), 0.7, method=NonuniformFFT(1e-10), dtype="f8", normalize="strehl")
+    within_bounds(
+        pupil, Grid((9, 11), 0.7), 1e-7, "f8", exact=np.asarray(other) / np.asarray(other.scale)[..., None, None]
+    )
+
+
 @pytest.mark.parametrize("integrate", [False, True])
 def test_derivatives_behind_vanes_are_those_of_the_sums_over_rows(integrate: bool) -> None:
     pupil = vaned(7, stack=3)
@@ -163,7 +239,16 @@ def test_vanes_are_strips_where_they_part_within_the_obscuration() -> None:
     equal = lm.Spider.equal
     assert strips(obscuration=0.3, spider=equal(4, width=0.02, first=0.5)) == 2  # opposite vanes are one strip
     assert strips(obscuration=0.3, spider=equal(3, width=0.02)) == 3
-    assert strips(spider=equal(4, width=0.02)) == 0
+    assert (
+        strips(spider=equal(4, width=0.02, first=0.5)) == 2
+    )  # each vane, with its mirror image and the opposite one
+    assert strips(spider=equal(3, width=0.02)) == 3
+    assert strips(spider=lm.Spider(0.02, (0.0, 1.0))) == 4  # halves of a vane begin at different lines
+    assert strips(spider=lm.Spider(0.02, (0.0, 1.0, 3.0, 4.0))) == 8
+    assert strips(spider=equal(2, width=0.02)) == 1
+    assert strips(spider=lm.Spider(0.02, (0.0, 0.02))) == 0  # neighbours meet far from the axis
+    assert strips(spider=lm.Spider(0.02, (0.0, 0.0))) == 0
+    assert strips(spider=equal(1, width=1.7)) == 0
     assert strips(obscuration=0.3, spider=equal(6, width=0.28)) == 3
     assert strips(obscuration=0.3, spider=equal(6, width=0.32)) == 0  # neighbours meet outside of the obscuration
     assert strips(obscuration=0.3, spider=lm.Spider(0.02, (0.0, 0.05))) == 0
@@ -197,6 +282,42 @@ def test_a_stop_lacks_strips_that_begin_within_its_obscuration() -> None:
     assert lm.Pupil(stop=annulus - half, vignetting=lm.Ellipse(0.95, 0.95)).strips is None
     assert lm.Pupil(stop=lm.telescopes.hst()).strips is None
     assert all(lm.Pupil(stop=stop).strips is not None for stop in (lm.telescopes.vlt(), lm.telescopes.subaru()))
+
+
+def test_a_stop_without_an_obscuration_lacks_bars_or_vanes_from_the_axis() -> None:
+    strip = lm.Polygon.strip
+    bar, lower, vane = (
+        strip((-2.0, 0.1), (2.0, 0.1), 0.1),
+        strip((-2, -0.3), (2, -0.3), 0.02),
+        strip((0, 0), (2, 1), 0.02),
+    )
+
+    def strips(stop: lm.Shape) -> int:
+        found = lm.Pupil(stop=stop).strips
+        return 0 if found is None else len(found[1])
+
+    assert strips(lm.Disc() - bar) == 1
+    assert strips(lm.Disc() - bar - lower) == 2
+    assert strips(lm.Disc() - vane) == 1
+    assert strips(lm.Disc() - vane - vane.turned(math.pi)) == 1
+    assert strips(lm.Disc() - vane - vane.turned(2.0)) == 4
+    assert strips(lm.Disc() - vane - strip((0, 0), (-2, 1), 0.03)) == 0  # of other widths
+    assert strips(lm.Disc() - bar - bar.turned(1.0)) == 0  # bars that cross off the axis
+    assert strips(lm.Disc() - bar - strip((-2, 0.13), (2, 0.13), 0.1)) == 0  # that overlap
+    assert strips(lm.Disc() - bar - vane) == 0
+    assert strips(lm.Disc() - strip((-2.0, 0.7), (2.0, 0.7), 0.3)) == 0  # too far from the axis
+    assert strips(lm.Disc() - strip((-0.1, 0.0), (2.0, 0.0), 0.1)) == 0  # begins beside the axis
+
+
+def test_averages_behind_strips_from_lines_are_those_of_samples() -> None:
+    pupil = lm.Pupil(lm.Wavefront(np.linspace(0.0, 2.0, 6)), spider=lm.Spider.equal(4, width=0.05))
+    found = lm.psf(pupil, 7, 1.2, integrate=True, dtype="f8")
+    other = lm.psf(pupil, 7, 1.2, integrate=True, dtype="f8", method=NonuniformFFT(1e-9))
+    assert isinstance(found.method, NonuniformFFT)
+    assert isinstance(lm.psf(pupil[:2], 7, 1.2, integrate=True).method, ChordalGauss)
+    np.testing.assert_allclose(
+        np.asarray(found), np.asarray(other), rtol=0.0, atol=1e-6 * float(np.asarray(other).max())
+    )
 
 
 def test_sums_over_rows_compute_what_strips_do_not() -> None:

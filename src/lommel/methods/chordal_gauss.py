@@ -22,11 +22,11 @@ class ChordalGauss(Method[Pupil]):
     r"""Quadrature over chords of the pupil by two matrix products, for any wavefront, with a proven error bound.
 
     Supports circular and annular apertures, with or without apodization, also behind straight vanes that part within
-    the obscuration. Intended for stacks of small windows:
-    several pupils are computed together, and the tables of a window are cached between calls. The cost is
-    proportional to the number N of chords times the number of nodes per chord. Both numbers grow with the phase and
-    with the window; N is at most 1024. Images in float32 are summed in single precision if the tolerance allows this;
-    the bound includes the rounding errors.
+    the obscuration or, without one, begin at the axis with one width or are parallel bars. Intended for stacks of
+    small windows: several pupils are computed together, and the tables of a window are cached between calls. The cost
+    is proportional to the number N of chords times the number of nodes per chord. Both numbers grow with the phase
+    and with the window; N is at most 1024. Images in float32 are summed in single precision if the tolerance allows
+    this; the bound includes the rounding errors.
 
     Parameters
     ----------
@@ -105,6 +105,8 @@ class ChordalGauss(Method[Pupil]):
 
         if grid.integrate:
             stack, window = disk_stack(pupil), window_of(pupil, grid)
+            if stack.strips[:, 7].any() and (len(stack.edge) > _FEW or wanted.terms):
+                raise Declined("averages behind vanes without an obscuration are filtered samples")
             if not pupil.circular and len(stack.edge) <= _FEW and not wanted.terms:
                 # One image at a time, vanes take a fraction of the time at equally spaced pixels.
                 from lommel.methods.averaging import averaged_images

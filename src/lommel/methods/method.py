@@ -187,8 +187,8 @@ class Method(ABC, Generic[P]):
                 reason = "supports circular and annular apertures only; leave method out for other apertures"
             elif cast("Pupil", pupil).strips is None:
                 reason = (
-                    "supports circular and annular apertures only; vanes must part within the obscuration: leave "
-                    "method out for other apertures"
+                    "supports circular and annular apertures only; vanes must part within the obscuration or, "
+                    "without one, begin at the axis: leave method out for other apertures"
                 )
         if reason is None and not (self.nonradial or pupil.radial):
             reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"

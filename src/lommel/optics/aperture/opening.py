@@ -182,8 +182,9 @@ class Opening:
         """Radius of an annulus' obscuration, and disjoint strips that vanes cut out of it, (strips, 9), or None.
 
         Vanes are those of a spider, and strips (:meth:`Polygon.strip`) that a stop lacks. Of each strip: cosine and
-        sine of its direction; the range of distances across; 2 if the strip turned by half a turn belongs to it, too;
-        1 if it lies ahead, behind the axis; 0, as it begins at a circle; its radius.
+        sine of its direction; the range of distances across; 1 if its mirror image across, 2 if the strip turned by
+        half a turn belongs to it, too; 1 if it lies ahead, behind the axis; 0 if it begins at a circle, 1 at lines
+        t = kappa abs(s), 2 at the opposite rim; radius or kappa.
         """
         return _strips(self)
 
@@ -341,23 +342,90 @@ def _strips(opening: Opening) -> tuple[float, Array] | None:
         if found is None:
             return None
         vanes += found
-    apart = not any(a.meets(b, start * (1.0 - 1e-9)) for a, b in combinations(vanes, 2))
-    if not vanes or not apart or max(max(-vane.low, vane.high) for vane in vanes) > _FARTHEST * start:
+    if start == 0.0:
+        strips = _whole_strips(vanes) or _sectors(vanes)
+    else:
+        apart = not any(a.meets(b, start * (1.0 - 1e-9)) for a, b in combinations(vanes, 2))
+        within = all(max(-vane.low, vane.high) <= _FARTHEST * start for vane in vanes)
+        strips = [_Strip(*vane, start=start) for vane in vanes] if apart and within else []
+    if not strips:
         return None
-    strips: list[list[float]] = []
-    for vane in vanes:
-        opposite = [strip for strip in strips if np.allclose(strip[:4], _opposite(vane), rtol=0.0, atol=1e-14)]
-        about = (-vane.cosine, -vane.sine, vane.low, vane.high)
-        turned = [strip for strip in strips if np.allclose(strip[:4], about, rtol=0.0, atol=1e-14)]
-        if opposite and not (opposite[0][4] or opposite[0][6]):
-            opposite[0][6] = 1.0
-        elif turned and not (turned[0][4] or turned[0][6]):
-            turned[0][4] = 2.0
-        else:
-            strips.append([*vane, 0.0, 1.0, 0.0, 0.0, start])
-    array = np.array(strips)
+    array = np.array(_joined(strips))
     array.flags.writeable = False
     return start, array
+
+
+class _Strip(NamedTuple):
+    """Numbers of a strip as in `Opening.strips`; at first it lies ahead, without its mirror image."""
+
+    cosine: float
+    sine: float
+    low: float
+    high: float
+    mirrored: float = 0.0
+    ahead: float = 1.0
+    behind: float = 0.0
+    begins: float = 0.0
+    start: float = 0.0
+
+
+def _sectors(vanes: list[_Vane]) -> list[_Strip]:
+    """Return the strips of vanes from the axis, of one width: each vane owns the points nearest to its direction.
+
+    Halves of a vane begin at lines t = kappa abs(s), which they share with the next vane. Empty if widths differ or
+    vanes meet far from the axis.
+    """
+    half, angles = vanes[0].high, [math.atan2(vane.sine, vane.cosine) for vane in vanes]
+    if any(max(abs(vane.high - half), abs(vane.low + half)) > 1e-14 for vane in vanes):
+        return []
+    order = sorted(range(len(vanes)), key=angles.__getitem__)
+    gaps = [(angles[b] - angles[a]) % (2.0 * math.pi) for a, b in zip(order, order[1:] + order[:1], strict=True)]
+    # A gap of half a turn or more leaves the end of the vane as it is, at t = 0.
+    slopes = [max(0.0, 1.0 / math.tan(0.5 * gap)) if 0.0 < gap < math.pi - 1e-14 else 0.0 for gap in gaps]
+    if (len(vanes) > 1 and min(gaps) < 1e-6) or half * math.hypot(1.0, max(slopes)) > _FARTHEST:
+        return []
+    strips: list[_Strip] = []
+    for at, before, after in zip(order, slopes[-1:] + slopes, slopes, strict=False):
+        cosine, sine = vanes[at][:2]
+        if abs(before - after) < 1e-13 * (1.0 + after):
+            strips.append(_Strip(cosine, sine, 0.0, half, mirrored=1.0, begins=1.0, start=after))
+        else:
+            strips.append(_Strip(cosine, sine, 0.0, half, begins=1.0, start=after))
+            strips.append(_Strip(cosine, sine, -half, 0.0, begins=1.0, start=before))
+    return strips
+
+
+def _whole_strips(vanes: list[_Vane]) -> list[_Strip]:
+    """Return the strips of parallel bars across the disc; empty if a vane ends within it or bars overlap."""
+    bars, others = vanes[::2], vanes[1::2]
+    if len(bars) != len(others) or not np.allclose(others, [_opposite(bar) for bar in bars], rtol=0.0, atol=1e-14):
+        return []
+    apart = not any(a.meets(b, 0.0) for a, b in combinations(vanes, 2))
+    within = all(max(-bar.low, bar.high) <= _FARTHEST for bar in bars)
+    return [_Strip(*bar, behind=1.0, begins=2.0) for bar in bars] if apart and within else []
+
+
+def _joined(strips: list[_Strip]) -> list[_Strip]:
+    """Return strips of which opposite ones, and those that half a turn maps onto each other, are one."""
+    joined: list[_Strip] = []
+    for strip in strips:
+        cosine, sine, low, high, *rest = strip
+        across = (low, high) if strip.mirrored else (-high, -low)
+        for i, other in enumerate(joined):
+            plain = other.behind == 0.0 and np.allclose(other[7:], rest[3:], rtol=1e-13, atol=1e-14)
+            if plain and other.mirrored == strip.mirrored and _near(other, (-cosine, -sine, *across)):
+                joined[i] = other._replace(behind=1.0)
+                break
+            if plain and other.mirrored == strip.mirrored == 0.0 and _near(other, (-cosine, -sine, low, high)):
+                joined[i] = other._replace(mirrored=2.0)
+                break
+        else:
+            joined.append(strip)
+    return joined
+
+
+def _near(strip: _Strip, place: tuple[float, ...]) -> bool:
+    return bool(np.allclose(strip[:4], place, rtol=0.0, atol=1e-14))
 
 
 def _opposite(vane: _Vane) -> tuple[float, float, float, float]:
@@ -395,6 +463,8 @@ def _vanes(part: Shape, start: float) -> list[_Vane] | None:
     for cosine, sine in (side / np.hypot(*side) for side in sides):
         t, s = corners @ (cosine, sine), corners @ (-sine, cosine)
         vane = _Vane(float(cosine), float(sine), float(s.min()), float(s.max()))
+        if start == 0.0 and t.max() >= 1.0 and (t.min() <= -1.0 or abs(t.min()) <= 1e-14):
+            return [vane, _Vane(*_opposite(vane))] if t.min() <= -1.0 else [vane]
         within = start * start - max(vane.low**2, vane.high**2)
         if within > 0.0 and t.max() >= 1.0 and t.min() <= math.sqrt(within):
             other = _Vane(*_opposite(vane))

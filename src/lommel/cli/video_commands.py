@@ -222,8 +222,9 @@ def watch(
                 raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
         guess, noise = coding.guess if stated else "", None if stated else live.noise
         if noise is not None:  # at white, as --white, not in electrons per count
-            noise = Noise(white=estimator.coding_in_use.white, read=noise.read)
-            coding.facts.update(white=float(noise.white), read_noise=noise.read, noise_is_a_guess=False)
+            white = estimator.coding_in_use.white
+            noise = Noise(white=white, read=noise.read)
+            coding.facts.update(white=white, read_noise=noise.read, noise_is_a_guess=False)
         facts = {
             **coding.facts,
             "shape": list(pairs.shape),
@@ -240,10 +241,10 @@ def watch(
         o, verdict = with_calibration(options, instrument), DefocusVerdict.of(math.nan)
         if tally.failed < tally.pairs:
             verdict = live.verdict(f_number_error=o.f_number_error, focus_error=o.focus_error)
-            told_noise = (
-                noise_finding(noise) if each.code == "estimated_noise" else each for each in verdict.findings
-            )
-            verdict = replace(verdict, findings=Findings(told_noise)) if noise is not None else verdict
+            if noise is not None:
+                note = noise_finding(noise)
+                findings = Findings(note if each.code == note.code else each for each in verdict.findings)
+                verdict = replace(verdict, findings=findings)
         blocks = (facts["known"] + facts["unfit"]) * math.prod(side // BLOCK for side in pairs.shape)
         if math.isnan(verdict.misfit) and blocks >= MIN_BLOCKS:  # of earlier pairs: the last one has no depth
             verdict = DefocusVerdict.of(facts["misfit"], noise=noise, stated=o.f_number_error)

@@ -63,7 +63,7 @@ def through(transfer: Transfer, blur: Blur, focal: float = FOCAL, pixel: float =
 def seen(blur: Blur, waves: Waves, telescope: Telescope) -> Transfer:
     """Return the transfer function of a telescope and the air above it."""
     if blur and blur[0][0] == "zone":
-        return through(telescope.transfer(waves, screen=zones(telescope, blur[0][1], range(1, 9))), blur[1:])
+        return through(telescope.transfer(waves, screen=zones(telescope, blur[0][1], range(1, 12))), blur[1:])
     if blur and blur[0][0] == "screens":
         small = Telescope(telescope.wavelength, telescope.f_number, telescope.obscuration, side=64)
         ratio = FOCAL / 8.0 / (air.WIDTH * 600e-9 / (blur[0][1] * air.ARCSECOND))

@@ -21,6 +21,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
@@ -41,7 +42,7 @@ from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur
 from lommel.fit.findings import Finding, Findings, untested_finding
-from lommel.imaging.blended import Blend, uniform_over_field
+from lommel.imaging.blended import Blend, UniformBlur, uniform_over_field
 from lommel.imaging.blur import DepthBlur, require_lens, warn_of_depths
 from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict
 from lommel.imaging.field_blur import FieldBlur
@@ -70,6 +71,9 @@ _UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
 _UNTESTED_BESIDES = ("noise that is stated up to 30 % too low",)  # where blurs were compared: half the variance
 # Largest accepted discrepancy of a blend, of which ringing in dark areas beside bright ones makes 25 and more.
 _MAX_RINGING = 6.0
+# Local chi-squared by which a blend must fit less well than Richardson-Lucy to be replaced by it, smallest rms width
+# (pixels) of the areas that are compared, and smallest fraction of such areas for which this takes the time.
+_EXPECTED, _WORSE, _LEAST_AREA, _LEAST_RINGING = 0.4, 1.2, 3.0, 0.01
 _MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
@@ -166,8 +170,8 @@ class RestoreOptions(WindowOptions):
     Parameters
     ----------
     method : Blend, RichardsonLucy, TotalVariation or OnePass, optional
-        By default ``Blend()`` where the whole scene has one distance (its blur varies by at most 0.1 pixel) unless it
-        rings in dark areas (discrepancy above 6), else ``RichardsonLucy()``.
+        By default ``Blend()`` where the whole scene has one distance (its blur varies by at most 0.1 pixel), in areas
+        where it rings ``RichardsonLucy()``, which is the default for other scenes.
     accept : bool, default False
         Restore by the blur that agrees better with the photograph, where the stated blur of one distance is doubtful.
     saturation : float, optional
@@ -300,12 +304,7 @@ def restore(
     before = observed.mean(observed.discrepancies_of(observed.image))
     result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
     if o.method is None and isinstance(method, Blend):
-        if stopped == MISFIT:  # a PSF that varies within tiles is none
-            unsuited = isinstance(blur, FieldBlur)
-        else:
-            unsuited = observed.mean(observed.discrepancies_of(result.light)) > _MAX_RINGING
-        if unsuited:
-            result, share, stopped = _solved(observed, RichardsonLucy(), progress or silent)
+        result, share, stopped = _without_ringing(observed, (result, share, stopped), progress or silent)
     verdict = None
     if estimate is not None:
         share, stopped = (share, stopped) if estimate.blur.known else (1.0, MISFIT)
@@ -316,6 +315,7 @@ def restore(
         if o.accept:
             observed = likelier
             result, share, stopped = _solved(observed, Blend(), progress or silent)
+            result, share, stopped = _without_ringing(observed, (result, share, stopped), progress or silent)
         elif verdict.decisive:
             # By the likelier blur, the photograph may agree better with itself than with the result.
             fits = [likelier.mean(likelier.discrepancies_of(image)) for image in (result.light, observed.image)]
@@ -346,6 +346,42 @@ def _solved(observed: PhotographLikelihood, method: Method, report: ProgressCall
     else:  # which stops at the discrepancy that the noise makes likely
         result = iterated(noise_aware(method, observed), observed, report)
     return result, *check_result(observed, result, method)
+
+
+def _without_ringing(
+    observed: PhotographLikelihood, blended: tuple[Solution, float, str], report: ProgressCallback
+) -> tuple[Solution, float, str]:
+    """Return the result of a blend, with that of Richardson-Lucy in areas where the blend fits less well.
+
+    A blend takes noise as equal in all pixels, and rings in dark areas beside bright ones.
+    """
+    result, share, stopped = blended
+    if isinstance(observed.blur, FieldBlur):
+        fails = stopped == MISFIT or observed.mean(observed.discrepancies_of(result.light)) > _MAX_RINGING
+        return _solved(observed, RichardsonLucy(), report) if fails else blended  # a PSF that varies within a tile
+    if stopped == MISFIT:
+        return blended
+    rms = max(observed.blur.radius, _LEAST_AREA) if isinstance(observed.blur, UniformBlur) else _LEAST_AREA
+    gain = observed.certain * observed.weight * observed.white
+
+    def areas(deviations: Values) -> Values:
+        planes = (deviations * gain).reshape(*observed.blur.shape, -1).mean(axis=2)
+        return np.asarray(scipy.ndimage.gaussian_filter(planes, rms))
+
+    model = observed.model(result.light)
+    squares = np.square(model - observed.counts)
+    if np.clip((areas(squares / model) - 1.0 - _EXPECTED) / _WORSE, 0.0, 1.0).mean() < _LEAST_RINGING:
+        return blended
+    other, _, reason = _solved(observed, RichardsonLucy(), report)
+    if reason == MISFIT:
+        return blended
+    model = observed.model(other.light)
+    worse = areas((squares - np.square(model - observed.counts)) / model)
+    mixed = np.clip((worse - _EXPECTED) / _WORSE, 0.0, 1.0).reshape(
+        *observed.blur.shape, *[1] * (result.light.ndim - 2)
+    )
+    light = np.asarray(result.light + mixed * (other.light - result.light), result.light.dtype)
+    return result._replace(light=light), share, stopped
 
 
 def recorded(photo: Pixels, encoding: Encoding, limit: float, mask: NDArray[np.bool_] | None = None) -> Array:

@@ -61,6 +61,12 @@ def test_a_blend_that_rings_in_the_dark_is_doubtful_and_no_default():
     assert blended.findings.get("misfit").severity == "doubt"
     assert found.discrepancy < 2.0
     assert found.reliable
+    # Where it rings, Richardson-Lucy takes its place; elsewhere the blend stays.
+    truth, other = averaged(scene) / 3.0, restored(photo, 1e4, method=RichardsonLucy())
+    dark, bright = truth < 0.02, truth > 0.3
+    errors = [np.sqrt(each.light) - np.sqrt(truth) for each in (found, blended, other)]
+    assert np.std(errors[0][dark]) < 0.7 * np.std(errors[1][dark])
+    assert np.std(errors[0][bright]) < 0.8 * np.std(errors[2][bright])
 
 
 def test_depth_maps_have_no_blend():

@@ -1,6 +1,7 @@
 """The rule of the disc that has the moments of an aperture, and sums with it."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -37,6 +38,17 @@ def test_polynomials_have_the_moments_of_which_they_are_made(degree):
     legendre = np.polynomial.legendre.Legendre.basis(degree)(disc.t)
     np.testing.assert_allclose(top / top[degree // 2, 0], np.outer((1.0 - disc.y**2) ** (0.5 * degree), legendre) / (
         (1.0 - disc.y[degree // 2] ** 2) ** (0.5 * degree) * legendre[0]), atol=1e-11)  # fmt: skip
+
+
+def test_rows_of_neighbouring_regions_are_apart():
+    """Also where y falls by exactly 1 from the last row of a region to the first one of the next."""
+    nodes = [np.array([[0.1, 0.2], [y, y], [0.3, 0.4]]) for y in (0.5, -0.5)]
+    rules = [SimpleNamespace(nodes=each, lost=0.0) for each in nodes]
+    opening = SimpleNamespace(phases=np.zeros((2, 3)), rows=lambda *_: rules)
+    found, _ = nonuniform_fft._moments.__wrapped__(opening, 4, 32, -8)
+    t = np.array([0.1, 0.2]) / math.sqrt(0.75)
+    each = [engine.moments(4, np.array([y]), np.array([2]), t, np.array([0.3, 0.4 + 0.0j])) for y in (0.5, -0.5)]
+    np.testing.assert_allclose(found, each[0] + each[1], atol=1e-15)
 
 
 @pytest.mark.parametrize("aperture", ["vanes", "segments"])

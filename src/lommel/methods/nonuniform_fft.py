@@ -177,7 +177,7 @@ def _moments(opening: Opening, degree: int, rule_degree: int, power: int) -> tup
     piston, tip, tilt = phases.T[:, regions]
     phased = weight * np.exp(1j * (piston + tip * x + tilt * y))
     t = np.clip(x / np.sqrt((1.0 - y) * (1.0 + y)), -1.0, 1.0)
-    starts = np.flatnonzero(np.diff(y, prepend=np.nan) + np.diff(regions, prepend=0))
+    starts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)  # of rows, also where regions share one
     moments = engine.moments(degree, y[starts], np.diff(starts, append=y.size), t, phased)
     return moments, sum(rule.lost for rule in rules)
 

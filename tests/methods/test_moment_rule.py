@@ -8,7 +8,10 @@ import pytest
 
 import lommel as lm
 from lommel.core import engine
+from lommel.core.answers import Wanted
+from lommel.core.engine import Window
 from lommel.methods import nonuniform_fft
+from lommel.methods.nijboer_zernike import disk_stack
 from lommel.special import zernike
 
 TERMS = tuple(zernike.term(4 + k, "noll") for k in range(15))
@@ -143,6 +146,21 @@ def test_segmented_mirrors_are_within_their_bound(monkeypatch, count, dtype, tol
         found_at = found.derivatives[name][at]
         assert (np.abs(found_at - exact).max(axis=1) <= found.derivative_bounds[name] * peak).all()
         assert np.abs(exact).max() > 0.01 * peak.max()
+
+
+def test_tables_are_those_of_the_weights():
+    """Twice the weights give four times the intensities, of each pupil; weights must be of a quadrant."""
+    rng, wanted = np.random.default_rng(2), Wanted(threads=1, terms=((2, 0),))
+    pupil, window = lm.Pupil(lm.Wavefront([0.5, 1.0, 3.0])), Window((3, 5), (1.0, 2.2), 0.7)
+    stack, weights = disk_stack(pupil), rng.normal(size=(6, 6, 8))
+    once, by_once = engine.aperture_images(stack, window, weights, wanted)
+    for factor in (2.0, 1.0):
+        found, by_found = engine.aperture_images(stack, window, factor * weights, wanted)
+        np.testing.assert_allclose(found, factor**2 * once, rtol=1e-12)
+        np.testing.assert_allclose(by_found, factor**2 * by_once, rtol=1e-10, atol=1e-12 * by_once.max())
+    assert np.ptp(once, axis=0).min() > 0.0
+    with pytest.raises(ValueError, match="weights of a quadrant"):
+        engine.aperture_images(stack, window, weights[:, :, :4], wanted)
 
 
 @pytest.mark.parametrize(

@@ -35,8 +35,7 @@ class DiskAverages {
             variance = std::max(variance, phase_variance(pupils_.terms, pupils_.edge + p * pupils_.terms.size()));
         }
         light_ = {1.0 / (1.0 + variance), pupils_.amplitude.raised(2.0).integral(pupils_.obscuration)};
-        return (asked_.factors.empty() && pupils_.strips.empty() && from_rims(answer)) ||
-               at_nodes(all_, asked_, centers_of(all_), true, answer);
+        return (asked_.factors.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
     }
 
    protected:
@@ -120,7 +119,12 @@ class DiskAverages {
         }
         // The tolerance is rounded to a power of sqrt(2), so that stacks with similar peaks share tables.
         least = std::exp2(0.5 * std::floor(2.0 * std::log2(least)));
-        outside(which, of_box.height, least, {remainders.data(), near.data(), places.data(), answer.values, numbers.data()});
+        std::vector<double> allowed(peaks);
+        for (double& each : allowed) {
+            each *= asked_.before_storing();
+        }
+        outside(which, of_box.height, least,
+                {remainders.data(), near.data(), places.data(), answer.values, numbers.data(), allowed.data()});
         for (std::size_t i = 0; i < count; ++i) {
             const double off = numbers[2 * i], top = numbers[2 * i + 1];
             answer.peaks[which[i]] = asked_.divides() ? std::max(peaks[i], top) : peaks[i];

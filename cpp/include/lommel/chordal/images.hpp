@@ -21,6 +21,7 @@
 #include "lommel/chordal/derivatives.hpp"
 #include "lommel/chordal/error_curves.hpp"
 #include "lommel/chordal/node_sums.hpp"
+#include "lommel/chordal/strip_choice.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
 #include "lommel/pixels/render.hpp"
@@ -40,8 +41,7 @@ struct ChordalBudget {
     // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
-    // Share of the error of U for strips; its parts for the sums across and along; the interpolation has the rest.
-    static constexpr double strips = 0.25, across = 0.5, along = 0.2;
+    static constexpr double strips = 0.25;  // share of the error of U for strips
     // Largest part of a disk's allowed error that the sum over chords may take; what it leaves is for the sums over nodes.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
@@ -159,68 +159,10 @@ class ChordalRenderer {
     }
     bool has_strips() const { return !stack_.strips.empty(); }
 
-    // Bound on the rounding error of the strips' field: that of a disk, for sums over the nodes of a line and over taps. The moduli
-    // of the weights of an interpolation sum to less than 2.
+    // Bound on the rounding error of the strips' field: that of a disk, and that of sums over the nodes of a line and over taps.
     double strip_rounding(std::size_t p, bool single) const {
-        const double sums = 4.0 * static_cast<double>(strips_.nodes) + 4.0 * static_cast<double>(strips_.taps) + 40.0;
-        const double own = states_[p].outer.rounding + unit_roundoff * sums +
-                           (single ? single_roundoff * sums + 7.4e-10 * static_cast<double>(stack_.terms.size() + 4) : 0.0);
+        const double own = states_[p].outer.rounding + strips_.rounding(stack_.terms.size(), single);
         return 2.0 * cut_ * own;
-    }
-
-    // Choose the quadrature of the strips for the pupils `pending`, whose fields may all have this error.
-    void choose_strips(const std::vector<std::size_t>& pending, double error) {
-        const TermPairs pairs(stack_.terms);
-        StripPhases phases;
-        for (const std::size_t p : pending) {
-            phases.include(pairs, stack_.outer.data() + p * stack_.terms.size());
-        }
-        const VBox window{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()};
-        const std::vector<double> growth = phases.growth(stack_.amplitude, degree_);
-        std::vector<StripBound> bounds;
-        for (const Strip& strip : stack_.strips) {
-            bounds.emplace_back(strip, *cache<StripShape>.get(strip), phases, growth, window);
-        }
-        const auto all = [&](const auto& bound) {
-            double sum = 0.0;
-            for (const StripBound& strip : bounds) {
-                sum += bound(strip);
-            }
-            return sum;
-        };
-        constexpr std::size_t most_nodes = 400;
-        std::size_t lines = 1, nodes = 6;
-        double across = 0.0, along = 0.0;
-        while (
-            !((across = all([&](const StripBound& strip) { return strip.across(lines); })) <= ChordalBudget::across * error)) {
-            refuse_if(++lines > most_lines, "lines across a strip");
-        }
-        while (!((along = all([&](const StripBound& strip) { return strip.along(nodes); })) <= ChordalBudget::along * error)) {
-            nodes += nodes < 32 ? 2 : nodes < 64 ? 4 : 8;
-            refuse_if(nodes > most_nodes, "nodes along a strip");
-        }
-        // Fewer taps take a finer table, whose places take sums over the nodes: the pair of both that takes the least time.
-        double least = std::numeric_limits<double>::infinity();
-        const double reach = std::hypot(std::max(-window.left, window.right), std::max(-window.top, window.bottom));
-        const double pixels = static_cast<double>(rows_.count * columns_.count);
-        strip_error_ = across + along;
-        misfits_ = all([&](const StripBound& strip) { return strip.between(1.0); });
-        strips_ = {lines, nodes, 0, 0.0};
-        for (const Interpolations::Choice& choice : cache<Interpolations>.get()->choices) {
-            const double work =
-                2.0 * reach / choice.spacing * static_cast<double>(nodes) + pixels * static_cast<double>(choice.taps + 2);
-            if (work < least && strip_error_ + misfits_ * choice.misfit <= error) {
-                least = work;
-                strips_.taps = choice.taps;
-                strips_.spacing = choice.spacing;
-            }
-        }
-        refuse_if(strips_.taps == 0, "taps");
-    }
-    static void refuse_if(bool too_many, const char* what) {
-        if (too_many) {
-            throw LimitExceeded(std::string("phases, windows and strips this large take too many ") + what);
-        }
     }
 
     template <class Real>
@@ -341,13 +283,14 @@ class ChordalRenderer {
         StripTables<Real> strips;
         if (has_strips() && pupils > 0) {
             if (one_by_one<Real>(pupils)) {
-                strips.lone = cache<LoneStripTable<Real>>.get(stack_.strips, strips_, stack_.amplitude, rows_, columns_, step_,
-                                                              ChordKernels<Real>::lanes(level));
+                strips.lone = cache<LoneStripTable<Real>>.get(stack_.strips, strips_.count, stack_.amplitude, rows_, columns_,
+                                                              step_, ChordKernels<Real>::lanes(level));
             } else {
-                strips.window = cache<StripTable<Real>>.get(stack_.strips, strips_, stack_.amplitude, rows_, columns_, step_);
+                strips.window =
+                    cache<StripTable<Real>>.get(stack_.strips, strips_.count, stack_.amplitude, rows_, columns_, step_);
             }
-            strips.terms = cache<StripTerms>.get(stack_.strips, strips_, stack_.terms);
-            strips.factors = More::keeps_nodes ? cache<StripTerms>.get(stack_.strips, strips_, more_.terms) : nullptr;
+            strips.terms = cache<StripTerms>.get(stack_.strips, strips_.count, stack_.terms);
+            strips.factors = More::keeps_nodes ? cache<StripTerms>.get(stack_.strips, strips_.count, more_.terms) : nullptr;
         }
         double work = 0.0;
         for (const Group& group : grouped<Real>(pending, pupils)) {
@@ -511,7 +454,8 @@ class ChordalRenderer {
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];
         const bool single = sizeof(Real) == sizeof(float);
-        const double strips = has_strips() ? strip_error_ + misfits_ * batch.strips.misfit() + strip_rounding(p, single) : 0.0;
+        const double strips =
+            has_strips() ? strips_.error + strips_.misfits * batch.strips.misfit() + strip_rounding(p, single) : 0.0;
         return stack_.lost[p] + strips + error_bound(s.outer, batch.disks[0].terms->count, single, degree) +
                (area_ > 0.0 ? area_ * error_bound(s.inner, batch.disks[1].terms->count, single, degree) : 0.0);
     }
@@ -551,8 +495,7 @@ class ChordalRenderer {
     bool weighed_ = false, only_costs_ = false;  // true in run_if_cheaper(); true in costs()
     std::pair<double, double> costs_;
     double cut_ = 0.0;  // area of the strips / pi
-    StripCount strips_;  // quadrature of the strips
-    double strip_error_ = 0.0, misfits_ = 0.0;  // their error by sums; and by interpolation, over the misfit of its weights
+    StripChoice strips_;  // quadrature of the strips
 };
 
 template <class T, class More>
@@ -583,7 +526,9 @@ void ChordalRenderer<T, More>::run() {
             for (const std::size_t p : pending) {
                 least = std::min(least, states_[p].error);
             }
-            choose_strips(pending, ChordalBudget::strips * least);
+            const VBox window{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()};
+            strips_ = StripChoice(stack_, pending, degree_, window, static_cast<double>(rows_.count * columns_.count),
+                                  ChordalBudget::strips * least);
         }
         for_blocks(pending.size(), threads_, 0.3, [&](std::size_t from, std::size_t to) {
             for (std::size_t i = from; i < to; ++i) {

@@ -17,6 +17,7 @@
 #include "lommel/base/watch.hpp"
 #include "lommel/chordal/kernels.hpp"
 #include "lommel/rim/light.hpp"
+#include "lommel/rim/strips.hpp"
 #include "lommel/rim/table.hpp"
 #include "lommel/zernike/disk_stack.hpp"
 
@@ -65,9 +66,9 @@ class RimStack {
     // computed one by one.
     struct Batches {
         std::size_t count, together, alone;
-        explicit Batches(std::size_t pupils) : count(pupils) {
+        explicit Batches(std::size_t pupils, bool any_alone = true) : count(pupils) {
             const std::size_t most = RimKernels::lanes(processor_level()), few = pupils % most;
-            alone = 3 * few < most ? few : 0;
+            alone = any_alone && 3 * few < most ? few : 0;
             together = (pupils - alone + most - 1) / most;
         }
         Batch operator[](std::size_t b) const {
@@ -107,6 +108,7 @@ struct RimAnswer {
     const double *remainders, *near;  // RimStack::remainders(), [pupil]; near: averages in boxes, [pupil][row][column]
     const std::int64_t* places;  // [pupil]: index of its image in `images`
     double *images, *numbers;  // [image][row][column]; numbers: [pupil][error bound, maximum] of averages outside boxes
+    const double* allowed = nullptr;  // error that is allowed, [pupil]; null: that which is requested
 };
 
 class RimAverages : RimStack {
@@ -122,14 +124,17 @@ class RimAverages : RimStack {
                 std::max({reach, std::abs(row), std::abs(height_ - 1 - row), std::abs(column), std::abs(width_ - 1 - column)});
         }
         const std::size_t degree = std::max<std::size_t>(8, degree_);
-        table_ =
-            cache<RimTable>.get(RimWindow{window.step, box, static_cast<std::size_t>(reach), stack.obscuration, degree, error});
+        table_ = cache<RimTable>.get(RimWindow{window.step, box, static_cast<std::size_t>(reach), stack.obscuration, degree,
+                                               error, !stack.strips.empty()});
         for (const RimWaves& rim : table_->rims) {
             lines_.push_back(cache<RimLine>.get(stack.terms, rim.radius == 1.0 ? stack.amplitude : within_, rim.angles));
         }
+        if (!stack.strips.empty()) {
+            strips_ = std::make_unique<const RimStrips>(stack, *table_);
+        }
     }
     void run(int threads) const {
-        const Batches batches(stack_.count);
+        const Batches batches(stack_.count, strips_ == nullptr);
         const auto lone =
             batches.alone > 0 ? cache<RimLone>.get(*table_, RimKernels::lanes(RimKernels::narrow(processor_level()))) : nullptr;
         const double work = 9.0 * static_cast<double>(stack_.count) + 20.0 * static_cast<double>(batches.alone);
@@ -160,7 +165,8 @@ class RimAverages : RimStack {
         look();
         const Around pixels = around(batch);
         scratch.out.assign(pixels.size() * lanes, 0.0f);
-        RimKernels::light(batch.level, *table_, batch.lone ? lone : nullptr, jobs(pixels, lanes), scratch);
+        const std::vector<RimJob> list = jobs(pixels, lanes);
+        RimKernels::light(batch.level, *table_, batch.lone ? lone : nullptr, list, scratch);
         if (batch.lone) {  // lanes are radii of one pupil: sums of averages, and maxima of the other numbers, over the lanes
             for (std::size_t i = 0; i < scratch.out.size(); i += lanes) {
                 scratch.out[i] = std::accumulate(&scratch.out[i], &scratch.out[i] + lanes, 0.0f);
@@ -169,10 +175,19 @@ class RimAverages : RimStack {
                 (*all)[0] = *std::max_element(all->begin(), all->end());
             }
         }
+        std::vector<RimErrors> errors;
+        for (std::size_t lane = 0; lane < batch.here; ++lane) {
+            errors.push_back(errors_of(batch.first + lane, scratch, lane, lanes));
+        }
+        std::vector<double> cut(batch.here, 0.0);
+        if (strips_ != nullptr) {
+            cut = strips_->subtract(
+                {batch.level, batch.first, list, errors, answer_.allowed, pixels.top, pixels.left, pixels.width()}, scratch);
+        }
         for (std::size_t lane = 0; lane < batch.here; ++lane) {
             const std::size_t pupil = batch.first + lane;
             const double top = write(pupil, pixels, scratch.out.data() + lane, lanes);
-            answer_.numbers[2 * pupil] = bound(pupil, scratch, lane, lanes, top);
+            answer_.numbers[2 * pupil] = strips_ != nullptr ? cut[lane] : errors[lane].of_averages(top);
             answer_.numbers[2 * pupil + 1] = top;
         }
     }
@@ -192,7 +207,7 @@ class RimAverages : RimStack {
             const std::int64_t p = static_cast<std::int64_t>(of.p), q = static_cast<std::int64_t>(of.q), begin = of.begin;
             const std::int64_t down[2][4] = {{q, p, -q, -p}, {-q, p, q, -p}}, right[2][4] = {{p, -q, -p, q}, {p, q, -p, -q}};
             for (std::size_t turned = 0; turned < (q == 0 || q == p ? 1 : 2); ++turned) {
-                RimJob job{&of, {}, {}, 0, turned == 1};
+                RimJob job{&of, {}, {}, {}, 0, turned == 1};
                 for (std::size_t i = 0; i < 4; ++i) {
                     const std::int64_t y = down[turned][i], x = right[turned][i];
                     if (pixels.holds(y, x)) {
@@ -202,6 +217,7 @@ class RimAverages : RimStack {
                         const std::int64_t place = turned == 0 ? begin + quarters : quarters - 1 - begin;
                         const std::int64_t within = place < 0 ? place + around : place < around ? place : place - around;
                         job.at[job.count] = table_->margin + static_cast<std::size_t>(within);
+                        job.quarters[job.count] = static_cast<std::uint8_t>(i);
                         job.to[job.count++] = pixels.at(y, x) * lanes;
                     }
                 }
@@ -235,10 +251,10 @@ class RimAverages : RimStack {
         });
         return top;
     }
-    double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const {
+    RimErrors errors_of(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes) const {
         const RimTable& table = *table_;
         const double nearest = table.window.nearest();
-        // Root mean square error of the field U over a pixel.
+        // Root mean square error of the field U over a pixel, of which all parts fall with the distance at least.
         double off = stack_.lost[pupil] + answer_.remainders[pupil] * std::pow(nearest, -static_cast<double>(rim_orders)) *
                                               std::sqrt(table.off_field);
         double size[2] = {0.0, 0.0};
@@ -272,11 +288,22 @@ class RimAverages : RimStack {
         const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
                      waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
                      many = 2.0 * static_cast<double>(table.rims.size());
-        const double interpolated =
-            table.off_angles * rms + std::min(table.off_radii[0] * size[0] * size[0], table.off_radii[1] * size[1] * size[1]) +
-            (units * table.gain + table.dropped) * largest +
-            table.gain / static_cast<double>(table.channels()) * waves * (2.0 * std::sqrt(many * largest) + waves);
-        return table.off_pixels + interpolated + 2.0 * off * std::sqrt(top + interpolated) + off * off;
+        RimErrors made{
+            table.off_pixels,
+            rms,
+            {size[0] * size[0], size[1] * size[1]},
+            units * largest + waves * (2.0 * std::sqrt(many * largest) + waves) / static_cast<double>(table.channels()),
+            largest,
+            0.0,
+            off,
+            0.0};
+        made.averages = made.of(table.off_angles, table.off_radii, table.gain, table.dropped);
+        const double summed = 0x1p-24 * static_cast<double>(4 * table.radii() * table.taps + 64);
+        made.fields = table.field_angles * std::sqrt(many * rms) +
+                      std::min(table.field_radii[0] * size[0], table.field_radii[1] * size[1]) +
+                      table.field_places * std::sqrt(many * largest) +
+                      table.field_gain * (many * waves + summed * std::sqrt(many * largest));
+        return made;
     }
     // Bounds for the derivatives dbar^k P / rim_scale(k), dbar = d/dx + i d/dy, of the pupil function P with Zernike coefficients
     // `own`. each[k]: bound on the aliasing error of any Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: bound
@@ -348,6 +375,7 @@ class RimAverages : RimStack {
     Amplitude within_;
     std::shared_ptr<const RimTable> table_;
     std::vector<std::shared_ptr<const RimLine>> lines_;
+    std::unique_ptr<const RimStrips> strips_;
 };
 
 }  // namespace lommel

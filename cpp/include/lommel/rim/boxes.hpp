@@ -62,6 +62,8 @@ class RimBoxes {
     // Times / (time of one sample). rim, rims: for the pixels outside the box of a pupil without, with an obscuration; call: fixed
     // time of a stack.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
+    // The same for the spike of a strip in a window with sides of `spiked` pixels; pupils fill vectors of `vector` lanes.
+    static constexpr double spike = 7000.0, spiked = 33.0, vector = 16.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in lambda / (2 pi NA)
@@ -105,7 +107,13 @@ class RimBoxes {
     // computed from samples; with_box(): if only those in a box are, and the pixels outside from the rim of the aperture.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
-        return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();
+        double spikes = 0.0;
+        for (const Strip& strip : stack_.strips) {
+            spikes += strip.intervals();
+        }
+        spikes *=
+            spike * std::max(1.0, vector / count()) * std::min(1.0, static_cast<double>(std::max(height_, width_)) / spiked);
+        return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + spikes + call / count();
     }
     // Compute `sides` and `remainders` of the pupils `which`; returns whether boxes take at most `worth` of the time without boxes.
     bool pay(const std::vector<std::size_t>& which, int threads) {

@@ -65,6 +65,7 @@ struct RimScratch {
     Doubles phases, turned;
     std::array<RimSums, 2> of;
     Floats squares, largest, mean;
+    Floats kept;  // if RimWindow::fields: [angle of the padded ring][radius][rim][re X, im X, re Y, im Y][lane]
 };
 
 // Combine values a, b, c, d at the angles theta, pi - theta, theta + pi and -theta, so that Fourier sums need a quarter of the
@@ -474,6 +475,7 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
 struct RimJob {
     const RimPixels* pixels;
     std::array<std::size_t, 4> at, to;  // at: index of the first angle in the padded ring; to: index of the average
+    std::array<std::uint8_t, 4> quarters;  // number of quarter turns
     std::uint8_t count;
     bool turned;  // the pixels are mirror images: their angles descend
 };
@@ -548,6 +550,9 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
     constexpr std::size_t lanes = sizeof(V) / sizeof(float), channels = Rims == 1 ? 3 : 9;
     const std::size_t around = table.around, quarter = around / 4, line = channels * lanes;
     scratch.light.resize(table.ring() * line);
+    const std::size_t block = table.radii() * Rims * 4 * lanes;
+    scratch.kept.resize(table.window.fields ? table.ring() * block : 0);
+    float* const kept = scratch.kept.empty() ? nullptr : scratch.kept.data();
     scratch.squares.assign(lanes, 0.0f);
     scratch.largest.assign(lanes, 0.0f);
     const std::size_t steps = Lone ? lone->weights.size() : table.radii();  // number of radii, or of blocks of radii
@@ -598,6 +603,10 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
                         for (std::size_t c = 0; c < channels; ++c) {
                             store(to + c * lanes, out[c]);
                         }
+                        for (std::size_t part = 0; kept != nullptr && part < 4 * Rims; ++part) {
+                            float* const at = kept + (table.margin + angles[i]) * block + (from + radius) * Rims * 4 * lanes;
+                            store(at + part * lanes, x[i][part / 4][part % 4]);
+                        }
                     }
                 }
             });
@@ -610,6 +619,10 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
             rim_pixels<Lone, Rims>(isa, weights, jobs, ring, scratch.out.data());
         }
     });
+    if (kept != nullptr) {
+        std::copy_n(kept + around * block, table.margin * block, kept);
+        std::copy_n(kept + table.margin * block, table.margin * block, kept + (table.margin + around) * block);
+    }
 }
 
 // Call f(Size<N>) with an N for rim_powers(): 4 or rim_orders, of which the latter alone where processors without AVX2 are rare.

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lommel/averages/transfer_rule.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/product.hpp"
@@ -31,10 +32,11 @@ struct RimWindow {
     double obscuration;
     std::size_t degree;    // largest degree of Zernike terms
     double error;          // allowed error of averages due to interpolation
+    bool fields;           // whether fields at the Gauss points of pixels are wanted
 
     bool operator==(const RimWindow& other) const {
         return step == other.step && box == other.box && reach == other.reach && obscuration == other.obscuration &&
-               degree == other.degree && error == other.error;
+               degree == other.degree && error == other.error && fields == other.fields;
     }
     double nearest() const { return 0.5 * static_cast<double>(box) * step; }
 };
@@ -64,6 +66,11 @@ struct RimPixels {
     std::size_t from, used;  // weights[radius], from index `from` on: [angle][channel]; used: number of channels
     std::ptrdiff_t begin;  // index of the first angle with a weight
     std::size_t count;  // number of angles with a weight
+    // RimTable::off_angles, off_radii, gain and dropped of these pixels alone.
+    double off_angles = 0.0, gain = 0.0, dropped = 0.0;
+    std::array<double, 2> off_radii{};
+    // Fields at Gauss points: number of places along the radius, indices of the first point, in RimTable::parts, and in ::local.
+    std::size_t places = 0, point = 0, part = 0, place = 0;
 };
 
 // Weights of `taps` angles, `apart` rad from each other, for interpolation between the middle two: a least-squares fit, for the
@@ -232,6 +239,18 @@ struct RimTable {
     double off_pixels = 0.0;  // error of averages due to Gauss quadrature over a pixel
     double off_field = 1.0;  // bound: mean of |omitted field|^2 in a pixel / (RimStack::remainders() / v^rim_orders)^2
     double dropped = 0.0;  // error of averages due to omitted channels, relative to the largest value of channel 0
+    // If window.fields: Gauss points of a pixel along an axis, from -1 to 1, and their weights; number of taps around a ring; and of
+    // all pixels, see RimPixels. A field is the sum over taps and places of shares[tap] times parts[place][rim][2] times X and Y
+    // (RimWaves) at the place, which is the sum over radii of local[place][radius] times those in the ring.
+    std::vector<double> gauss_places, gauss_weights;
+    std::size_t field_taps = 0;
+    std::vector<std::uint16_t> starts;  // [point]: its first tap, from the first angle of its pixel
+    Floats shares, parts, local;
+    // Errors of fields: by interpolation between angles, over the sum over rims of 2 (|X|^2 + |Y|^2)^(1/2), each the root mean square
+    // around a ring; between radii, over RimSums::size; between places, over the largest (|X|^2 + |Y|^2)^(1/2), twice the sum over
+    // rims. field_gain: largest sum of moduli of weights.
+    double field_angles = 0.0, field_places = 0.0, field_gain = 0.0;
+    std::array<double, 2> field_radii{};
 
     explicit RimTable(const RimWindow& asked) : window(asked), rule(chosen_rule()) {
         const double nearest = asked.nearest();
@@ -249,6 +268,9 @@ struct RimTable {
             }
         }
         choose_angles();
+        if (window.fields) {
+            choose_points();
+        }
         for (RimWaves& rim : rims) {
             make_waves(rim);
         }
@@ -256,7 +278,8 @@ struct RimTable {
     }
     bool is(const RimWindow& asked) const { return window == asked; }
     std::size_t bytes() const {
-        std::size_t sum = weights.empty() ? 0 : weights.size() * weights[0].size();
+        std::size_t sum =
+            (weights.empty() ? 0 : weights.size() * weights[0].size()) + shares.size() + parts.size() + local.size();
         for (const RimWaves& rim : rims) {
             sum += 2 * rim.real.size();
             for (std::size_t i = 0; i < 4; ++i) {
@@ -285,6 +308,30 @@ struct RimTable {
             least = std::min(least, 64.0 / 15.0 * size / (1.0 - 1.0 / (rho * rho)));
         }
         return least;
+    }
+
+    // Error of averages by Gauss quadrature of intensities whose transfer function is at most the autocorrelation of the unit disc: from
+    // the mean error of the frequency response (certificate, section 10).
+    static double mean_pixel_error(double step, std::size_t points) {
+        std::vector<double> x(points), weights(points);
+        gauss_legendre(points, x.data(), weights.data());
+        const auto off = [&](double w) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < points; ++i) {
+                sum += 0.5 * weights[i] * std::cos(0.5 * step * w * x[i]);
+            }
+            return sum - std::sin(0.5 * step * w) / (0.5 * step * w);
+        };
+        double squares = 0.0, largest = 0.0;
+        const std::vector<double> band = band_points(0.5 * step);
+        const TransferRule rule(band.size());
+        for (std::size_t i = 0; i < rule.at.size(); ++i) {
+            squares += rule.weights[i] * off(rule.at[i]) * off(rule.at[i]);
+        }
+        for (const double w : band) {
+            largest = std::max(largest, std::abs(off(w)));
+        }
+        return (2.0 + std::sqrt(2.0) * largest) * (std::sqrt(squares) + 1e-14);
     }
 
    private:
@@ -401,14 +448,16 @@ struct RimTable {
         for (double low = last; low < 0.6; low += 0.05) {
             for (std::size_t points = 3; points < best.places.size(); ++points) {
                 const RadiusRule rule(low, points);
-                double worst = 0.0;
+                double worst = 0.0, of_field = 0.0;
                 for (double x = last; x < 1.0; x *= 1.05) {
                     worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
+                    of_field = std::max(of_field, x * std::sqrt(x) * rule.error(x, rule.rho(0)));
                 }
                 // Estimated squared modulus of the waves in the ellipse of rule.rho(0): 1.2 * nearest, and more if `nearest` and the
                 // box are large, because pupils that need large boxes have large phases.
                 const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
-                if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
+                if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest &&
+                    (!window.fields || 2.0 * std::sqrt(squares) * of_field <= field_error() * nearest * std::sqrt(nearest))) {
                     best = rule;
                 }
             }
@@ -427,6 +476,94 @@ struct RimTable {
         }
         taps = AngleWeights::most_taps;
     }
+    // Allowed error of fields, for each of its causes. Fields count times those of strips.
+    double field_error() const { return 16.0 * window.error; }
+    // Error of Gauss quadrature over pixels by the points of fields.
+    double field_pixels() const { return window.fields ? 3.0 * pixel_error(window.step, gauss_places.size()) : 0.0; }
+    void choose_points() {
+        std::size_t points = 4;
+        while (mean_pixel_error(window.step, points) > 0.05 * window.error && points < 64) {
+            ++points;
+        }
+        gauss_places.resize(points);
+        gauss_weights.resize(points);
+        gauss_legendre(points, gauss_places.data(), gauss_weights.data());
+        const double most = static_cast<double>(rims[0].orders + rim_orders - 1);
+        for (field_taps = 4; field_taps < taps; field_taps += 2) {
+            const double off = std::sqrt(AngleWeights(field_taps, most, apart()).find(0.5));
+            if (3.5 * off <= field_error() * std::pow(window.nearest(), 1.5)) {
+                break;
+            }
+        }
+    }
+    // Set what the fields at the Gauss points of some pixels follow from.
+    void make_fields(RimPixels& own) {
+        const double nearest = window.nearest();
+        const std::size_t points = gauss_places.size();
+        AngleWeights angles(field_taps, static_cast<double>(rims[0].orders + rim_orders - 1), apart());
+        std::vector<double> v, wanted;
+        double around_ring = 0.0, nearer = 0.0;  // largest sum of moduli of the weights of angles; largest v^(-3/2)
+        own.point = starts.size();
+        own.part = parts.size();
+        own.place = local.size();
+        for (std::size_t i = 0; i < points * points; ++i) {
+            const double y = static_cast<double>(own.q) + 0.5 * gauss_places[i / points],
+                         x = static_cast<double>(own.p) + 0.5 * gauss_places[i % points];
+            v.push_back(window.step * std::hypot(y, x));
+            const double angle = std::atan2(y, x) / apart() - 0.5, before = std::floor(angle), root = std::pow(v[i], -1.5);
+            const double misfit = std::sqrt(angles.find(angle - before)), along = rule.at(nearest / v[i]);
+            nearer = std::max(nearer, root);
+            wanted.insert(wanted.end(), rule.shares.begin(), rule.shares.end());
+            double moduli = 0.0;
+            for (std::size_t t = 0; t < field_taps; ++t) {
+                shares.push_back(static_cast<float>(angles.shares[t]));
+                moduli += std::abs(angles.shares[t]);
+            }
+            around_ring = std::max(around_ring, moduli);
+            field_angles = std::max(field_angles, root * along * misfit);
+            starts.push_back(
+                static_cast<std::uint16_t>(before - static_cast<double>(field_taps / 2 - 1) - static_cast<double>(own.begin)));
+        }
+        const auto [least, most] = std::minmax_element(v.begin(), v.end());
+        const double top = nearest / *least;
+        for (own.places = 2;; ++own.places) {
+            RadiusRule here(*least / *most, own.places);
+            std::vector<double> of_places;
+            double along = 0.0, between = 0.0;  // largest sums of moduli of weights
+            for (const double place : here.places) {
+                along = std::max(along, rule.at(top * place));
+                of_places.insert(of_places.end(), rule.shares.begin(), rule.shares.end());
+            }
+            double off = 0.0;
+            Floats made;
+            for (std::size_t i = 0; i < v.size(); ++i) {
+                between = std::max(between, here.at(nearest / v[i] / top));
+                double sum = 0.0;
+                for (std::size_t r = 0; r < radii(); ++r) {
+                    double share = wanted[i * radii() + r];
+                    for (std::size_t l = 0; l < own.places; ++l) {
+                        share -= here.shares[l] * of_places[l * radii() + r];
+                    }
+                    sum += std::abs(share);
+                }
+                const double root = std::pow(v[i], -1.5);
+                off = std::max(off, root * sum * around_ring);
+                for (const double share : here.shares) {
+                    for (const RimWaves& rim : rims) {
+                        made.push_back(static_cast<float>(2.0 * root * share * std::cos(rim.radius * v[i])));
+                        made.push_back(static_cast<float>(-2.0 * root * share * std::sin(rim.radius * v[i])));
+                    }
+                }
+            }
+            if (3.5 * off <= field_error() || own.places >= 2 * radii()) {
+                field_places = std::max(field_places, off);
+                field_gain = std::max(field_gain, nearer * along * between * around_ring);
+                parts.insert(parts.end(), made.begin(), made.end());
+                local.insert(local.end(), of_places.begin(), of_places.end());
+                return;
+            }
+        }
+    }
     void make_pixels() {
         const double nearest = window.nearest();
         AngleWeights angles(taps, order(), apart());
@@ -435,9 +572,8 @@ struct RimTable {
         while (3.0 * pixel_error(window.step, points) > 0.02 * window.error && points < most_points) {
             ++points;
         }
-        const double response = pixel_error(window.step, points);
-        off_pixels = 3.0 * response;
-        off_field = std::min(1.0, 4.0 * pi / (window.step * window.step) + 3.0 * response);
+        off_pixels = 3.0 * pixel_error(window.step, points);
+        off_field = std::min(1.0, 4.0 * pi / (window.step * window.step) + std::max(off_pixels, field_pixels()));
         std::vector<double> x(points), w(points);
         gauss_legendre(points, x.data(), w.data());
         std::vector<double> frequencies{2.0};
@@ -446,7 +582,7 @@ struct RimTable {
             frequencies = {2.0 * eps, 1.0 - eps, 1.0 + eps, 2.0};
         }
         const std::size_t half = window.box / 2;
-        Doubles lights, shares, sums;
+        Doubles lights, spread, sums;
         weights.resize(radii());
         for (std::size_t p = half + 1; p <= window.reach; ++p) {
             for (std::size_t q = 0; q <= p; ++q) {
@@ -459,10 +595,11 @@ struct RimTable {
                 const double begin = std::floor(low - 0.5) - static_cast<double>(taps / 2 - 1);
                 const std::size_t count =
                     static_cast<std::size_t>(std::floor(high - 0.5) + static_cast<double>(taps / 2) - begin) + 1;
-                // Weights sums[radius][channel][angle]: matrix product of lights[radius][channel][point] and shares[point][angle].
+                // Weights sums[radius][channel][angle]: matrix product of lights[radius][channel][point] and spread[point][angle].
                 lights.resize(radii() * channels() * points * points);
-                shares.assign(points * points * count, 0.0);
+                spread.assign(points * points * count, 0.0);
                 sums.resize(radii() * channels() * count);
+                RimPixels own{p, q, weights[0].size(), channels(), static_cast<std::ptrdiff_t>(begin), count};
                 // The error of interpolation between radii is largest at the least or the largest radius v of the pixel.
                 const double first = window.step * std::hypot(std::max(0.0, down - 0.5), right - 0.5),
                              last = window.step * std::hypot(down + 0.5, right + 0.5);
@@ -470,6 +607,8 @@ struct RimTable {
                     const double worst =
                         std::max(rule.error(nearest / first, rule.rho(e)), rule.error(nearest / last, rule.rho(e)));
                     off_radii[e] = std::max(off_radii[e], 4.0 / (first * first * first) * worst);
+                    field_radii[e] = std::max(field_radii[e], 2.0 / (first * std::sqrt(first)) * worst);
+                    own.off_radii[e] = 4.0 / (first * first * first) * worst;
                 }
                 dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                     using I = decltype(isa);
@@ -507,13 +646,13 @@ struct RimTable {
                             for (std::size_t t = 0; t < taps; ++t) {
                                 moduli += std::abs(angles.shares[t]);
                             }
-                            off_angles = std::max(off_angles, together() * size * along * misfit);
-                            gain = std::max(gain, static_cast<double>(channels()) * size * along * moduli);
+                            own.off_angles = std::max(own.off_angles, together() * size * along * misfit);
+                            own.gain = std::max(own.gain, static_cast<double>(channels()) * size * along * moduli);
                             const double by = 0.25 * w[i] * w[j] * size;
                             const std::size_t at =
                                 static_cast<std::size_t>(before[j] - static_cast<double>(taps / 2 - 1) - begin);
                             const std::size_t point = i * points + j;
-                            std::copy_n(angles.shares, taps, shares.data() + point * count + at);
+                            std::copy_n(angles.shares, taps, spread.data() + point * count + at);
                             for (std::size_t r = 0; r < radii(); ++r) {
                                 for (std::size_t k = 0; k < channels(); ++k) {
                                     lights[(r * channels() + k) * points * points + point] =
@@ -523,17 +662,16 @@ struct RimTable {
                         }
                     }
                 });
-                product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
+                product(lights.data(), radii() * channels(), points * points, spread.data(), count, 1, sums.data());
                 margin = std::max(margin, count + taps);
                 // Omit pairs of channels (of cos(f v) and sin(f v), see rim_channels()), the last one first, while their weights sum to
                 // little: a pair's amplitude is at most channel 0.
                 const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
                     return sums[(radius * channels() + channel) * count + angle];
                 };
-                std::size_t used = channels();
-                double rest = 0.0;
+                std::size_t& used = own.used;
                 for (; used > 1; used -= 2) {
-                    double more = rest;
+                    double more = own.dropped;
                     for (std::size_t r = 0; r < radii(); ++r) {
                         for (std::size_t t = 0; t < count; ++t) {
                             more += std::hypot(sum_of(r, used - 2, t), sum_of(r, used - 1, t));
@@ -542,10 +680,15 @@ struct RimTable {
                     if (3.0 * more > 0.15 * window.error) {
                         break;
                     }
-                    rest = more;
+                    own.dropped = more;
                 }
-                dropped = std::max(dropped, rest);
-                pixels.push_back({p, q, weights[0].size(), used, static_cast<std::ptrdiff_t>(begin), count});
+                off_angles = std::max(off_angles, own.off_angles);
+                gain = std::max(gain, own.gain);
+                dropped = std::max(dropped, own.dropped);
+                if (window.fields) {
+                    make_fields(own);
+                }
+                pixels.push_back(own);
                 for (std::size_t r = 0; r < radii(); ++r) {
                     for (std::size_t t = 0; t < count; ++t) {
                         for (std::size_t c = 0; c < used; ++c) {

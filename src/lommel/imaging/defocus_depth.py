@@ -33,7 +33,7 @@ from lommel.imaging.focal_engine import (
     checked_range,
     processors,
 )
-from lommel.imaging.pair_noise import residual_variance, starting_noise
+from lommel.imaging.pair_noise import is_compressed, residual_variance, starting_noise
 from lommel.imaging.photograph import require_image
 from lommel.imaging.settings import channel_spectra, spectra
 from lommel.io.depth_maps import fill_missing, write_depth
@@ -51,6 +51,7 @@ _MULTIPLE = 16  # pixels: a common multiple of the sides of blocks and of all sq
 _MIN_SIDE = 160  # pixels, smallest height and width; smaller photographs are padded with mirrored pixels
 _MIN_UNMIXED = 0.2  # least fraction of pixels, away from unknown ones and borders, that measure exposures
 _TEXTURE_REACH = 3.0  # distance from which texture determines depth in flat areas / window
+_MAX_FAINT = 0.2  # largest standard error / usual one in JPEG, whose noise is faint texture too
 _ADDED_VARIANCE = 1e-3  # variance added to the read-noise variance, as a fraction of the mean electrons per pixel
 
 
@@ -309,7 +310,10 @@ def depth_from_defocus(
     noise = Noise(white=float(white.mean()), read=read) if noise is None else None
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
-    _add_slope_errors(position, index_errors, WINDOW, engine.known / step)
+    limit = engine.known / step
+    if noise and any(map(is_compressed, images[int(np.argmax(images[:, 0].mean(axis=(1, 2))))])):
+        limit *= _MAX_FAINT
+    _add_slope_errors(position, index_errors, WINDOW, limit)
     estimate, errors = vergence[0] + step * position.astype(np.float64), step * index_errors
     lens_errors = o.f_number_error, o.focus_error
     if any(lens_errors):

@@ -57,10 +57,6 @@ _REACH = 3.0  # steps between candidates: extension of the depths of a tile for 
 _MIN_COUNT, _COUNT_PER_PIXEL = 48, 8.0  # frequencies along an axis: at least, and per pixel of the largest blur
 _CHUNK = 32  # number of candidates computed together
 _MIN_CELLS = 8  # least number of cells from which a scale is estimated
-_MAX_FAINT, _MIN_CLEAR = (
-    1.0 / 6.0,
-    0.1,
-)  # standard error by clear texture / largest one, and its share of known pixels
 MIN_BLOCKS = 16
 """Least number of blocks with a depth: fewer are false ones of noise, and no depth is known."""
 
@@ -177,7 +173,7 @@ class DefocusVerdict(FitReport):
             add(
                 "no_depth",
                 "error",
-                "no depth is known, or of few blocks or faint texture in JPEG: no texture, every depth out of range, "
+                "no depth is known, or of few blocks: no texture (or a faint one in JPEG), every depth out of range, "
                 "or blocks left out as stated beside",
             )
         elif noise is not None:
@@ -320,10 +316,7 @@ def judge_frames(
     """
     known = np.isfinite(errors)
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
-    compressed = any(map(is_compressed, images[brightest]))
-    # Compression makes the noise of plain areas faint texture.
-    faint = compressed and noise is not None and (errors < _MAX_FAINT * engine.known).sum() < _MIN_CLEAR * known.sum()
-    if faint or known.sum() < MIN_BLOCKS * BLOCK**2:
+    if known.sum() < MIN_BLOCKS * BLOCK**2:
         return DefocusVerdict.of(math.nan)
     known_vergence = vergence[known].astype(np.float64)
     # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
@@ -351,7 +344,7 @@ def judge_frames(
         excess=excess,
         exchanged=noise is None and median > _DOUBTFUL_MISFIT and _exchanged_agree(engine, brightest, tiles),
     )
-    if compressed:
+    if any(map(is_compressed, images[brightest])):
         return make_verdict(compressed=True)
     minima = _scale_minima(engine, brightest, next(frames(engine.binning), None), tiles, median if noise else 1.0)
     if not minima:

@@ -222,9 +222,8 @@ def watch(
                 raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
         guess, noise = coding.guess if stated else "", None if stated else live.noise
         if noise is not None:  # at white, as --white, not in electrons per count
-            white = estimator.coding_in_use.white
-            noise = Noise(white=white, read=noise.read)
-            coding.facts.update(white=white, read_noise=noise.read, noise_is_a_guess=False)
+            noise = Noise(white=estimator.coding_in_use.white, read=noise.read)
+            coding.facts.update(white=estimator.coding_in_use.white, read_noise=noise.read, noise_is_a_guess=False)
         facts = {
             **coding.facts,
             "shape": list(pairs.shape),

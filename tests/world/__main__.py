@@ -69,7 +69,7 @@ def page(stored: dict[str, list[Run]]) -> str:
         + (f"twice or more in {', '.join(twice)}." if twice else "no world twice.")
     )
     rates = [f"{BY_ROW[row].name} ({one.rms:.2f})" for row, one in judged(stored) if "rms" in " ".join(one.faults)]
-    second = f"Errors are not 0.8 to 1.15 standard errors, as far as the runs show, in {len(rates)} worlds"
+    second = f"Errors are not 0.8 to 1.15 standard errors, as far as the runs show, in {len(rates) or 'no'} worlds"
     return "\n\n".join((first, f"{second}: {', '.join(rates)}." if rates else f"{second}.", "\n".join(rows)))
 
 

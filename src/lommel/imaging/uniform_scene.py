@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple, Self
 
 import numpy as np
+import scipy
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
@@ -21,6 +22,7 @@ from lommel.optics.lens import Lens, require_round
 from lommel.optics.pupil import Pupil
 from lommel.recorded.noise import Noise
 
+_VARIANCE_RMS = 2.0  # pixels: rms width of the Gaussian that smooths the light of which the noise is computed
 _ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
 
 
@@ -143,5 +145,5 @@ def _middle(observed: PhotographLikelihood, model: Values | None) -> tuple[Array
     if observed.full is not None and model is not None:
         light = np.where(plane(observed.full) > 0.0, np.maximum(light, plane(model)), light)
     gain = np.where(known, plane(observed.weight), 1.0) * observed.white
-    mean = float(light.mean()) if model is None else plane(model)
+    mean = scipy.ndimage.gaussian_filter(light, _VARIANCE_RMS) if model is None else plane(model)
     return light, np.maximum(mean + plane(added), 0.0) / gain

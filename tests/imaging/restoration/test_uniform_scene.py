@@ -117,6 +117,18 @@ def test_sharpened_photograph_is_a_doubt(depth, amount):
     assert len(told.text) <= 300
 
 
+def test_bright_middle_has_the_noise_of_its_light():
+    """A window sees the middle of the photograph, whose noise is not that of the mean light."""
+    scene = texture("leaves", SIDE, 7).copy()
+    ends = [(side // 3, 2 * side // 3) for side in scene.shape]
+    scene *= 0.05
+    scene[slice(*ends[0]), slice(*ends[1])] *= 20.0
+    draw = np.random.default_rng(4)
+    seen = plane(scene, [LENS], distance_of(5.0), LIGHT)[0]
+    photo = (draw.poisson(seen) + draw.normal(0.0, READ, seen.shape)) / (3.0 * LIGHT)
+    assert "sharpened" not in restored(photo, "unknown").findings.codes
+
+
 def test_photograph_without_texture_has_no_distance():
     draw = np.random.default_rng(1)
     photo = draw.poisson(np.full((SIDE, SIDE), LIGHT)) / (3.0 * LIGHT)

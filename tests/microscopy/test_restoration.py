@@ -393,6 +393,7 @@ def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, dee
     made = quick(deep, direction="down", method=way, diagnosis=True, **sizes)
     assert made.channels[0].stopped == "misfit"
     finding = made.findings.get("misfit")
+    assert finding.text.endswith("measure the PSF with beads (--psf, lm.PSF.measured)")
     if not found:
         assert finding.severity == "doubt"
         assert made.converged

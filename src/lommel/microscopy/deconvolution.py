@@ -466,6 +466,9 @@ def _conclude(
         if finding.code == "misfit" and can_try:
             alternatives = rank_alternatives(context, report, try_reversed=options.direction != "auto")
             finding = _explain_misfit(finding, alternatives)
+        if finding.code == "misfit" and isinstance(model, DepthModel):
+            text = f"{finding.text}; next, measure the PSF with beads (--psf, lm.PSF.measured)"
+            finding = replace(finding, text=text)
         findings.append(finding)
     if outcome.is_structured and (uneven := floor.finding(context.stack.shape, _background(options.background))):
         findings.append(uneven)

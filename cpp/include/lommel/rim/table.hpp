@@ -477,12 +477,12 @@ struct RimTable {
         taps = AngleWeights::most_taps;
     }
     // Allowed error of fields, for each of its causes. Fields count times those of strips.
-    double field_error() const { return 16.0 * window.error; }
+    double field_error() const { return 24.0 * window.error; }
     // Error of Gauss quadrature over pixels by the points of fields.
     double field_pixels() const { return window.fields ? 3.0 * pixel_error(window.step, gauss_places.size()) : 0.0; }
     void choose_points() {
         std::size_t points = 4;
-        while (mean_pixel_error(window.step, points) > 0.05 * window.error && points < 64) {
+        while (mean_pixel_error(window.step, points) > 0.15 * window.error && points < 64) {
             ++points;
         }
         gauss_places.resize(points);

@@ -77,6 +77,7 @@ def test_moments_are_those_of_the_aperture(aperture):
 def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, center, integrate):
     pupil = lm.Pupil(FRONT + lm.Wavefront(defocus=[-4.0, 0.0, 4.0]), **APERTURES[aperture])
     names = (*TERMS, (1, 1), (1, -1))
+    monkeypatch.setattr(nonuniform_fft, "averaged_apertures", lambda *_: None)  # averages are filtered samples
     made = []
     whole = nonuniform_fft._moment_images
     monkeypatch.setattr(nonuniform_fft, "_moment_images", lambda *of, **how: made.append(how) or whole(*of, **how))
@@ -169,7 +170,7 @@ def test_tables_are_those_of_the_weights():
         (lm.Polygon.regular(6, radius=0.98), 5, (), 65, False),  # few nodes: Fourier transforms
         (lm.telescopes.hst(), 9, ((2, 0), (3, 1), (4, 0)), 33, True),
         (lm.telescopes.hst(), 1, (), 33, False),
-        (lm.telescopes.hst(), 1, ((3, 1), (14, 0)), 33, False),
+        (lm.telescopes.hst(), 1, ((3, 1), (14, 0)), 33, True),
     ],
 )
 def test_moments_are_chosen_where_they_are_cheaper(monkeypatch, stop, count, names, side, expected):

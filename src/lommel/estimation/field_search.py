@@ -771,7 +771,7 @@ def estimated_effects(rounds: Sequence[Round], coefficients: Array, errors: Arra
             pair = value + float(test.size[0]), float(test.errors[0])
             estimates.append(Estimate(test.name, *pair, stated, unit_of(test.name)))
     moves = np.abs(fit.polynomials()[: len(before)] - before) / errors[: len(before)]
-    return estimated_findings(estimates, float(moves.max()), rivals)
+    return estimated_findings(estimates, float(moves.max(initial=0.0)), rivals)
 
 
 def _no_progress(step: int, chi2: float) -> None:

@@ -306,8 +306,8 @@ def tiles(
     """
     at_most(shape)
     count = int(np.prod(shape))
-    columns = shape[1] if len(shape) == 2 else min(count, 8)
-    rows = -(-count // columns)
+    rows = shape[0] if len(shape) == 2 else -(-count // 8)
+    columns = -(-count // rows)
     figure = new_figure((max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8))
     all_axes = np.empty(shape, dtype=object)
     for k, index in enumerate(np.ndindex(shape)):

@@ -251,16 +251,25 @@ def test_planes_are_reversed_where_that_fits_and_is_far_likelier(chi2, gain, ste
     deviation, steps = 0.05, []
     limit = max(float(largest_plausible_chi2(deviation)), 1.0 + 0.25 * (chi2 - 1.0))
     made = {"quality": (limit * (2.0 - step), deviation), "log_posterior": 100.0 + gain * step}
-    monkeypatch.setattr(bead_checks, "climb", lambda model, state, most, report: steps.append(most) or fit)
+    starts = []
+
+    def climb(model, state, most, report):
+        steps.append(most)
+        starts.append(state.waves)
+        return fit
+
+    monkeypatch.setattr(bead_checks, "climb", climb)
+    images = SimpleNamespace(estimated_terms=((2, 2), (3, -1)))
     for side in (0.9, 2.0 - step, 1.001):
         fit = SimpleNamespace(**made | {"quality": (limit * side, deviation)})
         model = bead_search.BeadModel.__new__(bead_search.BeadModel)
         monkeypatch.setattr(bead_checks, "replace", lambda one, **_: one)
-        vars(model).update(stacks=(), depths=())
-        start = SimpleNamespace(setup=None, waves=np.zeros(0))
+        vars(model).update(stacks=(), depths=(), images=images)
+        start = SimpleNamespace(setup=None, waves=np.array([0.1, 0.2]))
         found = bead_checks.reversed_findings(model, start, 100.0, chi2, None)
         assert told(found) == ([("reversed_z", "error")] if step > 1.0 > side else [])
     assert set(steps) == {20 if chi2 < 20.0 else 10}
+    np.testing.assert_array_equal(starts, [[-0.1, 0.2]] * 3)  # even terms are those of the other side of the focus
 
 
 @pytest.mark.parametrize(("posterior", "chi2", "settled", "same"), [

@@ -164,8 +164,9 @@ def _inverse(planes: Values) -> Values:
     return np.asarray(scipy.fft.idctn(planes, axes=(-2, -1), norm="ortho"))
 
 
-def _smooth(plane: Values, rms: float) -> Values:
-    return np.asarray(scipy.ndimage.gaussian_filter(plane, rms, truncate=2.5))
+def _smooth(planes: Values, rms: float) -> Values:
+    widths = [0.0] * (planes.ndim - 2) + [rms, rms]
+    return np.asarray(scipy.ndimage.gaussian_filter(planes, widths, truncate=2.5))
 
 
 def _image(planes: Values, shape: tuple[int, ...]) -> Values:
@@ -393,17 +394,18 @@ class _Problem:
         result, coefficients = low * start, []
         for b in bands:
             values = _inverse(b.gain * start[b.part])
-            noise = variances[b.sides] * (self.mean[channel] * np.mean(np.square(b.gain * filtered[b.part])))
+            passed = np.mean(np.square(b.gain * filtered[b.part]), axis=(1, 2), keepdims=True)
+            noise = variances[b.sides] * (self.mean[channel] * passed)
             energy = _smooth(np.square(values), _LOCAL_RMS[0] * b.scale)
             shrunk = values * np.maximum(energy - noise, 0.0) / np.maximum(energy, 1e-30)
-            result[b.part] += b.gain * _cosines(shrunk)
+            result[b.part] += b.joined(_cosines(shrunk))
             coefficients.append((values, noise))
         pilot, result = result, low * start
         for b, (values, noise) in zip(bands, coefficients, strict=True):
             sharp = _inverse(b.gain * pilot[b.part])
             seen = _inverse(b.gain * transmitted[b.part] * pilot[b.part])
             energy, product = (_smooth(seen * other, _LOCAL_RMS[1] * b.scale) for other in (seen, sharp))
-            result[b.part] += b.gain * _cosines(values * product / np.maximum(energy + noise, 1e-30))
+            result[b.part] += b.joined(_cosines(values * product / np.maximum(energy + noise, 1e-30)))
         return _inverse(result)
 
     def _variation(
@@ -525,7 +527,7 @@ def _radial(transfer: Callable[[tuple[int, int]], Values], half: int) -> Array:
 
 
 class _Band(NamedTuple):
-    """Part of the frame: its gain at the low frequencies that it contains, and its scale in pixels of that part."""
+    """An octave of the frame: gains of its directions at the frequencies of its part, and scale in pixels of that."""
 
     part: tuple[slice, slice]
     gain: Values
@@ -534,12 +536,16 @@ class _Band(NamedTuple):
     @property
     def sides(self) -> tuple[int, ...]:
         """Shape of the part."""
-        return self.gain.shape
+        return self.gain.shape[1:]
+
+    def joined(self, spectra: Values) -> Values:
+        """Return the part of a spectrum of which these are the directions."""
+        return np.asarray(np.einsum("dyx,dyx->yx", self.gain, spectra))
 
 
 @lru_cache(maxsize=4)
 def _frame(shape: tuple[int, int]) -> tuple[list[_Band], Values]:
-    """Return bands of a tight frame, one octave wide and of one direction, and the low pass beside them.
+    """Return the octaves of a tight frame, in all directions, and the low pass beside them.
 
     The sum of all squares is 1. Bands of low frequencies are sampled more coarsely: a part of a cosine transform is
     that of a smaller image.
@@ -554,9 +560,9 @@ def _frame(shape: tuple[int, int]) -> tuple[list[_Band], Values]:
         above = above * low
         stride = 2 ** max(k - 1, 0)
         part = np.s_[: -(-shape[0] // stride), : -(-shape[1] // stride)]
-        for j in range(_DIRECTIONS):
-            gain = ring * np.cos(0.5 * np.pi * np.clip(np.abs(direction - j), 0.0, 1.0))
-            bands.append(_Band(part, gain[part].astype(_Real), 2.0 ** min(k, 1)))
+        centres = np.arange(_DIRECTIONS)[:, None, None]
+        gains = ring[part] * np.cos(0.5 * np.pi * np.clip(np.abs(direction[part] - centres), 0.0, 1.0))
+        bands.append(_Band(part, gains.astype(_Real), 2.0 ** min(k, 1)))
     return bands, above.astype(_Real)
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import itertools
 from functools import cache
-from typing import NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import scipy
@@ -182,8 +182,8 @@ class BlurSpectrum:
         """
         if self._most_noise(channel) < _MORE_NOISES[0]:
             return 1.0, 0.0, 0.0
-        noises = 1.0, assumed, *_MORE_NOISES
-        fits = [self._fit(self._shapes(curve[None]), channel, noise) for noise in noises]
+        noises, shapes = (1.0, assumed, *_MORE_NOISES), self._shapes(curve[None])
+        fits = [self._fit(shapes, channel, noise) for noise in noises]
         costs = [float(fit.cost[0]) for fit in fits]
         best = 2 + int(np.argmin(costs[2:]))
         scale = max(float(fits[best].dispersion[0]), 1.0)
@@ -197,15 +197,16 @@ class BlurSpectrum:
         shapes, power = self._shapes(curves), self._power[channel]
         fit = self._fit(shapes, channel, noise)
         best = int(np.argmin(fit.cost))
-        shapes, gains = shapes[[0, best] if best else [0]], []
         f = (np.flatnonzero(self._known) + 0.5) * _WIDTH
-        for amount, rms in itertools.product(_AMOUNTS, _MASKS):
-            raised = np.square(1.0 + amount * (1.0 - np.exp(-2.0 * np.square(np.pi * rms * f))))
-            masked = _Fit.of(power / raised, self._counts, shapes, 1.0)
-            k = int(np.argmin(masked.cost))
-            gain = fit.cost[best] - masked.cost[k] - self._counts @ np.log(raised)
-            gains.append(float(gain) / max(float(masked.dispersion[k]), 1.0))
-        return max(gains)
+        masks = [
+            1.0 + amount * (1.0 - np.exp(-2.0 * np.square(np.pi * rms * f)))
+            for amount, rms in itertools.product(_AMOUNTS, _MASKS)
+        ]
+        raised = np.square(masks)
+        masked = _Fit.of(power / raised, self._counts, shapes[[0, best] if best else [0]], 1.0)
+        gains = fit.cost[best] - masked.cost - (np.log(raised) @ self._counts)[:, None]
+        each = np.arange(len(masks)), masked.cost.argmin(axis=1)
+        return float((gains[each] / np.maximum(masked.dispersion[each], 1.0)).max())
 
     def _shapes(self, curves: Array) -> Array:
         """Return the expected power of textures of power 1, (blurs, slopes, rings)."""
@@ -231,34 +232,39 @@ class _Fit(NamedTuple):
 
     @classmethod
     def of(cls, power: Array, counts: Array, shapes: Array, noise: float) -> Self:
-        """Return the fit to the measured `power` of shapes (blurs, slopes, rings)."""
+        """Return the fits of shapes (blurs, slopes, rings) to the measured `power` (..., rings), (..., blurs)."""
         peaks = np.maximum(shapes.max(axis=2), 1e-300)
         unit = shapes / peaks[:, :, None]
+        weighted = (counts * power)[..., None, None, :, None]
 
         def costs(log_power: Array, of: Array) -> Array:
-            model = np.exp(log_power)[..., None] * of[:, :, None] + noise
-            return np.asarray((np.log(model) + power / model) @ counts)
+            model = np.exp(log_power)[..., None] * of[..., None, :] + noise
+            return np.asarray(np.log(model) @ counts + (np.reciprocal(model) @ weighted)[..., 0])
 
         start = np.log(1e-2) + np.arange(20.0)
         cost = costs(np.broadcast_to(start, (*peaks.shape, start.size)), unit)
         # The three best slopes are refined.
-        order = np.argsort(cost.min(axis=2), axis=1)[:, :3]
-        rows = np.arange(len(order))[:, None]
-        of, level, step = unit[rows, order], start[cost[rows, order].argmin(axis=2)], 1.0
+        order = np.argsort(cost.min(axis=-1), axis=-1)[..., :3]
+        row = np.arange(len(peaks))
+        of, level, step = unit[row[:, None], order], start[_along(cost.argmin(axis=-1), order)], 1.0
         for _ in range(3):
             tried = level[..., None] + step * np.linspace(-1.0, 1.0, 7)
             cost = costs(tried, of)
-            level = np.take_along_axis(tried, cost.argmin(axis=2)[..., None], 2)[..., 0]
+            level = _along(tried, cost.argmin(axis=-1)[..., None])[..., 0]
             step /= 3.0
-        cost = cost.min(axis=2)
-        best = cost.argmin(axis=1)
-        row = np.arange(len(best))
-        slope = order[row, best]
-        factor = np.exp(level[row, best])
-        model = factor[:, None] * of[row, best] + noise
-        dispersion = np.square(power / model - 1.0) @ counts / max(power.size - 3, 1)
-        return cls(cost[row, best], factor / peaks[row, slope], _SLOPES[slope], dispersion)
+        cost = cost.min(axis=-1)
+        best = cost.argmin(axis=-1)[..., None]
+        slope = _along(order, best)[..., 0]
+        factor = np.exp(_along(level, best))
+        model = factor * unit[row, slope] + noise
+        dispersion = np.square(power[..., None, :] / model - 1.0) @ counts / max(power.shape[-1] - 3, 1)
+        return cls(_along(cost, best)[..., 0], factor[..., 0] / peaks[row, slope], _SLOPES[slope], dispersion)
 
     def texture(self, blur: int, noise: float) -> Texture:
         """Return the texture of one of the blurs."""
         return Texture(float(self.power[blur]), float(self.slope[blur]), noise)
+
+
+def _along(values: NDArray[Any], place: NDArray[np.intp]) -> NDArray[Any]:
+    """Return the values at places along the last axis."""
+    return np.take_along_axis(values, place, -1)

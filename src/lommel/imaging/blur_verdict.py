@@ -92,7 +92,8 @@ def compare_blurs(
     waves = np.zeros_like(factors)
     rings = BlurSpectrum.windowed(plane[None], variance[None])
     noise = rings.texture(curves[0], 0).noise
-    likelihood, sharpening = rings.likelihood(curves, 0, noise), rings.sharpening(curves, 0, noise)
+    likelihood = rings.likelihood(curves, 0, noise)
+    sharpening = rings.sharpening(curves[[0, int(np.argmax(likelihood))]], 0, noise)
     if likelihood.max() - likelihood[0] > _MIN_GAIN:
         # Spherical aberration takes more time: it is compared where the stated blur is not the best one.
         factors, waves = np.append(factors, np.ones(len(_SPHERICAL))), np.append(waves, _SPHERICAL)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
+import scipy
 from scipy.special import j1
 
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
@@ -30,3 +32,21 @@ def test_window_does_not_bias_the_likeliest_diameter():
     for tile in photo.reshape(count, side, count, side).swapaxes(1, 2).reshape(-1, 1, side, side):
         likelihood += BlurSpectrum.windowed(tile, unit).likelihood(curves, 0, 1.0)
     assert abs(diameters[np.argmax(likelihood)] - diameter) < 0.04
+
+
+def test_sharpening_is_that_of_the_best_mask_alone():
+    rng = np.random.default_rng(4)
+    noise = rng.normal(size=(96, 96))
+    plane = noise + 0.8 * (noise - scipy.ndimage.gaussian_filter(noise, 1.5, mode="wrap"))
+    curves = np.exp(-np.square(8.0 * FREQUENCIES))[None] * np.ones((2, 1))
+    masks = [(0.4, 0.7), (0.8, 1.5), (1.5, 2.5)]
+    gains = []
+    for amounts, widths in [*(((a,), (w,)) for a, w in masks), tuple(zip(*masks, strict=True))]:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr("lommel.imaging.blur_spectrum._AMOUNTS", amounts)
+            patch.setattr("lommel.imaging.blur_spectrum._MASKS", widths)
+            rings = BlurSpectrum.windowed(plane[None], np.ones((1, 96, 96)))
+            gains.append(rings.sharpening(curves, 0, 1.0))
+    assert np.argmax(gains[:3]) == 1
+    assert gains[1] > 100.0
+    assert gains[3] == pytest.approx(max(gains[:3]))

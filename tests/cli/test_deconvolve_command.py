@@ -54,6 +54,16 @@ def run(call_lommel, files):
 CAMERA = ("--gain", 1, "--read", 1.6, "--offset", 100, "--steps", 3, "--no-diagnosis")
 
 
+def test_all_time_points_are_restored_unless_one_is_given(run, files):
+    found = run("movie.ome.tif", "lens.toml", *CAMERA, "--direction", "up", "-o", "all.ome.tif")
+    assert "2 time points" in found.stdout + found.stderr
+    run("movie.ome.tif", "lens.toml", *CAMERA, "--direction", "up", "--time", 1, "-o", "one.ome.tif")
+    with tifffile.TiffFile(files / "all.ome.tif") as everything, tifffile.TiffFile(files / "one.ome.tif") as one:
+        assert everything.series[0].axes == "TZYX"
+        assert one.series[0].axes == "ZYX"
+        np.testing.assert_array_equal(everything.asarray()[1], one.asarray())
+
+
 def test_a_stack_is_restored_from_file_to_file(run, files, monkeypatch):
     monkeypatch.setattr(refinement, "_STEPS", 4)  # of each of both directions
     there = files / "restored.ome.tif"

@@ -131,6 +131,36 @@ def test_light_that_falls_along_a_wide_field_stack_is_named_in_the_order_of_its_
     assert sections.channels[0].findings.get("plane_light") is None
 
 
+def test_time_points_are_restored_as_each_alone_with_one_direction(tmp_path, deep, monkeypatch):
+    tried = []
+    monkeypatch.setattr(
+        "lommel.microscopy.preparation.estimate_z_direction", lambda *_: tried.append(1) or ("down", "the last plane")
+    )
+    faint = (100 + (deep[:, ::-1].astype(float) - 100) / 2).astype(np.uint16)
+    series = np.stack([np.stack([deep, faint]), np.stack([faint, deep])])
+    channels = {"Channel": {"Name": ["a", "b"], "EmissionWavelength": [520, 520]}}
+    file = written(tmp_path / "series.ome.tif", series, axes="TCZYX", **channels)
+    found = quick(file, direction="auto")
+    assert len(tried) == 2  # one for each channel
+    assert found.values.shape == series.shape
+    assert [channel.direction for channel in found.channels] == ["down"] * 4
+    alone = {
+        id(stack): quick(stack, direction="down", wavelength=WAVE, pixel=PIXEL, step=STEP) for stack in (deep, faint)
+    }
+    for place, stack in zip(np.ndindex(2, 2), (deep, faint, faint, deep), strict=True):
+        np.testing.assert_array_equal(found.values[place], alone[id(stack)].values)
+    assert found.message.splitlines()[0].count("2 time points, discrepancy") == 1
+    assert "b: time 0 and 1 other: " in found.message
+    entries = found.to_dict()["channels"]
+    assert [(entry["time"], entry["name"]) for entry in entries] == [(0, "a"), (0, "b"), (1, "a"), (1, "b")]
+    found.save(tmp_path / "out.ome.tif", tmp_path / "out.ome.zarr")
+    quick(file, direction="auto", out=tmp_path / "chunks.ome.zarr")
+    for name in ("out.ome.tif", "out.ome.zarr", "chunks.ome.zarr"):
+        with lm.recorded.open_frames(tmp_path / name) as saved:
+            assert saved.axes == "TCZYX"
+            np.testing.assert_array_equal(saved[...], found.values)
+
+
 def test_a_restored_stack_does_not_replace_its_recording(file):
     found = quick(file)
     with pytest.raises(ValueError, match="must not replace the recording"):

@@ -108,6 +108,10 @@ def test_time_points_are_asked_for(tmp_path):
         open_frames(path).as_channels()
     with open_frames(path).as_channels(time=1) as found:
         np.testing.assert_array_equal(found[0], STACK[1])
+    with open_frames(path).as_channels(series=True) as found:
+        assert found.axes == "TCZYX"
+        assert found.metadata["names"] == ("channel 0",)
+        np.testing.assert_array_equal(found[:, 0], STACK)
     with pytest.raises(ValueError, match="time"):
         open_frames(path).as_channels(time=2)
 

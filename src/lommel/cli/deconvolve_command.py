@@ -103,7 +103,7 @@ def deconvolve(
     diameter
         Diameter of the beads of --psf, such as 0.1um, which is removed.
     time
-        Time point, from 0.
+        Time point, from 0; by default all, one after the other.
     axes
         Axes of the file if it does not state them, such as ZYX.
     algorithm
@@ -151,7 +151,7 @@ def deconvolve(
     start = clock.perf_counter()
     try:
         with progress("reading") as report_progress, open_frames(stack) as frames:
-            recording = frames.as_channels(time=time, axes=axes)
+            recording = frames.as_channels(time=time, axes=axes, series=True)
             beads: dict[str, Any] = {"microscope": microscope, "diameter": diameter}
             result = run(
                 recording,
@@ -159,7 +159,7 @@ def deconvolve(
                 if psf is None
                 else [
                     measured_psf(psf, psf_pixel, psf_step, channel=channel, **beads)
-                    for channel in range(recording.shape[0])
+                    for channel in range(recording.shape[-4])
                 ],
                 noise,
                 replace(
@@ -168,7 +168,7 @@ def deconvolve(
                     out=zarr_output,
                     progress=lambda fraction, description: report_progress(description, fraction),
                 ),
-                mask=camera.mask_of(np.broadcast_to(False, recording.shape[1:])),
+                mask=camera.mask_of(np.broadcast_to(False, recording.shape[-3:])),
                 saturation=camera.saturation,
             )
             if zarr_output is None:

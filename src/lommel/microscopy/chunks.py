@@ -89,7 +89,7 @@ def restore_chunks(
     context: StackContext,
     course: Course,
     target: Target,
-    place: int,
+    place: tuple[int, ...],
     request: str,
     parts: tuple[ProjectionBuilder, Floor],
     doubts: Sequence[str],
@@ -112,7 +112,7 @@ def restore_chunks(
     settings: list[StepSettings] | None = None
     outcome = Outcome(np.zeros((height, width)) if course.background.points > 1 else 0.0)
     for number, (tile, padded, inner) in enumerate(tiles):
-        chunk = np.s_[place, :, *tile]
+        chunk = np.s_[*place, :, *tile]
         if number and target.has(request, chunk):
             continue
         counted = PoissonLikelihood(_load(stack, *padded), context.camera.part(*padded), context.saturation)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from os import PathLike
@@ -167,7 +168,8 @@ def deconvolve(
         NumPy, dask or Zarr, of shape (planes, height, width) or (channels, planes, height, width), of any real type.
         Saturated voxels are ignored: by default those with the largest value of 8, 10, 12, 14 or 16 bits, if several
         voxels of an integer stack have it. NaN, masked voxels and hot pixels are ignored, too;
-        :meth:`lommel.Counts.of` states masks and saturation.
+        :meth:`lommel.Counts.of` states masks and saturation. All time points of a series are restored, one after the
+        other.
     microscope : Objective, Microscope, PSF or MeasuredPSF
         Objective, or microscope from :func:`lommel.load_microscope`. A Microscope also sets modality, emitter and
         aberrations, the default depth, and the wavelength, pixel and step of files without these values. Or the PSF
@@ -220,6 +222,9 @@ def deconvolve(
     the sum of absolute differences was 3 % of the light after 5 steps and 17 % after 25 steps, or 2 % without
     extrapolation (``RichardsonLucy(accelerate=False)``). The result does not depend on the number of processors.
 
+    Time points of a series are read and restored one by one. Direction of z, noise, PSFs, and the comparisons of PSFs
+    are those of the first one, and each has its own background.
+
     Without `out` and with a single chunk, Ctrl-C keeps the completed steps, as ``stopped="interrupted"``. Otherwise
     it raises KeyboardInterrupt, and with `out` the same call resumes.
 
@@ -269,48 +274,108 @@ def run(
     if isinstance(stack, np.ma.MaskedArray):
         stack, array_mask = validation.parted("stack", stack, "counts")
     with frames_of("stack", stack) as frames, ExitStack() as cleanup:
-        recording = replace(frames, metadata=header | frames.metadata).as_channels()
+        recording = replace(frames, metadata=header | frames.metadata).as_channels(series=True)
+        series = recording.axes[0] == "T"
+        moments = [recording.one_of("T", k) for k in range(recording.shape[0])] if series else [recording]
         if noise is not None and not header:  # counts are complete
             noise, saturation = with_header(noise, saturation, recording.metadata)
         notes = list(recording.notes)
-        found = sampled(recording, microscope, stated, tuning.window, notes)
-        used, ignored = found.recording, _mask_of(mask, array_mask, recording.shape)
+        found = sampled(moments[0], microscope, stated, tuning.window, notes)
+        used = replace(recording, metadata=found.recording.metadata)
+        ignored = _mask_of(mask, array_mask, moments[0].shape)
         names = used.metadata["names"]
         target = cleanup.enter_context(destination(options.out, recording.shape, used))
         report = options.progress or silent
         report(0.0, "reading the stack")
         place = None if target.unfinished is None else target.unfinished.place
         memory = _MEMORY if options.memory is None else options.memory
-        stacks = cleanup.enter_context(local_stacks(recording, place, memory * _READ_SHARE))
         results: list[RestoredChannel] = []
-        for number, (planes, model) in enumerate(zip(stacks, found.models, strict=True)):
-            remarks = Remarks(notes if number == 0 else [])  # only the first channel adds notes
+        shared = [_Shared(options.direction, noise) for _ in names]
+        parts, total = itertools.product(range(len(moments)), range(len(names))), len(moments) * len(names)
+        for k, (moment, number) in enumerate(parts):
+            if number == 0:  # the channels of a time point are read together, and those of the last one released
+                reading = cleanup.enter_context(ExitStack())
+                stacks = reading.enter_context(local_stacks(moments[moment], place, memory * _READ_SHARE))
+            model = found.models[number]
+            remarks = Remarks(notes if k == 0 else [])  # only the first channel adds notes
             if isinstance(model, GivenPSF):
                 remarks.findings += model.findings
             context = prepared(
-                planes,
+                stacks[number],
                 model,
-                noise,
+                shared[number].noise,
                 remarks,
                 mask=None if ignored is None else ignored[number],
                 saturation=saturation,
                 threads=tuning.threads,
             )
-            name = f"{names[number]}: " if len(stacks) > 1 else ""
-            channel_report = _within(report, number / len(stacks), (number + 1) / len(stacks), name)
-            results.append(
-                _restored(context, options, tuning, remarks, target, number, found.pixel_doubt, channel_report)
+            label = f"time {moment}, " * series + (f"{names[number]}: " if len(names) > 1 else "")
+            result = _restored(
+                context,
+                options,
+                tuning,
+                remarks,
+                target,
+                (moment, number) if series else (number,),
+                found.pixel_doubt,
+                shared[number],
+                _within(report, k / total, (k + 1) / total, label),
             )
-            if results[-1].stopped == INTERRUPTED:
+            results.append(replace(result, projections=results[number].projections) if moment else result)
+            if result.stopped == INTERRUPTED:
                 break
+            if number == len(names) - 1:
+                del stacks, context
+                reading.close()
         values = target.finish(" ".join(notes), len(results))
-    findings = Findings(
-        finding if len(stacks) == 1 else replace(finding, text=f"{name}: {finding.text}")
-        for name, result in zip(names, results, strict=False)
-        for finding in result.findings
+    findings = [
+        finding if len(names) == 1 else replace(finding, text=f"{name}: {finding.text}")
+        for number, name in enumerate(names)
+        for finding in _over_time(results[number :: len(names)])
+    ]
+    summary = _summary(results, len(names) if series else 0)
+    return RestoredStack(values, tuple(results), used, tuple(notes), findings=Findings(findings), summary=summary)
+
+
+@dataclass
+class _Shared:
+    """What is estimated once for all time points of a channel, at the first of them or at the first misfit."""
+
+    direction: str
+    noise: Noise | None
+    psfs: PSFs | None = None
+    steps: int | None = None  # after which the result agrees best with held-out photons
+    alternatives: list[str] | None = None  # PSFs that fit better than one that does not
+
+
+def _over_time(results: Sequence[RestoredChannel]) -> list[Finding]:
+    """Return the findings of the time points of a channel: of each code the worst one, and how many there are."""
+    if len(results) < 2:
+        return [finding for result in results for finding in result.findings]
+    by_code: dict[str, list[tuple[int, Finding]]] = {}
+    for time, result in enumerate(results):
+        for finding in result.findings:
+            by_code.setdefault(finding.code, []).append((time, finding))
+    findings = []
+    for same in by_code.values():
+        worst = Findings(finding for _, finding in same)[0]  # the first of those of the highest severity
+        time, count = next(time for time, finding in same if finding is worst), len({time for time, _ in same})
+        place = f"time {time}" + f" and {count - 1} other{'s' * (count > 2)}" * (count > 1)
+        numbers = {**worst.numbers, "time": time, "times": count}
+        findings.append(replace(worst, text=f"{place}: {worst.text}", numbers=numbers))
+    return findings
+
+
+def _summary(results: Sequence[RestoredChannel], channels: int) -> str:
+    """Return discrepancy and steps of each channel, of a time series (with so many `channels`) the range."""
+    if not channels:
+        return ", ".join(f"discrepancy {result.discrepancy:.4g} after {result.steps} steps" for result in results)
+    values = [result.discrepancy for result in results]
+    steps = [result.steps for result in results]
+    return (
+        f"{math.ceil(len(results) / channels)} time points, discrepancy {min(values):.4g} to {max(values):.4g} (time "
+        f"{int(np.argmax(values)) // channels}) after {min(steps)} to {max(steps)} steps"
     )
-    summary = ", ".join(f"discrepancy {result.discrepancy:.4g} after {result.steps} steps" for result in results)
-    return RestoredStack(values, tuple(results), used, tuple(notes), findings=findings, summary=summary)
 
 
 def _mask_of(
@@ -335,16 +400,18 @@ def _restored(
     tuning: Tuning,
     remarks: Remarks,
     target: Target,
-    place: int,
+    place: tuple[int, ...],
     pixel_doubt: str,
+    shared: _Shared,
     report: Report,
 ) -> RestoredChannel:
     """Restore a prepared channel: orient, solve, check."""
     shape = context.stack.shape
     crop = select_crop(context.stack, context.model.window[1], context.saturation)
     stages = _progress_parts(shape, crop, options)
-    context = oriented(context, crop, options.direction, remarks.notes, _within(report, 0.0, stages[0]))
+    context = oriented(context, crop, shared.direction, remarks.notes, _within(report, 0.0, stages[0]))
     model = context.model
+    shared.direction, shared.noise = "down" if model.is_reversed else "up", context.camera
     margin = tuning.margin or (min(model.window[0] // 2, max(_MIN_MARGIN, shape[0] // 4)), model.window[1] // 2)
     background = _background(options.background)
     level, best_steps = None, 0
@@ -356,9 +423,11 @@ def _restored(
             _within(report, *stages),
             flat=background == Background(None),
             pixel_doubt=pixel_doubt,
+            steps=shared.steps,
         )
+        shared.steps = best_steps
     report(stages[-1], "PSFs")
-    psfs = model.psfs(margin[0], tuning.slabs)
+    psfs = shared.psfs = shared.psfs or model.psfs(margin[0], tuning.slabs)
     depths = psfs.planes[margin[0] : margin[0] + shape[0]]
     remarks.notes += _psf_notes(model, psfs, depths)
     side = chunk_side(context, margin, psfs, options.method, tuning.tile, options.memory or _MEMORY)
@@ -385,14 +454,14 @@ def _restored(
             f"{text} counts per voxel was estimated, which the restored values exclude; set background= for another "
             "level, 0 for none."
         )
-    _conclude(outcome, floor, context, options, remarks, _within(report, min(last_fraction, 0.5), 1.0))
+    _conclude(outcome, floor, context, options, remarks, shared, _within(report, min(last_fraction, 0.5), 1.0))
     return RestoredChannel(
         discrepancy=outcome.deviance_after / outcome.voxels,
         before=outcome.deviance_before / outcome.voxels,
         steps=outcome.steps,
         stopped=outcome.stopped,
         noise=context.camera,
-        direction="down" if model.is_reversed else "up",
+        direction=shared.direction,
         depths=depths[::-1] if model.is_reversed else depths,
         psf_depths=psfs.depths,
         projections=projections.result(reverse=model.is_reversed),
@@ -457,6 +526,7 @@ def _conclude(
     context: StackContext,
     options: DeconvolveOptions,
     remarks: Remarks,
+    shared: _Shared,
     report: Report,
 ) -> None:
     """Add the findings of the restoration. A misfit lists the alternative PSFs that fit the stack better."""
@@ -464,8 +534,9 @@ def _conclude(
     if finding is not None:
         can_try = isinstance(model, DepthModel) and options.diagnosis and "hot_pixels" not in remarks.doubts
         if finding.code == "misfit" and can_try:
-            alternatives = rank_alternatives(context, report, try_reversed=options.direction != "auto")
-            finding = _explain_misfit(finding, alternatives)
+            if shared.alternatives is None:
+                shared.alternatives = rank_alternatives(context, report, try_reversed=options.direction != "auto")
+            finding = _explain_misfit(finding, shared.alternatives)
         if finding.code == "misfit" and isinstance(model, DepthModel):
             text = f"{finding.text}; next, measure the PSF with beads (--psf, lm.PSF.measured)"
             finding = replace(finding, text=text)

@@ -164,13 +164,16 @@ def compare_held_out(
     *,
     flat: bool,
     pixel_doubt: str,
+    steps: int | None = None,
 ) -> tuple[float | None, int]:
-    """Compare PSFs by held-out photons.
+    """Compare PSFs by held-out photons, unless `steps` are those that an earlier time point took.
 
     Return the background level where a `flat` one is estimated from them, else None, and the number of steps after
     which the result agrees best with them, 0 if it is not known. `pixel_doubt` is a sentence on the pixel.
     """
     model, is_small = context.model, math.prod(context.stack.shape) <= MAX_VOXELS
+    if steps is not None and not (flat and is_small):
+        return None, steps
     if isinstance(model, GivenPSF):
         if not (flat and is_small and model.is_contained):
             return None, 0
@@ -181,7 +184,7 @@ def compare_held_out(
         findings.append(Finding("untested", "note", text))
         return None, 0
     reference = comparison.best("the PSF as given", model)
-    if finding := comparison.finding(reference):
+    if steps is None and (finding := comparison.finding(reference)):
         if finding.code == "psf_doubtful" and pixel_doubt:
             finding = replace(finding, text=f"{finding.text} ({pixel_doubt.removesuffix('.')})")
         findings.append(finding)

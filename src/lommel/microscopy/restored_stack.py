@@ -53,7 +53,8 @@ class RestoredChannel:
         Depths of the PSFs that were used.
     projections : Projections
         Maximum projections of recording and result, and projected residuals, along z and along y, as drawn by
-        :meth:`RestoredStack.plot`. NaN in chunks that an earlier call restored.
+        :meth:`RestoredStack.plot`. NaN in chunks that an earlier call restored. Of a time series, all have those of
+        its first time point.
     background : float or ndarray of shape (height, width)
         Background per voxel, in the unit of the recording, without the camera offset. Restored values exclude it.
     strength : float or None
@@ -85,10 +86,12 @@ class RestoredStack(FitReport):
     values : ndarray of float32, or array of Zarr
         Restored light in the unit of the recording, without the camera offset. Planes are in the order of the
         recording; the shape is (planes, height, width), or (channels, planes, height, width) for several channels and
-        with `out`.
+        with `out`. A time series has the shape (times, channels, planes, height, width), in a temporary file.
     channels : tuple of RestoredChannel
+        Of a time series, those of each time point in turn.
     recording : Frames
-        The recording along C, Z, Y and X, with the voxel sizes and wavelengths that were used in its metadata.
+        The recording along C, Z, Y and X, of a time series along T before them, with the voxel sizes and wavelengths
+        that were used in its metadata.
     notes : tuple of str
         Sentences on the values that were taken from the file, estimated or assumed.
     findings : Findings
@@ -97,7 +100,7 @@ class RestoredStack(FitReport):
         another PSF; "misfit" where no other PSF fits better; "hot_pixels". All other findings are notes. Findings
         set ``converged``, ``reliable`` and ``status``.
     summary : str
-        Discrepancy and number of steps of each channel.
+        Discrepancy and number of steps of each channel, of a time series the range of its time points.
     """
 
     values: Any = field(repr=False)
@@ -120,9 +123,11 @@ class RestoredStack(FitReport):
         """
         result = super().to_dict()
         stated = self.recording.metadata
-        channels = zip(result["channels"], self.channels, stated["names"], stated["emission"], strict=False)
-        for entry, channel, name, wave in channels:
-            entry |= {"name": name, "wavelength": wave, "psfs": len(channel.psf_depths)}
+        names, waves = stated["names"], stated["emission"]
+        for k, (entry, channel) in enumerate(zip(result["channels"], self.channels, strict=True)):
+            time, number = divmod(k, len(names))
+            entry |= {"name": names[number], "wavelength": waves[number], "psfs": len(channel.psf_depths)}
+            entry |= {"time": time} if self.values.ndim > 4 else {}
             low, high = float(channel.depths.min()), float(channel.depths.max())
             entry["depths"] = None if np.isnan(low) else [low, high]
             entry["background"] = float(np.mean(channel.background))
@@ -145,14 +150,14 @@ class RestoredStack(FitReport):
         ImportError
             If matplotlib is not installed.
         """
-        show_names = len(self.channels) > 1
+        show_names = len(self.recording.metadata["names"]) > 1
         labelled = [
             (f"{name}: " if show_names else "", channel.projections)
             for name, channel in zip(self.recording.metadata["names"], self.channels, strict=False)
         ]
         caption = "; ".join(
             f"{name}discrepancy {channel.before:#.3g} before, {channel.discrepancy:#.3g} after {channel.steps} steps"
-            for (name, _), channel in zip(labelled, self.channels, strict=True)
+            for (name, _), channel in zip(labelled, self.channels, strict=False)
         )
         sides = self.recording.metadata["step"], self.recording.metadata["pixel"]
         return pictures.projections(labelled, sides, caption)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from os import PathLike
@@ -20,8 +21,8 @@ from lommel.recorded import stack_files
 from lommel.recorded.counts import Stack
 from lommel.recorded.frames import Frames
 
-Chunk = tuple[int, slice, slice, slice]
-"""The place of a chunk: channel, planes, rows, columns."""
+Chunk = tuple[Any, ...]
+"""The place of a chunk: time in a series, channel, planes, rows, columns."""
 
 
 class Target:
@@ -29,8 +30,13 @@ class Target:
 
     def __init__(self, shape: tuple[int, ...], unfinished: Unfinished | None) -> None:
         self.shape, self.unfinished = shape, unfinished
-        self._array: Any = np.zeros(shape, np.float32) if unfinished is None else None
-        if unfinished is not None:
+        self._array: Any = None
+        if unfinished is None and len(shape) > 4:  # of a time series one time point is in memory
+            with tempfile.TemporaryFile() as file:
+                self._array = np.memmap(file, np.float32, "w+", shape=shape)
+        elif unfinished is None:
+            self._array = np.zeros(shape, np.float32)
+        else:
             with _zarr_errors(unfinished):
                 self._array = _open_group(unfinished.new, "r+")["0"]
                 if getattr(self._array, "shape", None) != shape:
@@ -61,7 +67,12 @@ class Target:
         self._complete_chunks.append((request, chunk))
 
     def finish(self, description: str, channels: int) -> Any:
-        """Return the values of the restored channels; a folder is renamed to its final name before."""
+        """Return the values of the restored channels, or times; a folder is renamed to its final name before."""
+        if self.unfinished is None and len(self.shape) > 4:
+            times, rest = divmod(channels, self.shape[1])
+            if rest:  # interrupted
+                self._array[times, rest:] = np.nan
+            return self._array[: times + bool(rest)]
         if self.unfinished is None:
             values = self._array[:channels]
             return values[0] if self.shape[0] == 1 else values
@@ -72,7 +83,7 @@ class Target:
         with _zarr_errors(self.unfinished):
             _open_group(self.unfinished.new, "r+").attrs["lommel"] = {"description": description}
         self.unfinished.finish()
-        return _open_group(self.unfinished.place, "r")["0"]  # shape (channels, planes, height, width), as stored
+        return _open_group(self.unfinished.place, "r")["0"]  # with an axis of channels, as stored
 
 
 @contextmanager
@@ -88,7 +99,7 @@ def _zarr_errors(unfinished: Unfinished) -> Iterator[None]:
 
 
 def _chunk_name(chunk: Chunk) -> str:
-    return f"{chunk[0]}.{chunk[2].start}.{chunk[3].start}"
+    return ".".join(map(str, (*chunk[:-3], chunk[-2].start, chunk[-1].start)))
 
 
 @contextmanager

@@ -446,15 +446,17 @@ class Frames(OnDemand):
         long_axes = [letter for letter, side in zip(self.axes, self.numbers.shape, strict=False) if side > 1]
         return replace(self, numbers=self.numbers.reshape(-1), axes=f"{long_axes[0] if long_axes else UNKNOWN}YX")
 
-    def as_channels(self, *, time: int | None = None, axes: str | None = None) -> Frames:
+    def as_channels(self, *, time: int | None = None, axes: str | None = None, series: bool = False) -> Frames:
         """Return the images of a microscope along C, Z, Y and X, with metadata that can be used.
 
         Parameters
         ----------
         time : int, optional
-            Number of the time point, from 0; required if the file holds several time points.
+            Number of the time point, from 0; required if the file holds several time points, unless `series`.
         axes : str, optional
             Letters of the axes, such as "ZYX" or "CZYX", if the file does not state them or states wrong letters.
+        series : bool, default False
+            Keep the axis T of several time points, before C, where `time` is not given.
 
         Returns
         -------
@@ -481,7 +483,7 @@ class Frames(OnDemand):
         """
         if "unusable" in self.metadata:
             return self
-        return _with_used_metadata(_along_channels(self, time, axes))
+        return _with_used_metadata(_along_channels(self, time, axes, series))
 
     def only_channel(self, name: str) -> Frames:
         """Return the only channel as a stack; ValueError about the argument `name` if there are several."""
@@ -1018,8 +1020,8 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Frames:
     return Frames(planes, np.arange(len(names)), f"{UNKNOWN}YX", metadata, notes)
 
 
-def _along_channels(frames: Frames, time: int | None, axes: str | None) -> Frames:
-    """Return images along C, Z, Y and X, at a single time."""
+def _along_channels(frames: Frames, time: int | None, axes: str | None, series: bool) -> Frames:
+    """Return images along C, Z, Y and X, at a single time; or of a `series` along T, C, Z, Y and X."""
     if axes is not None and (not isinstance(axes, str) or not re.fullmatch(r"[TCZ]*YX", axes)):
         raise ValueError(f'axes must be letters of TCZYX that end in YX, such as "ZYX", got {shown(axes)}')
     if time is not None:
@@ -1044,6 +1046,7 @@ def _along_channels(frames: Frames, time: int | None, axes: str | None) -> Frame
             f"{name}: the file does not state the meaning of its axis of {count} images; state it, such as "
             'axes="ZYX" for planes along z'
         )
+    wanted = "CZ"
     if "T" in frames.axes:
         count = frames.numbers.shape[frames.axes.index("T")]
         if "T" in long_axes and "Z" not in long_axes and time is None:
@@ -1051,22 +1054,25 @@ def _along_channels(frames: Frames, time: int | None, axes: str | None) -> Frame
                 f"{name}: it is a time series of {count} images without planes along z; if these are planes, "
                 'state axes="ZYX"'
             )
-        if count > 1 and time is None:
+        if count > 1 and time is None and series:
+            wanted = "TCZ"
+        elif count > 1 and time is None:
             raise RecordingError(
                 f"{name}: it holds {count} time points; select one with time=, from 0 to {count - 1}, or restore "
                 "each in turn"
             )
-        frames = frames.one_of("T", validation.integer("time", time or 0, least=0, most=count - 1))
+        else:
+            frames = frames.one_of("T", validation.integer("time", time or 0, least=0, most=count - 1))
     numbers, order = frames.numbers, frames.axes[:-2]
     for letter in "CZ":
         if letter not in order:
             numbers, order = numbers[..., None], order + letter
-    return replace(frames, numbers=numbers.transpose([order.index(letter) for letter in "CZ"]), axes="CZYX")
+    return replace(frames, numbers=numbers.transpose([order.index(letter) for letter in wanted]), axes=f"{wanted}YX")
 
 
 def _with_used_metadata(frames: Frames) -> Frames:
     """Return images along C, Z, Y and X with the metadata of their file, without values that cannot be used."""
-    count, metadata, notes = frames.numbers.shape[0], frames.metadata, list(frames.notes)
+    count, metadata, notes = frames.numbers.shape[-2], frames.metadata, list(frames.notes)
     unusable: dict[str, str] = {}
 
     def usable_value(

@@ -7,6 +7,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from lommel.base import atomic, optional, reading
 from lommel.base.arrays import Json, Values
 from lommel.base.validation import line, shown
@@ -17,7 +19,7 @@ _CHUNK = (32, 256, 256)  # chunks of written OME-Zarr: planes, rows, columns
 
 
 def save_stack(path: Path, values: Values, recording: Frames, description: str = "") -> None:
-    """Write a stack, of shape (channels, planes, height, width), with the metadata of its recording, atomically.
+    """Write a stack, (channels, planes, height, width) or with times before, with its metadata, atomically.
 
     The format is OME-TIFF if the name ends in .tif or .tiff, OME-Zarr (0.4) if it ends in .zarr.
     """
@@ -60,7 +62,7 @@ def require_own(path: Path) -> None:
 def _fill_tiff(target: Path, values: Values, recording: Frames, description: str) -> None:
     import tifffile
 
-    fields: Json = {"axes": "CZYX", "Description": description}
+    fields: Json = {"axes": "TCZYX"[-values.ndim :], "Description": description}
     for key, letters in (("pixel", "XY"), ("step", "Z")):
         if (value := recording.metadata[key]) is not None:
             for letter in letters:
@@ -79,11 +81,12 @@ def _fill_tiff(target: Path, values: Values, recording: Frames, description: str
 
 
 def new_zarr(folder: Path, shape: tuple[int, ...], recording: Frames, name: str, description: str = "") -> Any:
-    """Return the array of a new OME-Zarr (0.4) of float32, of shape (channels, planes, height, width)."""
+    """Return the array of a new OME-Zarr (0.4) of float32, (channels, planes, height, width) or with times before."""
     import zarr
 
     group = zarr.create_group(str(folder), zarr_format=2)
-    sides = [1.0]
+    others: list[Json] = [{"name": "t", "type": "time"}, {"name": "c", "type": "channel"}][3 - len(shape) :]
+    sides = [1.0] * len(others)
     known_sides = [recording.metadata[key] for key in ("step", "pixel", "pixel")]
     sides += [1.0 if value is None else float(f"{1e6 * value:.12g}") for value in known_sides]
     space: list[Json] = [{"name": letter, "type": "space"} for letter in "zyx"]
@@ -93,7 +96,7 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Frames, name: str,
         {
             "version": "0.4",
             "name": name,
-            "axes": [{"name": "c", "type": "channel"}, *space],
+            "axes": [*others, *space],
             "datasets": [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": sides}]}],
         }
     ]
@@ -105,7 +108,7 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Frames, name: str,
             channel["emission_wavelength"] = float(f"{1e9 * wave:.12g}")
     group.attrs["omero"] = {"channels": channels}
     group.attrs["lommel"] = {"description": description}
-    chunks = (1, *(min(limit, side) for limit, side in zip(_CHUNK, shape[1:], strict=True)))
+    chunks = (1,) * len(others) + tuple(min(limit, side) for limit, side in zip(_CHUNK, shape[-3:], strict=True))
     return group.create_array(
         "0", shape=shape, dtype="float32", chunks=chunks, chunk_key_encoding={"name": "v2", "separator": "/"}
     )
@@ -113,6 +116,7 @@ def new_zarr(folder: Path, shape: tuple[int, ...], recording: Frames, name: str,
 
 def _fill_zarr(folder: Path, values: Values, recording: Frames, name: str, description: str) -> None:
     array = new_zarr(folder, values.shape, recording, name, description)
-    for channel in range(values.shape[0]):
-        for plane in range(0, values.shape[1], _CHUNK[0]):
-            array[channel, plane : plane + _CHUNK[0]] = values[channel, plane : plane + _CHUNK[0]]
+    for place in np.ndindex(values.shape[:-3]):
+        for plane in range(0, values.shape[-3], _CHUNK[0]):
+            part = (*place, slice(plane, plane + _CHUNK[0]))
+            array[part] = values[part]

@@ -16,7 +16,7 @@
 #include <numeric>
 #include <vector>
 
-#include "lommel/averages/transfer_rule.hpp"
+#include "lommel/bounds/transfer_rule.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/product.hpp"

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lommel/averages/transfer_rule.hpp"
+#include "lommel/bounds/transfer_rule.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/product.hpp"

@@ -100,6 +100,7 @@ _FOCI = (
     "the sign of the stated defocus (reversed, as by foci exchanged, the images agree as well, and even terms have "
     "the other sign)"
 )
+_HIDDEN_OBSCURATION = "the obscuration behind vanes, taken for the f-number"
 _DESCRIPTIONS = {
     _GAUSSIAN: ("variance of an additional Gaussian blur", " pixels^2"),
     ELLIPSE: (
@@ -349,7 +350,9 @@ def untested_constants(
 
 def untestable(model: StarImages) -> tuple[str, ...]:
     """Return what no images with the pupil and the defoci of `model` can test."""
-    return (_FOCI,) if model.foci_exchangeable else ()
+    # There are no derivatives with respect to the obscuration: a wrong one is taken for another f-number.
+    hidden = model.pupil.obscuration > 0.0 and not changes_of(model.pupil)
+    return ((_FOCI,) if model.foci_exchangeable else ()) + ((_HIDDEN_OBSCURATION,) if hidden else ())
 
 
 def missing_findings(tests: Sequence[ScoreTest], grade: Grade | None, names: Sequence[str]) -> list[Finding]:

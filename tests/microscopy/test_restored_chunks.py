@@ -10,6 +10,8 @@ import pytest
 import zarr
 
 import lommel as lm
+from lommel.deconvolve.likelihood import PoissonLikelihood
+from lommel.microscopy import chunks as restored_chunks
 from objectives import OIL_60X
 from restored_stacks import deconvolved
 
@@ -171,3 +173,13 @@ def test_chunks_are_loaded_once_and_once_more_to_go_on(tmp_path, stack, planes, 
     if options is COMMON:
         np.testing.assert_array_equal(found, restored_deep(chunked))
         assert set(loads.values()) == {3}
+
+
+def test_given_steps_are_too_few_or_too_many_by_their_discrepancy():
+    counts = np.random.default_rng(1).poisson(50.0, (4, 30, 30)).astype(np.float32)
+    counted = PoissonLikelihood(counts, lm.Noise(read=0.0))
+    severities = []
+    for stopped, discrepancy in (("steps", 1.3), ("steps", 0.97), ("steps", 0.85), ("noise", 0.85)):
+        finding = restored_chunks._finding(counted, stopped, 400, 5.0, discrepancy, ())
+        severities.append(finding and (finding.code, finding.severity))
+    assert severities == [("not_settled", "error"), None, ("not_settled", "doubt"), None]

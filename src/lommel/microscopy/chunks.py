@@ -27,6 +27,7 @@ from lommel.recorded.counts import Stack
 
 Report = Callable[[float, str], object]
 
+_MOST_FITTED = 0.1  # decrease of the discrepancy below 1 from which the steps of a method fitted noise
 _MISFIT_PROGRESS = 0.3  # progress shown after `EARLIEST` steps, when the restoration may end as a misfit
 
 
@@ -185,8 +186,13 @@ def _finding(
 ) -> Finding | None:
     """Return the finding on the convergence of the central chunk, None if there is none."""
     finding = counted.finding(reason, before, discrepancy)
-    if finding is not None or reason != STEPS or discrepancy <= 1.0 + counted.slack:
+    if finding is not None or reason != STEPS:
         return finding
+    if counted.electrons >= 1.0 and discrepancy < 1.0 - _MOST_FITTED:
+        text = f"the {steps} steps of the method fit the noise, which they amplify (discrepancy {discrepancy:.3g})"
+        return Finding("not_settled", "doubt", f"{text}; take fewer", {"discrepancy": discrepancy, "steps": steps})
+    if discrepancy <= 1.0 + counted.slack:
+        return None
     # More steps would fit a wrong PSF by artefacts.
     advice = "correct the PSF first" if "psf_doubtful" in doubts else "allow more steps"
     text = f"the residual exceeds the noise after the {steps} steps of the method; {advice}"

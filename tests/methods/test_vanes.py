@@ -255,7 +255,8 @@ def test_averages_far_from_the_axis_keep_their_bounds(seed: int, gaussian: float
     bounds = np.broadcast_to(image.error_bound, count) * averages.max(axis=(1, 2))
     for i, (radius, angle) in enumerate(polar):
         row, column = (round(middle + radius * each) for each in (math.sin(angle), math.cos(angle)))
-        points = SimpleNamespace(y=pixel * (row - middle + t), x=pixel * (column - middle + t))
+        y, x = pixel * (row - middle + t), pixel * (column - middle + t)
+        points = SimpleNamespace(shape=(len(t), len(t)), y=y, x=x)
         p = 5 * i % count
         exact = w @ quadrature(pupil[p : p + 1], points, rings=160, around=600)[0] @ w
         assert abs(averages[p, row, column] - exact) <= bounds[p]

@@ -11,7 +11,7 @@ tiles (Huber 1967, White 1982, doi:10.2307/1912526).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from os import PathLike
@@ -62,6 +62,7 @@ _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
 _UNLIKELY = (
     3.0  # deviation of the lens of one plane from the stated one, standard errors, above which another is sought
 )
+_COLLAPSED = 0.15  # distance of a found focus from the only plane / that of the stated one (1/m) that is in doubt
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
 _MAX_MISFIT, _WRONG_MISFIT = 1.8, 6.0  # misfits above which the photographs do not follow the noise, and the lens
@@ -720,6 +721,8 @@ def calibrate_focus(
         findings.append(Finding("compressed", "doubt", text, {}))
     f_number_error, *focus_errors, origin_error = np.sqrt(np.diag(covariance)).tolist()
     changed, origin = search.calibrated(at)
+    if len(planes) == 1:
+        findings.extend(_at_focus(seen[0], zip(lenses, (one.lens for one in changed), strict=True), zero))
     return FocalCalibration(
         findings=Findings(findings),
         summary=f"{len(planes)} planes, {sum(len(plane.places) for plane in planes)} tiles",
@@ -735,6 +738,18 @@ def calibrate_focus(
     )
 
 
+def _at_focus(plane: CalibratedPlane, lenses: Iterable[tuple[Lens, Lens]], zero: float) -> Iterator[Finding]:
+    """Yield the finding on a focus that moved to the only plane; `lenses` are pairs of stated and found ones."""
+    for stated, found in lenses:
+        before, after = (1.0 / one.focus_distance - 1.0 / (plane.distance + zero) for one in (stated, found))
+        if abs(after) < _COLLAPSED * abs(before):
+            text = (
+                f"the focus stated as {format_length(stated.focus_distance)} was found at the plane itself, where "
+                "many lenses agree: use a second plane, or one that is farther from both foci"
+            )
+            yield Finding("contradiction", "doubt", text, {"focus": found.focus_distance, "plane": plane.distance})
+
+
 def _findings(
     ratios: Mapping[str, float], moved: float, planes: Sequence[CalibratedPlane], covariance: Array, stated: bool
 ) -> Iterator[Finding]:
@@ -742,13 +757,13 @@ def _findings(
 
     `ratios` are standard errors of parameters after calibration / before, `moved` as of :meth:`_Search.moved`.
     """
-    if moved > _DOUBTFUL:
+    if moved > _UNLIKELY:
         text = (
             f"the photographs of the plane contradict the stated lens by {moved:.2g} of its standard errors "
             f"({percent(UNMEASURED[0])} of the f-number, {percent(UNMEASURED[1])} of each focus): check lens file, "
             "pixel and distance, or use a second plane"
         )
-        yield Finding("contradiction", "doubt", text, {"deviation": moved, "limit": _DOUBTFUL})
+        yield Finding("contradiction", "doubt", text, {"deviation": moved, "limit": _UNLIKELY})
     for plane in planes:
         name, (found, error) = f"the plane at {format_length(plane.distance)}", with_error(plane.found, plane.error)
         if (deviation := _deviation(plane)) > _DOUBTFUL:

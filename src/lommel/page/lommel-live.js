@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: a60f437e93ea84d81bb7fbcde677bd11e3a1d5832226b8a8d223892c3ff8f998
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 0974ae2b76f48245b7b341e58e9e9a6e4491994cd6ade777b2b1e00bbc331901
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

@@ -248,12 +248,13 @@ def test_averages_far_from_the_axis_keep_their_bounds(seed: int, gaussian: float
     spider = pupil.spider
     assert spider is not None
     middle, (t, w) = side // 2, gauss_legendre(16, -0.5, 0.5)
-    # Pixels on the spike of a vane, beside it, and between spikes.
+    # Pixels on the spike of a vane, beside it, and between spikes; of all quadrants.
     across = spider.angles[0] + 0.5 * math.pi
-    polar = [(4.0, across), (9.0, across), (12.0, across + math.pi), (8.0, across + 0.3), (6.0, across + 0.8)]
+    polar = [(4.0, 0.0), (9.0, 0.0), (12.0, math.pi), (7.8, 2.24), (6.4, 5.4), (6.0, 0.8), (8.0, 0.3)]
     averages = np.asarray(image) / np.asarray(image.scale).reshape(-1, 1, 1)
     bounds = np.broadcast_to(image.error_bound, count) * averages.max(axis=(1, 2))
-    for i, (radius, angle) in enumerate(polar):
+    for i, (radius, turn) in enumerate(polar):
+        angle = across + turn
         row, column = (round(middle + radius * each) for each in (math.sin(angle), math.cos(angle)))
         y, x = pixel * (row - middle + t), pixel * (column - middle + t)
         points = SimpleNamespace(shape=(len(t), len(t)), y=y, x=x)

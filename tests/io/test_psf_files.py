@@ -101,7 +101,7 @@ def test_a_loaded_psf_knows_its_method_with_every_option_and_can_go_on(suffix, m
     psf.save(tmp_path / f"a{suffix}")
     loaded = lm.PSF.load(tmp_path / f"a{suffix}")
     same(loaded, psf)
-    if suffix == ".npz":  # it takes longer than the rest of all files
+    if suffix == ".npz" and energy is not None:  # it takes longer than the rest of all files
         assert loaded.encircled_energy(2e-6) == pytest.approx(energy, rel=1e-4)
     assert loaded.energy == pytest.approx(psf.energy, rel=1e-4)
     assert loaded.strehl == pytest.approx(psf.strehl, abs=1e-4)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,6 +24,8 @@ WATER = lm.Objective(NA=1.2, magnification=60, immersion=1.33, sample=1.33)
 SHORT = lm.Objective(NA=1.4, magnification=63, immersion=1.518, sample=1.33)
 PUPIL = SHORT.pupil(depth=1e-6, wavelength=600e-9, aberrations=ASTIGMATISM)
 RANGE = (-0.3e-6, 0.35e-6)
+STEP = 4e-9  # metres along z of differences of the fourth order
+OBJECTIVES = Path(__file__).parents[2] / "examples/objectives"
 
 
 @pytest.fixture(scope="module")
@@ -45,20 +48,23 @@ def check(made: Table, places: list[tuple[float, float, float]]) -> None:
     middle = [side // 2 for side in made.shape]
     z = np.linspace(*made.z, 41)
     dimmest = made(*middle, z).max(axis=(1, 2)).min()
-    names = ("row", "column", made.along)
     for row, column, at in places:
         pupil = plane(made.pupil, at, made.along)
-        method = DebyeRings(1e-8) if pupil.aberrated else Stratified(1e-8)
-        exact = lm.psf(
-            pupil, made.shape, made.pixel, method=method, center=(row, column), dtype=np.float64,
-            derivatives=("row", "column", made.along),
-        )  # fmt: skip
+        by_circles = DebyeRings(1e-9) if pupil.aberrated else Stratified(1e-9)
+        asked = {"method": by_circles, "center": (row, column), "dtype": np.float64}
+        exact = lm.psf(pupil, made.shape, made.pixel, derivatives=("row", "column"), **asked)
+        near = {
+            k: lm.psf(plane(made.pupil, at + k * STEP, made.along), made.shape, made.pixel, **asked).values
+            for k in (-2, -1, 1, 2)
+        }
+        derivatives = dict(exact.derivatives)
+        derivatives[made.along] = (8.0 * (near[1] - near[-1]) - (near[2] - near[-2])) / (12.0 * STEP)
         values, slopes = made(row, column, at, derivatives=True)
         assert np.abs(values - exact.values).max() <= made.error_bound * dimmest
-        for name in names:
-            off = np.abs(slopes[name] - exact.derivatives[name]).max()
-            assert off <= made.slope_bounds[name] * dimmest + exact.derivative_bounds[name]
-            assert off <= 3.0 * made.tol * np.abs(exact.derivatives[name]).max()  # far below its bound
+        for name, derivative in derivatives.items():
+            off, largest = np.abs(slopes[name] - derivative).max(), np.abs(derivative).max()
+            assert off <= made.slope_bounds[name] * dimmest + 1e-5 * largest
+            assert off <= 3.0 * made.tol * largest  # far below its bound
 
 
 CASES = {
@@ -85,7 +91,7 @@ CASES = {
     ),
     "by depth": (
         TIRF.pupil(depth=0.2e-6, wavelength=600e-9, aberrations=ASTIGMATISM),
-        {"shape": 9, "pixel": 10e-6, "z": (0.0, 0.4e-6), "along": "depth"},
+        {"shape": 9, "pixel": 10e-6, "z": (2 * STEP, 0.4e-6), "along": "depth"},
     ),
     "by depth, deeper": (
         SHORT.pupil(depth=0.9e-6, wavelength=600e-9, aberrations=ASTIGMATISM),
@@ -169,7 +175,7 @@ def test_sums_in_single_precision_are_within_what_is_allowed_for_rounding(monkey
 
 @each("name", ["zeiss-63x-astigmatic", "zeiss-63x-1.4-oil"])
 def test_molecules_of_any_depth_have_a_table_by_default(name):
-    microscope = lm.load_microscope(f"examples/objectives/{name}.toml")
+    microscope = lm.load_microscope(OBJECTIVES / f"{name}.toml")
     pupil = microscope.objective.pupil(depth=1e-6, wavelength=600e-9, aberrations=ASTIGMATISM)
     assert Table(pupil, 15, microscope.pixel, z=(0.0, 1e-6), along="depth").error_bound <= 1e-4
 

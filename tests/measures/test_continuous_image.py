@@ -321,7 +321,7 @@ def test_a_dipole_that_wobbles_all_but_freely_is_as_wide_as_one_that_does():
 def test_a_dark_middle_does_not_make_the_width_jump():
     for defocus in (math.pi, 2 * math.pi, 3.3):
         radial, coma = (lm.psf(camera(defocus, coma=c), 33, 0.5e-6) for c in (0.0, 1e-9))
-        assert coma.fwhm("x") == pytest.approx(radial.fwhm("x"), rel=1e-6)
+        assert coma.fwhm("x") == pytest.approx(radial.fwhm("x"), rel=1e-5)
         assert radial.fwhm("x", of="optics") == pytest.approx(coma.fwhm("y", of="optics"), rel=1e-6)
 
 

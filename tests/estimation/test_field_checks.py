@@ -93,8 +93,9 @@ def test_the_sign_of_what_is_missing_is_that_of_the_map_that_is_given(seed):
     assert fit.findings.get("estimated").numbers["noll 5 astigmatism 45"]["value"] == pytest.approx(0.1, abs=0.02)
 
 
-def test_a_wrong_obscuration_is_estimated():
-    pupil = lm.Pupil(obscuration=0.34, wavelength=600e-9, f_number=8.0)
+@pytest.mark.parametrize("aperture", [{}, {"vignetting": lm.Ellipse(1.2, 1.2)}])  # the latter by sampled pupils
+def test_a_wrong_obscuration_is_estimated(aperture):
+    pupil = lm.Pupil(obscuration=0.34, wavelength=600e-9, f_number=8.0, **aperture)
     one = fitted(images(), pupil=pupil).findings.get("estimated").numbers["obscuration"]
     assert (one["value"], one["stated"]) == (pytest.approx(0.3, abs=4 * one["error"]), 0.34)
 

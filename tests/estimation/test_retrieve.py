@@ -506,7 +506,7 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"terms": ("noll 2",)}, r"terms must be without \(1, 1\) if the column"),
         ({"also": ("f_number",)}, "also must be without f_number where pupil has no wavelength"),
         ({"images": lm.Counts.of(np.ones((3, 33, 33)), noise=NOISE)}, "noise must be omitted if images are Counts"),
-        ({"pupil": lm.Pupil(spider=lm.Spider(0.02, (0.0, 1.5))), "also": "obscuration"}, "without \"obscuration\""),
+        ({"pupil": lm.Pupil(mask=lm.Mask(np.ones((64, 64)))), "also": "obscuration"}, "without \"obscuration\""),
     ],
 )  # fmt: skip
 def test_what_cannot_be_fitted_is_refused(change, said):

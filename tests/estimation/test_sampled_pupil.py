@@ -89,16 +89,44 @@ def test_slopes_alone_are_the_same():
     np.testing.assert_array_equal(whole[1], alone[0])
 
 
+CELL = (AT[1] - AT[0]) ** 2
+HEXAGON = lm.Polygon.regular(6, 1.0)
+# Open parts of the square beside the disc and the obscuration: everything; without vanes; a hexagon of phases.
+PARTS = {
+    "none": np.ones_like(X, dtype=complex),
+    "vanes": np.prod(
+        [
+            (X * np.cos(a) + Y * np.sin(a) < 0) | (np.abs(Y * np.cos(a) - X * np.sin(a)) > 0.05)
+            for a in (0.3, 1.9, 3.4)
+        ],
+        axis=0,
+    ).astype(complex),
+    "hexagon": np.prod(
+        [np.abs(X * np.cos(a) + Y * np.sin(a)) < 0.75**0.5 for a in np.pi / 6 + np.pi / 3 * np.arange(3)], axis=0
+    )
+    * np.exp(0.5j * X + 0.3j),
+}
+SHAPES = {
+    "none": {},
+    "vanes": {"spider": lm.Spider(0.1, (0.3, 1.9, 3.4))},
+    "hexagon": {"stop": lm.Segments([HEXAGON], piston=[0.3], tip=[0.5])},
+}
+
+
 def image(clear, inside, defocus, taller=0.0, off=(0.0, 0.0)):
-    """Return the image of an aperture of the stated light of an annulus; `clear` is an amplitude."""
+    """Return the image of an aperture; `clear` is an amplitude, and the open area that of the annulus."""
     places = np.pi * PITCH * (np.arange(SIDE) - SIDE // 2)
     down, across = (np.exp(-1j * np.multiply.outer(places * scale, AT)) for scale in (1 - taller, 1 + taller))
     blocked = np.hypot(Y - off[0], X - off[1]) < inside
     field = down @ (clear * ~blocked * np.exp(1j * (defocus * (2 * RHO**2 - 1) + COMA))) @ across.T
-    return np.abs(field * (AT[1] - AT[0]) ** 2 * PITCH / 2) ** 2 / (np.pi * (1 - inside**2))
+    return np.abs(field * CELL * PITCH / 2) ** 2
 
 
-def changed(name, way, inside, defocus):
+def area(part, inside):
+    return CELL * (np.abs(part) * ((RHO < 1) & (inside <= RHO))).sum()
+
+
+def changed(part, name, way, inside, defocus):
     """Return the derivative of an image by a change along rows, or along columns; by cosine, or by sine."""
     size = {SHIFT: 0.02, OVAL: 0.01}.get(name, 0.01)
     turn = (np.cos, np.sin)[way]
@@ -113,42 +141,51 @@ def changed(name, way, inside, defocus):
         elif name == SHIFT:
             options = {"off": ((step, 0.0), (0.0, step))[way]}
         elif name == OBSCURATION:
-            # The light of the annulus is that of `inside` in both, as the flux of a star is estimated.
-            made.append(image(clear, inside + step, defocus) * (1 - (inside + step) ** 2) / (1 - inside**2))
+            made.append(image(part * clear, inside + step, defocus))
             continue
         elif name == OVAL:
             clear = 1 + step * turn(2 * THETA) > RHO
         else:
             options = {"taller": step}
-        made.append(image(clear, inside, defocus, **options))
-    return (made[0] - made[1]) / (2 * size)
+        made.append(image(part * clear, inside, defocus, **options))
+    # The light is that of `inside` in both, as the flux of a star is estimated.
+    return (made[0] - made[1]) / (2 * size * area(part, inside))
 
 
-@pytest.mark.parametrize(("inside", "defocus"), [(0.0, 0.6), (0.3, 0.6), (0.3, 8.0)])
-def test_derivatives_are_differences_of_images(inside, defocus):
+@pytest.mark.parametrize(
+    ("shape", "inside", "defocus"),
+    [("none", 0.0, 0.6), ("none", 0.3, 0.6), ("none", 0.3, 8.0), ("vanes", 0.3, 0.6), ("hexagon", 0.3, 0.6)],
+)
+def test_derivatives_are_differences_of_images(shape, inside, defocus):
     wavefront = lm.Wavefront.zernike({(2, 0): defocus, (3, 1): 0.8, (2, 2): 0.4}, normalization="edge")
-    pupil = lm.Pupil(wavefront, obscuration=inside)
+    pupil, part = lm.Pupil(wavefront, obscuration=inside, **SHAPES[shape]), PARTS[shape]
     terms = sorted(wavefront.edge_terms())
     edge = np.array([[wavefront.edge_terms()[term] for term in terms]])
-    made = PupilChanges(pupil, Grid((SIDE, SIDE), PITCH, integrate=False), terms, edge).images()
+    derivatives = PupilChanges(pupil, Grid((SIDE, SIDE), PITCH, integrate=False), terms, edge)
     changes = changes_of(pupil)
     assert changes == {
         SLANT: 2,
         **dict.fromkeys(FOLDS, 2),
         **({SHIFT: 2, OBSCURATION: 1} if inside else {}),
-        OVAL: 2,
+        **({OVAL: 2} if shape != "hexagon" else {}),
         ASPECT: 1,
     }
     values = np.asarray(lm.psf(pupil, SIDE, PITCH, integrate=False).values)
-    assert np.abs(image(RHO < 1, inside, defocus) - values).max() < 2e-3 * values.max()
+    plain = image(part * (RHO < 1), inside, defocus) / area(part, inside)
+    assert np.abs(plain - values).max() < 4e-3 * values.max()
     expected = [(name, way) for name, count in changes.items() for way in range(count)]
-    for found, (name, way) in zip(made, expected, strict=True):
-        true = changed(name, way, inside, defocus)
+    for found, (name, way) in zip(derivatives.images(), expected, strict=True):
+        true = changed(part, name, way, inside, defocus)
         assert np.abs(found[0] - true).max() < 0.1 * np.abs(true).max(), (name, way)
+    if inside:  # the light of images is 1 for every obscuration
+        near, far = (
+            image(part * (RHO < 1), inside + step, defocus) / area(part, inside + step) for step in (-0.01, 0.01)
+        )
+        slope = (far - near) / 0.02
+        assert np.abs(derivatives.by_obscuration()[0] - slope).max() < 0.1 * np.abs(slope).max()
 
 
-def test_apertures_that_are_not_round_have_no_such_changes():
-    assert changes_of(lm.Pupil(spider=lm.Spider(0.05, (0.0, 1.0)))) == {}
+def test_pupils_with_masks_have_no_such_changes():
     assert changes_of(lm.Pupil(mask=lm.Mask(np.ones((64, 64))))) == {}
 
 

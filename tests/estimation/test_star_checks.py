@@ -109,6 +109,32 @@ def test_a_wrong_f_number_is_estimated_behind_vanes(aperture):
     assert np.abs(pulls_of(fit)).max() < 4.0
 
 
+STRIPS = lm.Polygon.strip((-1.2, 0.0), (1.2, 0.0), 0.04) | lm.Polygon.strip((0.0, -1.2), (0.0, 1.2), 0.04)
+
+
+@pytest.mark.parametrize("aperture", [{"spider": lm.Spider.equal(4, width=0.04)}, {"stop": lm.Disc() - STRIPS}])
+def test_a_wrong_obscuration_is_estimated_behind_vanes(aperture):
+    fit = found(recorded(blocked=0.25, vanes=0.04), aperture)
+    assert fit.reliable
+    assert [*fit.findings.get("estimated").numbers] == ["obscuration", "move"]
+    assert fit.coefficients["obscuration"] == pytest.approx(0.25, abs=4 * fit.errors["obscuration"])
+    assert fit.errors["obscuration"] < 0.005
+    assert np.abs(pulls_of(fit)).max() < 4.0
+
+
+def test_an_obscuration_behind_vanes_is_estimated_where_that_is_asked():
+    fit = found(recorded(blocked=0.25, vanes=0.04), {"stop": lm.Disc() - STRIPS}, also=("center", "obscuration"))
+    assert fit.reliable
+    assert fit.pupil.obscuration == fit.coefficients["obscuration"]
+    assert fit.coefficients["obscuration"] == pytest.approx(0.25, abs=4 * fit.errors["obscuration"])
+
+
+def test_a_wrong_obscuration_behind_a_mask_is_a_doubt():
+    fit = found(recorded(blocked=0.25, vanes=0.04), {"mask": lm.Mask(OPEN)})
+    assert not fit.reliable
+    assert next(iter(seen(fit))) == "obscuration"
+
+
 def test_blur_that_is_missing_is_estimated_of_each_image():
     fit = found(recorded(sigma=0.3))
     widths = [blur[0].sigma / 2.4e-6 for blur in fit.blurs]

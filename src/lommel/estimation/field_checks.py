@@ -108,15 +108,15 @@ def _missing_effects(model: WholeField, x: Array, places: Array, term_slopes: It
     flux = parts[2][:, 2].reshape(-1, 1, 1)
     image, *derivatives = [flux * psf for psf in images]
     first_blur = len(names) + sum(changes_of(stars.pupil).values())
-    apodized_image = None
-    if (apodized := star_checks.apodized(stars.pupil)) is not None:
-        copy = stars.copy_with(pupil=apodized)
-        apodized_image = flux * copy.images(model.chosen, *parts, fast=True, derivatives="none")[0]
+    differences = dict[str, Array]()
+    for name, (pupil, change) in star_checks.changed_pupils(stars.pupil).items():
+        other = stars.copy_with(pupil=pupil).images(model.chosen, *parts, fast=True, derivatives="none")[0]
+        differences[name] = flux * (other - images[0]) / change
     blurs = dict(zip(OTHER_BLURS, derivatives[first_blur:], strict=False))
     mean, is_sharp = stars.expected(images[0], parts[2]).reshape(images[0].shape), "Gaussian" not in stars.blur.names
     effects = star_checks.missing_effects(
         stars.first_star, image, mean, derivatives[: len(names)], term_slopes, derivatives[len(names) : first_blur],
-        apodized_image, blurs, e, gaussian=is_sharp, gradients=not stars.has_slopes and not stars.has_corners,
+        differences, blurs, e, gaussian=is_sharp, gradients=not stars.has_slopes and not stars.has_corners,
     )  # fmt: skip
     if blurs:
         effects.append(star_checks.uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, NamedTuple, TypeAlias, cast
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -169,8 +169,8 @@ class FieldStars:
         `waves` is (r, k), `squared_widths` (r, e, b), `nuisance` (r, o, e); each result is (r * e, height, width).
         `derivatives` selects the derivatives. "all": by Zernike terms (amplitude at the pupil edge), tilts, squared
         widths and angles. "image": the same number of arrays, but only derivatives by tilts and angles are computed;
-        the other arrays are 0. "none": no derivatives. "others": by `extra_terms`, by the changes of a circular pupil
-        that `changes_of` lists, and, for stars, by the blurs `OTHER_BLURS`; all stars must then have the same squared
+        the other arrays are 0. "none": no derivatives. "others": by `extra_terms`, by the changes of a pupil that
+        `changes_of` lists, and, for stars, by the blurs `OTHER_BLURS`; all stars must then have the same squared
         widths.
         """
         reader = self._readout(squared_widths, always=derivatives == "others")
@@ -233,13 +233,17 @@ class FieldStars:
         if use_proven_method:
             _, pixels, derivatives = prepared.images(pupil, names)
             samples = [pixels.values, *(derivative.values for derivative in derivatives)]
-            if others and changes_of(self.pupil):
-                samples += PupilChanges(self.pupil, plan.grid(self.pupil), self.first_star.terms, edge).images()
         else:
-            columns = [(*self.first_star.terms, *self.extra_terms).index(name) for name in names]
+            terms = self._sampled_terms
+            columns = [terms.index(name) for name in names if name in terms]
             samples = list(self._sampled(plan.grid(self.pupil)).images(edge, columns, values=fast))
             if not fast:  # only the PSFs must be accurate: errors of derivatives hardly affect steps and results
                 samples.insert(0, prepared.images(pupil)[1].values)
+            if constants := tuple(name for name in names if name not in terms):
+                for name, slope in zip(constants, prepared.images(pupil, constants)[2], strict=True):
+                    samples.insert(1 + names.index(name), slope.values)
+        if others and changes_of(self.pupil):
+            samples += PupilChanges(self.pupil, plan.grid(self.pupil), self.first_star.terms, edge).images()
         if reader is None:
             images = [np.asarray(image).reshape(-1, *self.shape) for image in samples]
         else:
@@ -265,10 +269,13 @@ class FieldStars:
         """Return the sampled pupil that computes images on the grid; reuse it in later calls."""
         key = self.pupil, grid.shape, grid.pixel, self.extra_terms
         if key not in self._sampled_pupils:
-            self._sampled_pupils[key] = SampledPupil(
-                self.pupil, grid, cast("list[Term]", [*self.first_star.terms, *self.extra_terms])
-            )
+            self._sampled_pupils[key] = SampledPupil(self.pupil, grid, self._sampled_terms)
         return self._sampled_pupils[key]
+
+    @property
+    def _sampled_terms(self) -> tuple[Term, ...]:
+        """The Zernike terms by which sampled pupils have derivatives: no constants such as the f-number."""
+        return (*self.first_star.terms, *(name for name in self.extra_terms if not isinstance(name, str)))
 
     def likelihood(
         self, stars: NDArray[np.intp], images: Sequence[Array], nuisance: Array, extra: Sequence[Array] = ()

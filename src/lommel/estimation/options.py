@@ -91,8 +91,8 @@ class RetrieveOptions(FitOptions):
         :attr:`lommel.Wavefront.defocus`.
     also : str or sequence of str, default ("center",)
         Nuisance parameters: "center" ("row" and "column" of each image) and, common to all images, "f_number",
-        "obscuration" and "wavelength" (at fixed path differences). Pass an empty sequence if the axis is known to be
-        in the middle of pixel ``(height // 2, width // 2)``.
+        "obscuration" (without a mask) and "wavelength" (at fixed path differences). Pass an empty sequence if the
+        axis is known to be in the middle of pixel ``(height // 2, width // 2)``.
     blur : bool, float, Blur or iterable of Blur, default False
         Blur of each image. True: estimate seeing and a Gaussian (vibration, charge diffusion), as
         :func:`lommel.fit_field` does. A number is the known standard deviation of a Gaussian in pixels. Known

@@ -482,10 +482,10 @@ def _search(
 
 def _checked_pupil(pupil: Pupil, unknowns: Unknowns) -> Pupil:
     """Return the pupil if its wavefront can be retrieved; TypeError or ValueError otherwise."""
-    if not single(pupil, "shared by all images").circular and "obscuration" in unknowns.pupil:
+    if single(pupil, "shared by all images").mask is not None and "obscuration" in unknowns.pupil:
         raise ValueError(
-            'also must be without "obscuration" where the aperture is not circular or annular: derivatives are not '
-            "available; measure the obscuration from an image out of focus"
+            'also must be without "obscuration" for a pupil with a mask: derivatives are not available; measure the '
+            "obscuration from an image out of focus"
         )
     if (pupil.segmented or pupil.phase_mask) and "wavelength" in unknowns.pupil:
         raise ValueError(

@@ -19,6 +19,7 @@ import itertools
 import math
 from collections.abc import Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 import scipy
@@ -26,10 +27,11 @@ import scipy
 from lommel.base.arrays import Array, Values
 from lommel.estimation.star_readout import column_products, products, unfolded
 from lommel.methods.derivative_names import Term
-from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.aperture.mask import cell_centers
+from lommel.optics.aperture.opening import Opening
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
 _MIN_SIDE, _STEP = 96, 16  # least number of cells across the aperture, and a number of which it is a multiple
@@ -181,18 +183,21 @@ def _cell_sums(parts: Array) -> Array:
 
 
 def changes_of(pupil: Pupil) -> dict[str, int]:
-    """Return the changes of a circular pupil that can be tested, with the number of parameters of each.
-
-    There are none for pupils that are not circular or have a mask.
-    """
-    if not pupil.circular or pupil.mask is not None:
+    """Return the changes of a pupil that can be tested, with the number of parameters of each; none with a mask."""
+    if pupil.mask is not None:
         return {}
     inner = {SHIFT: 2, OBSCURATION: 1} if pupil.obscuration else {}
-    return {SLANT: 2, **dict.fromkeys(FOLDS, 2), **inner, OVAL: 2, ASPECT: 1}
+    outer = {OVAL: 2} if _has_round_rim(pupil.opening) else {}
+    return {SLANT: 2, **dict.fromkeys(FOLDS, 2), **inner, **outer, ASPECT: 1}
+
+
+def _has_round_rim(opening: Opening) -> bool:
+    """Return whether the disc limits the aperture, except behind vanes."""
+    return opening.vignetting is None and (opening.stop is None or opening.strips is not None)
 
 
 class PupilChanges:
-    """Derivatives of images with respect to the changes of a circular pupil that :func:`changes_of` lists.
+    """Derivatives of images with respect to the changes of a pupil that :func:`changes_of` lists.
 
     Parameters
     ----------
@@ -208,72 +213,97 @@ class PupilChanges:
         self._edge = edge.astype(np.float32)
         # The slope of a term is at most n^2 per radius. An image repeats after (number of cells) lambda*N.
         slope = float((np.abs(edge) @ [n * n for n, _ in terms]).max(initial=0.0))
+        slope += float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
         min_side = max(2.0 * slope / _MAX_PHASE_STEP, max(grid.shape) * grid.step(pupil) / math.pi)
         side = min(_MAX_UNEVEN_SIDE, max(_MIN_UNEVEN_SIDE, _STEP * math.ceil(min_side / _STEP)))
-        scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)) / math.pi
-        light = pupil.obscuration, pupil.illumination, scale
-        self._tables = _ChangeTables(light, grid, grid.step(pupil) / grid.side, tuple(terms), side)
+        self._tables = _ChangeTables(pupil.carrying(Wavefront(), None), grid, tuple(terms), side)
 
     def images(self) -> list[Values]:
         """Return the derivatives of the images by the changes, in the order of `changes_of`, each (r, h, w)."""
-        tables = self._tables
-        (down, across), (v, u) = tables.waves, tables.positions
-        derivatives = []
+        tables, derivatives = self._tables, []
+        v, u = tables.positions
         for coefficients in self._edge:
-            # einsum, since several threads of BLAS would mostly wait for each other.
-            pupil = tables.amplitude * np.exp(1j * np.einsum("k,kyx->yx", coefficients, tables.terms))
-            field, *changes = column_products(products(pupil, across), down)
+            field, *changes = tables.fields(coefficients)
             # ASPECT: the derivative of the field by position is i times its derivative by SLANT, a linear amplitude.
             stretched = 1j * (u * changes[1] - v[:, None] * changes[0])
-            for terms, (rows, columns), movements in tables.edges:
-                edge_phase = np.exp(1j * np.einsum("k,kp->p", coefficients, terms))
-                changes += [products(rows * (movement * edge_phase), columns) for movement in movements]
+            for edge in tables.edges:
+                changes += edge.fields(coefficients)
             # The derivative of the image abs(U)^2 is 2 Re(U* U').
             derivatives.append([2.0 * (field.conj() * change).real for change in (*changes, stretched)])
         return list(np.asarray(derivatives, np.float32).swapaxes(0, 1))
+
+    def by_obscuration(self) -> Values:
+        """Return the derivatives by an obscuration, not 0, of images that are fractions of all light, (r, h, w)."""
+        inner, derivatives = self._tables.edges[0], []
+        for coefficients in self._edge:
+            (field,), change = self._tables.fields(coefficients, 1), inner.fields(coefficients)[-1]
+            derivatives.append((field.conj() * (2.0 * change + inner.light * field)).real)
+        return np.asarray(derivatives, np.float32)
+
+
+class _Edge(NamedTuple):
+    """Points along an edge: terms, plane waves along rows and columns, and amplitudes of each change per unit.
+
+    `light` is the fraction of the transmitted light that the aperture loses per unit if the edge moves inwards.
+    """
+
+    terms: Values
+    waves: list[Values]
+    movements: Values
+    light: float
+
+    def fields(self, coefficients: Values) -> list[Values]:
+        """Return the derivatives of the field by the changes, each (h, w), for coefficients of the terms."""
+        phase = np.exp(1j * np.einsum("k,kp->p", coefficients, self.terms))
+        rows, columns = self.waves
+        return [products(rows * (movement * phase), columns) for movement in self.movements]
 
 
 @lru_cache(maxsize=2)
 class _ChangeTables:
     """The parts of :class:`PupilChanges` that do not depend on wavefronts, in `side` cells across the aperture."""
 
-    def __init__(
-        self, light: tuple[float, Apodization, float], grid: Grid, unit: float, terms: tuple[Term, ...], side: int
-    ) -> None:
-        (obscuration, illumination, scale), centers, width = light, cell_centers(side), 2.0 / side
-        rho, theta = np.hypot(centers, centers[:, None]), np.arctan2(centers[:, None], centers)
-        # Cells at an edge are weighted by their clear fraction along the radius.
-        clear_fraction = np.clip(0.5 + (1.0 - rho) / width, 0.0, 1.0)
-        if obscuration:
-            clear_fraction -= np.clip(0.5 + (obscuration - rho) / width, 0.0, 1.0)
-        amplitude = scale * width**2 * clear_fraction * illumination.at(np.minimum(rho, 1.0) ** 2)
+    def __init__(self, pupil: Pupil, grid: Grid, terms: tuple[Term, ...], side: int) -> None:
+        centers, width, unit = cell_centers(side), 2.0 / side, grid.step(pupil) / grid.side
+        opening, illumination, transmission = pupil.opening, pupil.illumination, pupil.transmission
+        scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * transmission)) / math.pi
+        x, y = np.meshgrid(centers, centers)
+        rho, theta = np.hypot(x, y), np.arctan2(y, x)
+        # Cells at an edge are weighted by their clear fraction.
+        amplitude = scale * width**2 * opening.coverage(x, y, 0.5 * width)
+        amplitude = amplitude * illumination.at(np.minimum(rho, 1.0) ** 2) * np.exp(1j * opening.phase(x, y))
         folds = [rho**n * function(n * theta) for n in (2, 3, 4) for function in (np.cos, np.sin)]
         # The unchanged amplitude, then SLANT (along -y and -x) and FOLDS.
-        factors = np.stack([np.ones_like(rho), -rho * np.sin(theta), -rho * np.cos(theta), *folds])
-        self.amplitude = (amplitude * factors).astype(np.float32)
+        factors = np.stack([np.ones_like(rho), -y, -x, *folds])
+        self.amplitude = (amplitude * factors).astype(np.complex64)
         self.terms = _zernike_values(terms, rho, theta)
         self.positions = [unit * positions for positions in (grid.y, grid.x)]
         self.waves = [_plane_waves(positions, centers) for positions in self.positions]
         angles: Array = np.linspace(0.0, 2.0 * math.pi, _EDGE_POINTS * side, endpoint=False)
-        # At points along each edge: Zernike terms, plane waves along rows and columns, and the amplitude of each
-        # change per unit. The inner edge shifts (SHIFT) and widens (OBSCURATION); the outer edge becomes elliptical
-        # along two directions (OVAL).
+        # The inner edge shifts (SHIFT) and widens (OBSCURATION); the outer edge becomes elliptical along two
+        # directions (OVAL).
+        inner = -np.sin(angles), -np.cos(angles), -np.ones_like(angles)
+        edges: list[tuple[float, tuple[Array, ...]]] = [(opening.obscuration, inner)] if opening.obscuration else []
+        edges += [(1.0, (np.cos(2 * angles), np.sin(2 * angles)))] if _has_round_rim(opening) else []
         self.edges = []
-        for radius, movements in (
-            (obscuration, (-np.sin(angles), -np.cos(angles), -np.ones_like(angles))),
-            (1.0, (np.cos(2 * angles), np.sin(2 * angles))),
-        ):
-            if radius:
-                waves = [
-                    _plane_waves(positions, radius * function(angles))
-                    for positions, function in zip(self.positions, (np.sin, np.cos), strict=True)
-                ]
-                # radius * (angles[1] - angles[0]) is the length of the edge between points.
-                edge_amplitude = (
-                    scale * radius * (angles[1] - angles[0]) * float(illumination.at(np.array(radius**2)))
-                )
-                edge_terms = _zernike_values(terms, np.full(angles.shape, radius), angles)
-                self.edges.append((edge_terms, waves, (edge_amplitude * np.stack(movements)).astype(np.float32)))
+        for radius, movements in edges:
+            x, y = radius * np.cos(angles), radius * np.sin(angles)
+            waves = [_plane_waves(*pair) for pair in zip(self.positions, (y, x), strict=True)]
+            length = radius * (angles[1] - angles[0])  # of the edge between points
+            # The fraction of the edge that is clear of vanes, from small cells at the edge.
+            clear, whole = (part.coverage(x, y, 0.5 * length) for part in (opening, Opening(opening.obscuration)))
+            weights, brightness = length * clear / whole, float(illumination.at(np.array(radius**2)))
+            changes = scale * brightness * weights * np.exp(1j * opening.phase(x, y)) * np.stack(movements)
+            light = brightness**2 * float(weights.sum()) / (math.pi * transmission)
+            edge_terms = _zernike_values(terms, np.full(angles.shape, radius), angles)
+            self.edges.append(_Edge(edge_terms, waves, changes.astype(np.complex64), light))
+
+    def fields(self, coefficients: Values, count: int | None = None) -> Values:
+        """Return the field and its derivatives by SLANT and FOLDS, the first `count` of them, each (h, w)."""
+        # einsum, since several threads of BLAS would mostly wait for each other.
+        phase = np.exp(1j * np.einsum("k,kyx->yx", coefficients, self.terms))
+        down, across = self.waves
+        return column_products(products(self.amplitude[:count] * phase, across), down)
 
 
 def _zernike_values(terms: Sequence[Term], rho: Array, theta: Array) -> Values:

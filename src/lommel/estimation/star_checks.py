@@ -6,7 +6,6 @@ import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from functools import lru_cache
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -14,11 +13,11 @@ import scipy
 
 from lommel.base.arrays import Array
 from lommel.base.units import with_error
-from lommel.blur.mixtures import BlurProfile
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.favoured_effects import Fit
-from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OBSCURATION, OVAL, SHIFT, SLANT, PupilChanges, changes_of
+from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OBSCURATION, OVAL, SHIFT, SLANT, changes_of
 from lommel.estimation.star_images import (
+    NO_WIDTHS,
     OF_PUPIL,
     Phase,
     StarImages,
@@ -31,7 +30,6 @@ from lommel.estimation.star_images import (
     too_dim_findings,
     uncertainty,
 )
-from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import (
     Candidate,
@@ -80,7 +78,7 @@ _MAX_PHASE_ERROR = 0.25
 # Largest factor by which a valid standard error may change within one standard deviation of the estimate.
 _MAX_ERROR_CHANGE = 1.125
 APODIZED = 0.1  # apodization coefficient g: the amplitude is exp(-g) at the pupil edge
-_NO_BLUR = BlurProfile(np.ones(1), np.empty((1, 0)), np.zeros(1))
+_OBSCURED = 0.01  # change of an obscuration in differences of images, pupil radii
 _GAUSSIAN, ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
 _UNEVEN = "blur that varies over the field"
 TRAIL = "trail"
@@ -100,7 +98,6 @@ _FOCI = (
     "the sign of the stated defocus (reversed, as by foci exchanged, the images agree as well, and even terms have "
     "the other sign)"
 )
-_HIDDEN_OBSCURATION = "the obscuration behind vanes, taken for the f-number"
 _DESCRIPTIONS = {
     _GAUSSIAN: ("variance of an additional Gaussian blur", " pixels^2"),
     ELLIPSE: (
@@ -144,11 +141,15 @@ def _time(exposures: int) -> Array:
     return np.linspace(-1.0, 1.0, exposures)
 
 
-def apodized(pupil: Pupil) -> Pupil | None:
-    """Return the pupil with additional apodization; None if the test does not support the pupil."""
-    if pupil.circular and pupil.mask is None and isinstance(pupil.apodization, float):
-        return replace(pupil, apodization=pupil.apodization + APODIZED)
-    return None
+def changed_pupils(pupil: Pupil) -> dict[str, tuple[Pupil, float]]:
+    """Return pupils with more apodization or obscuration, and the changes, for effects tested by differences."""
+    pupils = dict[str, tuple[Pupil, float]]()
+    if isinstance(pupil.apodization, float):
+        pupils["apodization"] = replace(pupil, apodization=pupil.apodization + APODIZED), APODIZED
+    if pupil.obscuration and OBSCURATION not in changes_of(pupil):
+        change = min(_OBSCURED, 0.5 * (1.0 - pupil.obscuration))
+        pupils[OBSCURATION] = replace(pupil, obscuration=pupil.obscuration + change), change
+    return pupils
 
 
 def tested_names(star: StarImages) -> tuple[tuple[Term, ...], tuple[Name, ...], tuple[Term, ...]]:
@@ -162,7 +163,7 @@ def tested_names(star: StarImages) -> tuple[tuple[Term, ...], tuple[Name, ...], 
 
 def missing_effects(
     star: StarImages, electrons: Array, mean: Array, slopes: Sequence[Array], term_slopes: Iterable[Array],
-    illumination: Iterable[Array], apodized_electrons: Array | None, blurs: Mapping[str, Array], blurred: int, *,
+    illumination: Iterable[Array], differences: Mapping[str, Array], blurs: Mapping[str, Array], blurred: int, *,
     gaussian: bool, gradients: bool = True,
 ) -> list[MissingEffect]:  # fmt: skip
     """Return the effects that the model of r stars in e exposures may lack; images have the shape (r * e, ...).
@@ -170,7 +171,7 @@ def missing_effects(
     `electrons` are those of the stars alone, and `mean` all expected electrons. `slopes` are derivatives of electrons
     by `tested_names`, `term_slopes` by the Zernike terms of the fit (both radians at the pupil edge),
     `illumination` by `changes_of` the pupil, and `blurs` by additional blurs of `blurred` groups of exposures.
-    `apodized_electrons` are those with the pupil `apodized`.
+    `differences` are derivatives from `changed_pupils`.
     """
     effects, unknowns, defoci, (terms, constants, ripples) = [], star.unknowns, star.known_defoci, tested_names(star)
     exposures, first_ripple = len(defoci), len(terms) + len(constants)
@@ -199,7 +200,7 @@ def missing_effects(
         time = np.tile(_time(exposures), len(electrons) // exposures)[:, None, None]
         for term, slope in zip(unknowns.edge, term_slopes, strict=False):
             add(label(term) + DRIFTS, _DRIFT, slope * time * zernike.rms_factor(*term))
-    remaining, scales = iter(illumination), {**_UNEVEN_LIGHT, **_CONSTANTS}
+    remaining, scales = iter(illumination), {**_UNEVEN_LIGHT, **_CONSTANTS, "apodization": APODIZED}
     for name, count in changes_of(star.pupil).items():
         images = [*itertools.islice(remaining, count)]
         if name not in unknowns.pupil:
@@ -209,8 +210,8 @@ def missing_effects(
         kernel = np.concatenate([np.zeros(_TRAIL_LENGTH + 1), trail / trail.sum()])[::step]
         # The deferred charge moves to pixels read out later: the sum is conserved.
         add(name, _TRAIL, scipy.ndimage.correlate1d(electrons, kernel[::-1], axis, mode="constant") - electrons)
-    if apodized_electrons is not None:
-        add("apodization", APODIZED, (apodized_electrons - electrons) / APODIZED)
+    for name, image in differences.items():
+        add(name, scales[name], image)
     if blurs:
         if gaussian:
             add(_GAUSSIAN, _WIDTH, *of_each_exposure(blurred, blurs["Gaussian"]))
@@ -250,7 +251,7 @@ def freed(model: StarImages, name: str) -> Unknowns | None:
     """Return the unknowns of `model` and the candidate `name`; None if the model cannot estimate it."""
     unknowns = model.unknowns
     terms: dict[str, Term] = {label(term): term for term in next_terms(unknowns.stated, unknowns.edge)}
-    if name in terms or name in OF_PUPIL:
+    if name in terms or (name in OF_PUPIL and (name != OBSCURATION or changes_of(model.pupil))):
         return unknowns.freeing(terms.get(name, name))
     time, phases = _time(model.count), _foci(model) if (2, 0) in unknowns.stated else {}
     phases |= {label(t) + DRIFTS: Phase(t, time * zernike.rms_factor(*t), 0.0) for t in unknowns.stated}
@@ -350,9 +351,7 @@ def untested_constants(
 
 def untestable(model: StarImages) -> tuple[str, ...]:
     """Return what no images with the pupil and the defoci of `model` can test."""
-    # There are no derivatives with respect to the obscuration: a wrong one is taken for another f-number.
-    hidden = model.pupil.obscuration > 0.0 and not changes_of(model.pupil)
-    return ((_FOCI,) if model.foci_exchangeable else ()) + ((_HIDDEN_OBSCURATION,) if hidden else ())
+    return (_FOCI,) if model.foci_exchangeable else ()
 
 
 def missing_findings(tests: Sequence[ScoreTest], grade: Grade | None, names: Sequence[str]) -> list[Finding]:
@@ -394,17 +393,16 @@ def star_tests(
     flux = image_parameters[-2][:, None, None]
     names, (values, pixel_derivatives) = tested_names(model), model.images(x)
     _, extra_derivatives = model.images(x, fast=True, names=tuple(itertools.chain(*names)))
-    illumination, edge = list[Array](), pupil.wavefront.edge_terms()
+    differences = {
+        name: flux * (np.asarray(plan(other).values) - values) / change
+        for name, (other, change) in changed_pupils(pupil).items()
+        if plan.method is None
+    }
+    illumination, (reader, grid) = list[Array](), model.sharp(pupil)
     if changes_of(model.pupil):
-        phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
-        illumination = PupilChanges(pupil[0], plan.grid(pupil), model.terms, phases).images()
-    apodized_image = None
-    if (apodized_pupil := apodized(pupil)) is not None and plan.method is None:
-        apodized_image = flux * np.asarray(plan(apodized_pupil).values)
-    grid, scale = plan.grid(pupil), float(pupil.scale)
-    reader = _sharp_reader(grid.shape, model.pixel / scale, grid.integrate)
-    pitch, threads = reader.step * scale, plan.threads or None
-    fine_plan = cached_plan(reader.shape, pitch, tol=model.search_tol, integrate=False, threads=threads)
+        illumination = reader.read(model.changes(pupil)[1].images(), NO_WIDTHS, derivatives=False)
+    threads = plan.threads or None
+    fine_plan = cached_plan(reader.shape, grid.pixel, tol=model.search_tol, integrate=False, threads=threads)
     notes, blurs = list[Finding](), dict[str, Array]()
     try:
         samples = np.asarray(fine_plan(pupil).values, np.float32)
@@ -420,7 +418,7 @@ def star_tests(
     )
     mean = flux * values + image_parameters[-1][:, None, None]
     effects = missing_effects(
-        model, flux * values, mean, extra, of_terms, light, apodized_image, blurs, 1, gaussian=True
+        model, flux * values, mean, extra, of_terms, light, differences, blurs, 1, gaussian=True
     )
     # Products of all derivatives and the residuals: the information matrix, and in the last column the gradient.
     _, products = model.products(
@@ -437,12 +435,6 @@ def star_tests(
     columns, never = range(len(unknowns.terms)), (*untestable(model), *spectrum)
     notes += untested_constants(pupil[0], defoci, candidates, tests, (scores[0], scores[2]), unknowns, columns, never)
     return tests, grade, notes
-
-
-@lru_cache(maxsize=2)
-def _sharp_reader(shape: tuple[int, int], pixel: float, integrate: bool) -> StarReadout:
-    """Return the readout of images without blur, whose tables serve many fits."""
-    return StarReadout(shape, pixel, 1.0, _NO_BLUR, integrate=integrate)
 
 
 def error_findings(model: StarImages, x: Array, covariance_matrix: Array) -> list[Finding]:

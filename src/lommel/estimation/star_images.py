@@ -23,19 +23,23 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.blur.mixtures import BlurProfile
 from lommel.core.answers import Pixels
 from lommel.core.engine import star_likelihood
+from lommel.estimation.sampled_pupil import OBSCURATION, PupilChanges
+from lommel.estimation.star_readout import StarReadout
 from lommel.fit.findings import Finding
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, parts, term_of
 from lommel.methods.derivative_names import checked as checked_names
 from lommel.methods.derivatives import Slope, translated
+from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan, cached_plan
 from lommel.special import zernike
 
-OF_PUPIL = ("f_number", "wavelength", "obscuration")
+OF_PUPIL = ("f_number", "wavelength", OBSCURATION)
 MAX_LINEAR_ERROR = 0.22
 """Largest standard error of a wavefront, radians rms, for which images are nearly linear in its terms."""
 _SYMMETRY_DEGREE = 256  # degree of the quadrature rule at whose nodes the symmetry of an aperture is tested
@@ -45,6 +49,7 @@ _MIN_VARIANCE = 0.05  # smallest variance of the read noise, electrons squared
 _ORDERS = 2  # number of radial orders beyond the estimated terms that are tested
 _RIPPLE_ORDERS = 4  # number of radial orders of ripples (m != 0)
 _ZONE_ORDER = 20  # largest radial order of zones (m = 0), unless that of the ripples is larger
+_NO_BLUR, NO_WIDTHS = BlurProfile(np.ones(1), np.empty((1, 0)), np.zeros(1)), np.empty((1, 1, 0))
 _FIRST_NOLL = 4  # Noll's index of defocus, after piston and tilts
 
 
@@ -177,6 +182,12 @@ def label(name: Name) -> str:
         term = term_of(name)
         return name if term is None else f"{name} {zernike.name(*term)}"
     return f"noll {zernike.index_of(*name, 'noll')} {zernike.name(*name)}"
+
+
+@lru_cache(maxsize=2)
+def _sharp_reader(shape: tuple[int, int], pixel: float, integrate: bool) -> StarReadout:
+    """Return the readout of images without blur, whose tables serve many fits."""
+    return StarReadout(shape, pixel, 1.0, _NO_BLUR, integrate=integrate)
 
 
 def pixel_data(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> Array:
@@ -440,8 +451,29 @@ class StarImages(RowModel):
         `search_tol`.
         """
         pupil, plan = self.pupils(x[0] if len(x) == 1 else x), self._search_plan if fast else self.plan
-        _, pixels, derivatives = plan.prepared(pupil).images(pupil, self.derivatives if names is None else names)
+        names = self.derivatives if names is None else names
+        proven = tuple(name for name in names if name != OBSCURATION)
+        _, pixels, derivatives = plan.prepared(pupil).images(pupil, proven)
+        if OBSCURATION in names:
+            # Errors of a derivative hardly affect steps and results, and a proven one takes ten times as long.
+            slopes = np.zeros_like(pixels.values)
+            if pupil.obscuration:
+                reader, changes = self.changes(pupil)
+                (slopes,) = reader.read([changes.by_obscuration()], NO_WIDTHS, derivatives=False)
+            derivatives.insert(names.index(OBSCURATION), Slope(slopes, np.full(len(slopes), np.inf)))
         return pixels.values, derivatives
+
+    def sharp(self, pupil: Pupil) -> tuple[StarReadout, Grid]:
+        """Return the readout of images without blur, and the grid of its samples."""
+        scale = float(pupil.scale)
+        reader = _sharp_reader(self.shape, self.pixel / scale, self.plan.grid(pupil).integrate)
+        return reader, Grid(reader.shape, reader.step * scale, integrate=False)
+
+    def changes(self, pupil: Pupil) -> tuple[StarReadout, PupilChanges]:
+        """Return the derivatives by changes of a stack of pupils, and the readout of their samples."""
+        edge, (reader, grid) = pupil.wavefront.edge_terms(), self.sharp(pupil)
+        phases = np.stack([np.broadcast_to(edge[term], pupil.shape).ravel() for term in self.terms], axis=-1)
+        return reader, PupilChanges(pupil[(0,) * len(pupil.shape)], grid, self.terms, phases)
 
     def mean(self, x: Array, psf: Array) -> Array:
         """Return the expected electrons of each pixel for PSFs of shape (s, n, pixels)."""

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 import tifffile
 from PIL import Image
-from scipy.ndimage import convolve
+from scipy.ndimage import convolve, gaussian_filter
 
 import lommel as lm
 from lommel.base.encoding import from_light
 from lommel.imaging import FieldBlur, RichardsonLucy, TotalVariation, depth_of_field, restore
+from scenes import POINTS, averaged, texture
 
 LENS = """\
 [lens]
@@ -127,12 +128,25 @@ def test_one_distance_is_stated_or_estimated(call_lommel, folder):
     assert errors.min() < 3.0
     wide = call_lommel(*arguments[:-3], "-o", "sharp.tif", "--at", "2.5m", folder=folder)
     assert "--accept restores by that blur" in " ".join(wide.stdout.split())
-    neither = call_lommel("restore", "grey.tif", *GIVEN, "-o", "a.tif", folder=folder)
+    neither = call_lommel("restore", "grey.tif", *GIVEN, "--focus", "2m", "-o", "a.tif", folder=folder)
     assert "give a depth map DEPTH, or --at" in neither.stderr
     both = call_lommel(
         "restore", "grey.tif", "depth.npy", "lens.toml", *GIVEN, "--at", "2m", "-o", "a.tif", folder=folder
     )
     assert "DEPTH cannot be combined with --at" in both.stderr
+
+
+def test_photo_alone_is_restored_by_a_blur_of_unknown_size(call_lommel, folder):
+    seen = averaged(gaussian_filter(texture("leaves", 128, 7, 0.4), 1.8 * POINTS, mode="wrap")) / 3.0
+    noise = lm.Noise(white=20000.0, read=3.0)
+    photo = noise.record(20000.0 * seen, seed=1).astype(np.float32)
+    tifffile.imwrite(folder / "grey.tif", photo)
+    arguments = ("restore", "grey.tif", "--white", 20000, "--read", 3, "--json", "-o", "sharp.tif")
+    facts = json.loads(ran(call_lommel(*arguments, folder=folder)))
+    same = restore(photo, "unknown", encoding="linear", noise=noise)
+    np.testing.assert_array_equal(tifffile.imread(folder / "sharp.tif"), same.values)
+    assert facts["findings"][-1]["numbers"] == same.findings.get("blur_shape").numbers
+    assert "focal_length" not in facts
 
 
 def test_a_field_is_undone_by_its_table(call_lommel, folder):

@@ -56,6 +56,8 @@ _READ = 3.0  # default read noise, rms electrons, without a camera
 _ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
 
 
+_LENS_FLAGS = {"f_number", "focus_distance", "pixel"}
+
 ENCODING = Shown(metavar="srgb|linear|GAMMA", parse=parsed)
 """Form of an encoding."""
 BETWEEN = Shown(length="m", metavar="NEAR FAR")
@@ -337,12 +339,12 @@ def restore(
     camera_options: PhotoCamera = PhotoCamera(),
     depth_map: imaging.DepthMapOptions = imaging.DepthMapOptions(),
 ) -> Report:
-    """Deblur a photo with a known lens, by its depth map or distance.
+    """Deblur a photo, with a known lens by its depth map or distance.
 
     PHOTO is a PNG, JPEG, TIFF, EXR or HEIC, grey or RGB, neither sharpened nor denoised. DEPTH is a depth
     map of the same size, the distance of each point from the lens along the optical axis, in metres: a grey TIFF,
     NPY, PFM, PNG or EXR; with --at there is none. Without a lens file LENS, focal length and f-number come from the
-    photo's EXIF.
+    photo's EXIF. With PHOTO alone, the blur is estimated as a disc or a Gaussian, the same all over the photo.
 
     With one distance, the stated blur is compared with others. A photo that is sharper than stated is a doubt;
     --accept then restores by the blur that agrees better.
@@ -379,6 +381,7 @@ def restore(
       lommel restore photo.tif phone.toml --focus 2m --at unknown --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif phone.toml --field field.csv --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif --psf star.tif --white 5000 --read 3 -o sharp.tif
+      lommel restore photo.tif --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
@@ -392,9 +395,10 @@ def restore(
             if lens is not None or (psf is not None and depth is not None):
                 raise ValueError(f"{'DEPTH' if psf is None else 'a lens'} cannot be combined with {stated[0]}")
             depth, lens = None, depth
-        elif depth is None:
+        elif depth is None and _LENS_FLAGS & given_flags().keys():
             raise ValueError("give a depth map DEPTH, or --at, the distance of the whole scene (or unknown)")
-        job = Job((photo, depth, lens), output, encoding, camera_options, depth_map, needs_lens=psf is None)
+        needs_lens = psf is None and bool(stated or depth)
+        job = Job((photo, depth, lens), output, encoding, camera_options, depth_map, needs_lens=needs_lens)
         values = job.photograph.values
         (values,) = apply_mask([values], noise_options.mask)
         status("computing PSFs")
@@ -405,13 +409,13 @@ def restore(
             status(f"step {step}, discrepancy {discrepancy:.3g}", elapsed / max(elapsed + remaining, 1e-9))
 
         chosen = replace(restoring, method=_METHODS[algorithm]() if algorithm else None)
-        place: tuple[Any, ...]
+        place: tuple[Any, ...] = "unknown", None, None
         if psf is not None:
             place = None, _measured_psfs(psf, encoding), None
         elif field is not None:
             place = None, _field_blur(field, job), None
             chosen = replace(chosen, saturation=chosen.saturation or 1.0)
-        else:
+        elif needs_lens:
             place = job.filled_depth if at is None else at, job.lens, job.pixel
         result = imaging.restore(
             values,
@@ -500,7 +504,7 @@ class Job:
         self.filled_depth = fill_missing(self._depth, depth_map.missing)
         self._has_lens, self.camera = needs_lens, stated.camera
         if not needs_lens:
-            _refuse({"f_number", "focus_distance", "pixel"} & given_flags().keys(), "cannot be combined with --psf")
+            _refuse(_LENS_FLAGS & given_flags().keys(), "cannot be combined with --psf")
         elif lens is not None:
             instrument = radial_instrument(lens, **vars(stated))
             self.lens, self.pixel, self.camera = instrument.lens, instrument.side, instrument.camera

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -31,6 +32,10 @@ _ERROR_FACTOR = 1.3  # standard error of ln(diameter) / that of the likelihood
 _SOFTNESS = 1.4  # softness of scenes, pixels: an error of the diameter, added in quadrature
 _MOST_ERROR = 0.08  # largest standard error of ln(diameter) of a known blur
 _VALLEY = 5.0  # log-likelihood by which another diameter must be less likely
+
+
+Blurs = Callable[[Array], Array]
+"""Transfer functions at FREQUENCIES by a parameter of a blur, such as defocus: (blurs) -> (blurs, frequencies)."""
 
 
 class BlurVerdict(NamedTuple):
@@ -112,18 +117,20 @@ def compare_blurs(
 
 
 class BlurEstimate(NamedTuple):
-    """Most likely defocus C_d (rad), its relative standard error, and the diameter of the blur (pixels).
+    """Most likely blur: its parameter, the relative standard error of it, and the diameter of the blur (pixels).
 
     `known` is False if the error is too large or another diameter is about as likely; `sign_known` is False if the
-    defocus of the other sign has the same blur. `sharpening` is the gain in log-likelihood of an unsharp mask.
+    parameter of the other sign has the same blur. `sharpening` is the gain in log-likelihood of an unsharp mask, and
+    `slope` the exponent of the texture behind the blur.
     """
 
-    defocus: float
+    value: float
     error: float
     diameter: float
     known: bool
     sign_known: bool
     sharpening: float
+    slope: float
 
     @property
     def sharpened(self) -> bool:
@@ -131,32 +138,41 @@ class BlurEstimate(NamedTuple):
         return self.sharpening > _SHARPENED
 
 
-def estimate_blur(
-    focused: Pupil, symmetric: bool, unit: float, spectrum: Spectrum, pixel: float, plane: Array, variance: Array
-) -> BlurEstimate:
-    """Return the most likely blur of one channel of a photograph whose distance is unknown.
-
-    `focused` is the pupil without defocus, `symmetric` states that the sign of the defocus does not change its blur,
-    and `unit` is the diameter of the blur in pixels for C_d = 1.
-    """
-    defocus = _DIAMETERS[_LARGEST * min(plane.shape) >= _DIAMETERS] / unit
-    stack = defocus if symmetric else np.concatenate([-defocus[::-1], defocus])
-    rings = BlurSpectrum.windowed(plane[None], variance[None])
+def defocused(focused: Pupil, spectrum: Spectrum, pixel: float) -> Blurs:
+    """Return the transfer functions of a pupil by its defocus C_d (rad), given the pupil without it."""
 
     def curves_of(stack: Array) -> Array:
         parts = np.array_split(stack, _PARTS)
         return np.concatenate([pupil_curve(changed(focused, q, 0.0), spectrum, pixel)(FREQUENCIES) for q in parts])
 
+    return curves_of
+
+
+def disc_or_gaussian(diameter: float | Array, f: Array) -> Array:
+    """Return the transfer function of a disc or, for negative diameters, of the Gaussian of equal variance."""
+    x = np.pi * np.abs(diameter) * np.maximum(f, 1e-12)
+    return np.where(np.asarray(diameter) > 0.0, 2.0 * scipy.special.j1(x) / x, np.exp(-np.square(x) / 8.0))
+
+
+def estimate_blur(curves_of: Blurs, symmetric: bool, unit: float, plane: Array, variance: Array) -> BlurEstimate:
+    """Return the most likely blur of one channel of a photograph.
+
+    `curves_of` returns transfer functions at FREQUENCIES by a parameter, `symmetric` states that its sign does not
+    change them, and `unit` is the diameter of the blur in pixels for the parameter 1.
+    """
+    size = _DIAMETERS[_LARGEST * min(plane.shape) >= _DIAMETERS] / unit
+    stack = size if symmetric else np.concatenate([-size[::-1], size])
+    rings = BlurSpectrum.windowed(plane[None], variance[None])
     curves = curves_of(stack)
     likelihood = rings.likelihood(curves, 0, 1.0)
     best = int(np.argmax(likelihood))
-    sharpening = rings.sharpening(curves[[best]], 0, 1.0)
+    sharpening, slope = rings.sharpening(curves[[best]], 0, 1.0), rings.texture(curves[best], 0).slope
     side = np.flatnonzero(np.sign(stack) == np.sign(stack[best]))
     near = side[np.abs(side - best) <= 2]
     x = np.log(np.abs(stack))
     curvature, shift = _peak(x[near] - x[best], likelihood[near])
     if curvature <= 0.0 or best in (side[0], side[-1]):
-        return BlurEstimate(float(stack[best]), math.inf, math.exp(x[best]) * unit, False, False, sharpening)
+        return BlurEstimate(float(stack[best]), math.inf, math.exp(x[best]) * unit, False, False, sharpening, slope)
     # The likelihood falls more steeply towards larger blurs.
     finer = _REFINED + shift
     likelihoods = rings.likelihood(curves_of(stack[best] * np.exp(finer)), 0, 1.0)
@@ -170,7 +186,7 @@ def estimate_blur(
     alone = bool(likelihood[other].max(initial=-math.inf) < likelihood[best] - _VALLEY)
     opposite = np.sign(stack) != np.sign(value)
     sign_known = not symmetric and bool(likelihood[opposite].max() < likelihood[best] - _VALLEY)
-    return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known, sharpening)
+    return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known, sharpening, slope)
 
 
 def _peak(x: Array, likelihood: Array) -> tuple[float, float]:

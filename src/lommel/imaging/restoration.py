@@ -56,7 +56,7 @@ from lommel.imaging.photograph import (
     require_scene,
 )
 from lommel.imaging.settings import WindowOptions, channel_spectra, spectra
-from lommel.imaging.uniform_scene import DistanceEstimate, UniformScene, estimate_scene
+from lommel.imaging.uniform_scene import SceneEstimate, UniformScene, estimate_scene
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
@@ -77,6 +77,7 @@ _EXPECTED, _WORSE, _LEAST_AREA, _LEAST_RINGING = 0.4, 1.2, 3.0, 0.01
 _MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
+_WAVELENGTH = 550e-9  # of grey light where no lens is stated, metres
 
 
 Method = RichardsonLucy | TotalVariation | OnePass | Blend
@@ -189,7 +190,7 @@ class RestoreOptions(WindowOptions):
 def restore(
     photo: ArrayLike,
     depth: ArrayLike | Literal["unknown"] | None,
-    lens: Lens | LinearBlur | MeasuredPSF | Sequence[MeasuredPSF],
+    lens: Lens | LinearBlur | MeasuredPSF | Sequence[MeasuredPSF] | None = None,
     pixel: float | None = None,
     *,
     encoding: Encoding,
@@ -210,8 +211,9 @@ def restore(
         and masked elements of a masked array mark unknown pixels.
     depth : float, array_like of shape (height, width), "unknown" or None
         Distance of the scene, or of each point, from the lens along the axis, metres; may be infinite. "unknown"
-        estimates one distance of the whole scene from the photograph. None for a blur operator or a PSF.
-    lens : Lens, LinearBlur or MeasuredPSF
+        estimates one distance of the whole scene from the photograph; without `lens`, the diameter of a disc or the
+        width of a Gaussian, whichever is likelier. None for a blur operator or a PSF.
+    lens : Lens, LinearBlur or MeasuredPSF, optional
         A lens with radially symmetric aberrations; a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
         subclass of your own, whose matrix must not have negative elements; or the PSF of :meth:`lommel.PSF.measured`
         from the image of a point, or a sequence of one for each channel.
@@ -271,35 +273,43 @@ def restore(
         blur.require(light, "photo", missing=True)
         method = method or (Blend() if uniform_over_field(blur) else None)
     else:
-        lens = require_lens(lens, "photo, depth, lens, pixel")
-        if depth is None or pixel is None:
-            raise ValueError("depth and pixel must be given with a Lens, both in metres, got None")
         limit = full_light(image, encoding, o.saturation)
-        light, channels = recorded(image, encoding, limit, mask), channel_spectra(image.shape, lens.wavelength)
-        of_channels = spectra("channels", channels)
-        if isinstance(depth, str):
-            if depth != "unknown":
-                raise ValueError(f'depth must hold metres or be "unknown", got {depth!r}')
-            uniform, estimate = estimate_scene(light, lens, pixel, of_channels, noise, limit)
+        light = recorded(image, encoding, limit, mask)
+        if isinstance(depth, str) and depth != "unknown":
+            raise ValueError(f'depth must hold metres or be "unknown", got {depth!r}')
+        if lens is None and isinstance(depth, str):
+            if pixel is not None:
+                raise ValueError("pixel is that of a Lens, which is missing")
+            of_channels = spectra("channels", channel_spectra(image.shape, _WAVELENGTH))
+            blur, estimate = estimate_scene(light, None, of_channels, noise, limit)
+            method = method or Blend()
         else:
-            distances = validation.array("depth", depth, "metres")
-            if distances.ndim == 0:
-                distances = np.broadcast_to(distances, image.shape[:2])
-            require_scene("photo", image.shape, distances.shape)
-            scene = UniformScene.of(distances, lens, pixel, of_channels)
-            if isinstance(scene, UniformScene):
-                uniform = scene
-            elif isinstance(method, Blend):
-                raise ValueError(
-                    "method=Blend() needs one distance of the whole scene, got a depth map in which the diameter of "
-                    f"the blur varies by {scene:.3g} pixels; use RichardsonLucy()"
-                )
-        if uniform is not None and (estimate or method is None or isinstance(method, Blend)):
-            if estimate is None:
-                warn_of_depths(lens, uniform.pixel, distances)
-            blur, method = uniform.blur, Blend()
-        else:
-            blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
+            lens = require_lens(lens, "photo, depth, lens, pixel")
+            if depth is None or pixel is None:
+                raise ValueError("depth and pixel must be given with a Lens, both in metres, got None")
+            channels = channel_spectra(image.shape, lens.wavelength)
+            of_channels = spectra("channels", channels)
+            if isinstance(depth, str):
+                blur, estimate = estimate_scene(light, (lens, pixel), of_channels, noise, limit)
+                method = method or Blend()
+            else:
+                distances = validation.array("depth", depth, "metres")
+                if distances.ndim == 0:
+                    distances = np.broadcast_to(distances, image.shape[:2])
+                require_scene("photo", image.shape, distances.shape)
+                scene = UniformScene.of(distances, lens, pixel, of_channels)
+                if isinstance(scene, UniformScene):
+                    uniform = scene
+                elif isinstance(method, Blend):
+                    raise ValueError(
+                        "method=Blend() needs one distance of the whole scene, got a depth map in which the diameter "
+                        f"of the blur varies by {scene:.3g} pixels; use RichardsonLucy()"
+                    )
+                if uniform is not None and (method is None or isinstance(method, Blend)):
+                    warn_of_depths(lens, uniform.pixel, distances)
+                    blur, method = uniform.blur, Blend()
+                else:
+                    blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
     observed = PhotographLikelihood(blur, light, noise, limit)
     before = observed.mean(observed.discrepancies_of(observed.image))
     result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
@@ -326,7 +336,7 @@ def restore(
     values, clipped = encode_light(restored, encoding, image.dtype)
     findings = _findings(stopped, share, discrepancy, 1.0 + observed.slack, verdict is not None)
     if estimate is not None:
-        findings = _distance_findings(estimate, findings)
+        findings = _estimate_findings(estimate, findings)
     if isinstance(blur, MeasuredBlur):
         findings = [*blur.findings, *findings]
     return Restoration(
@@ -431,17 +441,27 @@ def _findings(stopped: str, share: float, discrepancy: float, limit: float, blur
     return findings
 
 
-def _distance_findings(estimate: DistanceEstimate, findings: list[Finding]) -> list[Finding]:
-    """Return the findings of a photograph of unknown distance, given those of its restoration."""
-    sides = " or ".join(
-        f"{format_length(d)} +- {format_length(e, like=d)}"
-        for d, e in zip(estimate.distances, estimate.errors, strict=True)
-    )
-    numbers = {"blur": estimate.blur.diameter, "distances": estimate.distances, "errors": estimate.errors}
-    if estimate.blur.known:
-        text = f"distance estimated: {sides}, a blur of {estimate.blur.diameter:.3g} pixels"
-        return [*findings, Finding("distance_estimated", "note", text, numbers)]
-    text = "the photograph does not determine its blur, and is returned unchanged: state the distance"
+def _estimate_findings(estimate: SceneEstimate, findings: list[Finding]) -> list[Finding]:
+    """Return the findings of a photograph of unknown distance or blur, given those of its restoration."""
+    blur, numbers = estimate.blur, dict[str, Any](blur=estimate.blur.diameter)
+    if estimate.shape:
+        disc = estimate.shape == "disc"
+        what, size = ("a disc of diameter", 1.0) if disc else ("a Gaussian of rms width", 0.25)
+        size *= blur.diameter  # that of the disc of the same variance
+        text = f"blur estimated without a lens: {what} {size:.3g} +- {size * blur.error:.2g} pixels"
+        text += "" if disc else ", restored by the lower end"
+        code, hint, numbers = "blur_shape", "lens and distance", numbers | {"size": size, "error": size * blur.error}
+    else:
+        sides = " or ".join(
+            f"{format_length(d)} +- {format_length(e, like=d)}"
+            for d, e in zip(estimate.distances, estimate.errors, strict=True)
+        )
+        text = f"distance estimated: {sides}, a blur of {blur.diameter:.3g} pixels"
+        numbers |= {"distances": estimate.distances, "errors": estimate.errors}
+        code, hint = "distance_estimated", "the distance"
+    if blur.known:
+        return [*findings, Finding(code, "note", text, numbers)]
+    text = f"the photograph does not determine its blur, and is returned unchanged: state {hint}"
     return [Finding("undetermined", "error", text, numbers)]
 
 

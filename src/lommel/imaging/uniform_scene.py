@@ -1,4 +1,4 @@
-"""Scenes at one distance: their blur, its comparison with other blurs, and the estimate of an unknown distance."""
+"""Scenes at one distance: their blur, its comparison with other blurs, and the estimate of an unknown one."""
 
 from __future__ import annotations
 
@@ -16,13 +16,24 @@ from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.estimation.focal_model import Spectrum
 from lommel.imaging.blended import Blend, UniformBlur
 from lommel.imaging.blur import require_depth
-from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict, changed, compare_blurs, estimate_blur
+from lommel.imaging.blur_spectrum import FREQUENCIES
+from lommel.imaging.blur_verdict import (
+    BlurEstimate,
+    BlurVerdict,
+    changed,
+    compare_blurs,
+    defocused,
+    disc_or_gaussian,
+    estimate_blur,
+)
 from lommel.imaging.one_pass import fill_unknown
 from lommel.optics.lens import Lens, require_round
 from lommel.optics.pupil import Pupil
 from lommel.recorded.noise import Noise
 
 _VARIANCE_RMS = 2.0  # pixels: rms width of the Gaussian that smooths the light of which the noise is computed
+_SOFT_GAUSSIAN = 0.1  # relative error of the width of a Gaussian by the softness of scenes
+_LEAST_SLOPE = 1.0  # of textures behind a Gaussian: the power spectrum of scenes that are not soft falls as f^-2
 _ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
 
 
@@ -66,57 +77,73 @@ class UniformScene(NamedTuple):
         return compare_blurs(self.pupil, self.defocus, middle, self.pixel, plane, variance)
 
 
-class DistanceEstimate(NamedTuple):
-    """Distances (metres) at which the lens has the estimated blur, and their standard errors; the likeliest first."""
+class SceneEstimate(NamedTuple):
+    """Estimated blur, and the distances (metres) at which the lens has it, the likeliest first, with standard errors.
+
+    Without a lens `shape` is that of the blur, "disc" or "Gaussian", and there are no distances.
+    """
 
     blur: BlurEstimate
-    distances: tuple[float, ...]
-    errors: tuple[float, ...]
+    distances: tuple[float, ...] = ()
+    errors: tuple[float, ...] = ()
+    shape: str = ""
 
 
 def estimate_scene(
-    photo: Array, lens: Lens, pixel: float, spectra: Sequence[Spectrum], noise: Noise, limit: float
-) -> tuple[UniformScene, DistanceEstimate]:
-    """Return the scene at the distance that the light of a photograph shows, and its distance.
+    photo: Array, lens: tuple[Lens, float] | None, spectra: Sequence[Spectrum], noise: Noise, limit: float
+) -> tuple[UniformBlur, SceneEstimate]:
+    """Return the blur that the light of a photograph shows, and the distance, or without a lens the shape, behind it.
 
-    Light of `limit` and above is saturated.
+    `lens` has its pixel pitch beside it. Light of `limit` and above is saturated.
     """
     # A stand-in for the unknown blur leaves images as they are.
     blur = UniformBlur(photo.shape[:2], lambda f: np.ones((len(spectra), *f.shape)), 0.0)
-    observed = PhotographLikelihood(blur, photo, noise, limit)
-    scene, estimate = _estimated(observed, lens, pixel, spectra, None)
-    if observed.full is not None:
+    observed, first = PhotographLikelihood(blur, photo, noise, limit), None
+    while True:
+        plane, variance = _middle(observed, first)
+        if lens is None:
+            blur, estimate = _estimated_shape(blur, plane, variance)
+        else:
+            blur, estimate = _estimated_distance(blur, *lens, spectra, plane, variance)
+        if observed.full is None or first is not None:
+            return blur, estimate
         # Saturated pixels, which make the photograph sharper, are raised by a first restoration.
-        observed = PhotographLikelihood(scene.blur, photo, noise, limit)
-        first = Blend().solve(observed, silent)
-        scene, estimate = _estimated(observed, lens, pixel, spectra, first.light)
-    return scene, estimate
+        observed = PhotographLikelihood(blur, photo, noise, limit)
+        first = blur.forward(Blend().solve(observed, silent).light)
 
 
-def _estimated(
-    observed: PhotographLikelihood, lens: Lens, pixel: float, spectra: Sequence[Spectrum], light: Values | None
-) -> tuple[UniformScene, DistanceEstimate]:
-    """Return the scene and its distance by the middle channel of a photograph.
+def _estimated_shape(blur: UniformBlur, plane: Array, variance: Array) -> tuple[UniformBlur, SceneEstimate]:
+    """Return the likeliest disc, or Gaussian less a standard error, by the light and noise variance of a channel."""
+    found = estimate_blur(lambda d: disc_or_gaussian(d[:, None], FREQUENCIES), False, 1.0, plane, variance)
+    shape, size = "disc", found.value
+    if size < 0.0:
+        # A soft scene widens a Gaussian, which has no zeros to show its width, and a width too large does harm.
+        known = found.known and found.slope >= _LEAST_SLOPE
+        found = found._replace(error=math.hypot(found.error, _SOFT_GAUSSIAN), known=known)
+        shape, size = "Gaussian", size * max(1.0 - found.error, 0.5)
+    undone = UniformBlur(blur.shape, lambda f: np.stack([disc_or_gaussian(size, f)] * blur.channels), 0.5 * abs(size))
+    return undone, SceneEstimate(found, shape=shape)
 
-    `light` is the restored light by an earlier estimate, whose blurred image replaces pixels that are not certain.
-    """
+
+def _estimated_distance(
+    blur: UniformBlur, lens: Lens, pixel: float, spectra: Sequence[Spectrum], plane: Array, variance: Array
+) -> tuple[UniformBlur, SceneEstimate]:
+    """Return the blur of a lens and its distance, given the light and noise variance of the middle channel."""
     unit, pitch = _pixels_per_radian(lens, pixel)
-    plane, variance = _middle(observed, None if light is None else observed.blur.forward(light))
     infinite = float(lens.defocus(math.inf))
     pupil = changed(lens.pupil(math.inf), -infinite, 0.0)
-    middle = spectra[len(spectra) // 2]
-    found = estimate_blur(pupil, lens.aberrations.flat, unit, middle, pitch, plane, variance)
+    curves = defocused(pupil, spectra[len(spectra) // 2], pitch)
+    found = estimate_blur(curves, lens.aberrations.flat, unit, plane, variance)
     # C_d is linear in 1 / distance.
     slope = float(lens.defocus(1.0)) - infinite
     distances, errors = [], []
-    for defocus in (found.defocus,) if found.sign_known else (found.defocus, -found.defocus):
+    for defocus in (found.value,) if found.sign_known else (found.value, -found.value):
         vergence = (defocus - infinite) / slope
         if vergence > 0.0:
             distances.append(1.0 / vergence)
             errors.append(abs(defocus * found.error / slope) / vergence**2)
-    shape = observed.blur.shape
-    scene = UniformScene(changed(pupil, found.defocus, 0.0), found.defocus, pitch, spectra, shape)
-    return scene, DistanceEstimate(found, tuple(distances), tuple(errors))
+    likeliest = UniformBlur.of(blur.shape, changed(pupil, found.value, 0.0), pitch, spectra)
+    return likeliest, SceneEstimate(found, tuple(distances), tuple(errors))
 
 
 def _pixels_per_radian(lens: Lens, pixel: float) -> tuple[float, float]:

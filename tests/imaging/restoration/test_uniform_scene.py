@@ -10,7 +10,7 @@ from scipy.ndimage import gaussian_filter
 
 from lommel import Noise
 from lommel.imaging import RichardsonLucy, restore
-from scenes import ThinLens, averaged, lommel_lens, plane, texture
+from scenes import POINTS, ThinLens, averaged, lommel_lens, plane, texture
 
 SIDE, LIGHT, READ = 128, 3000.0, 3.0
 LENS = ThinLens(35e-3, 2.8, 1.35, 540e-9, 4e-6)
@@ -136,6 +136,45 @@ def test_photograph_without_texture_has_no_distance():
     assert not found.converged
     assert found.findings.codes == ("undetermined",)
     np.testing.assert_allclose(found.light, photo, atol=1e-6)
+
+
+def by_shape(shape: str, size: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return a photograph that is blurred by a disc of a diameter or a Gaussian of an rms width, drawn on points."""
+    scene = texture("leaves", SIDE, 7, 0.4)
+    if shape == "Gaussian":
+        seen = gaussian_filter(scene, size * POINTS, mode="wrap")
+    else:
+        place = np.minimum(np.arange(len(scene)), len(scene) - np.arange(len(scene)))
+        disc = np.clip(0.5 * size * POINTS + 0.5 - np.hypot(place[:, None], place), 0.0, 1.0)
+        seen = np.fft.irfft2(np.fft.rfft2(scene) * np.fft.rfft2(disc / disc.sum()), scene.shape)
+    draw = np.random.default_rng(4)
+    electrons = LIGHT * averaged(seen)
+    return (draw.poisson(electrons) + draw.normal(0.0, READ, electrons.shape)) / NOISE.white, averaged(scene) / 3.0
+
+
+@pytest.mark.parametrize(("shape", "size", "gain"), [("disc", 7.0, 2.5), ("Gaussian", 1.8, 2.0)])
+def test_without_a_lens_the_blur_is_a_disc_or_a_gaussian(shape, size, gain):
+    photo, truth = by_shape(shape, size)
+    found = restore(photo, "unknown", encoding="linear", noise=NOISE)
+    numbers, text = found.findings.get("blur_shape").numbers, found.findings.get("blur_shape").text
+    assert f"a {shape} of" in text
+    assert abs(numbers["size"] - size) < 2.0 * numbers["error"] < 0.3 * size
+    assert found.distances == ()
+    assert decibels(found.light, truth) > decibels(photo, truth) + gain
+
+
+@pytest.mark.parametrize(("shape", "size"), [("disc", 1.5), ("Gaussian", 0.3)])
+def test_sharp_photograph_without_a_lens_is_returned(shape, size):
+    photo, _ = by_shape(shape, size)
+    found = restore(np.stack([photo] * 3, axis=2), "unknown", encoding="linear", noise=NOISE)
+    assert found.findings.codes == ("undetermined",)
+    assert "state lens and distance" in found.findings[0].text
+    np.testing.assert_allclose(found.light[..., 1], photo, atol=1e-6)
+
+
+def test_pixel_pitch_without_a_lens_is_refused():
+    with pytest.raises(ValueError, match="pixel is that of a Lens, which is missing"):
+        restore(photograph("pink", 5.0)[0], "unknown", None, 4e-6, encoding="linear", noise=NOISE)
 
 
 def test_other_words_are_no_distance():

@@ -53,6 +53,7 @@ if TYPE_CHECKING:
 
 _UNIT_PIXEL = 1e-6  # pitch of the pixels of a measured PSF, metres: only the ratio to that of the photo matters
 _READ = 3.0  # default read noise, rms electrons, without a camera
+_MOST_BLOCKS = 64  # in a table; more are in JSON only
 _ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
 
 
@@ -361,7 +362,8 @@ def restore(
         Encoding of the photo's values, such as linear for 16 bits developed from a raw file; by default integers are
         sRGB and floats are linear.
     at
-        Distance of the whole scene in place of DEPTH, such as 1.5m; unknown: estimated from the blur of the photo.
+        Distance of the whole scene in place of DEPTH, such as 1.5m; unknown: estimated from the blur of the photo,
+        where depth varies in blocks of 256 pixels.
     field
         Aberrations over the field in place of DEPTH: a table as written by lommel fit-field (.csv), or a lens file
         with a section [field]. The axis is in the middle of the photo.
@@ -429,7 +431,8 @@ def restore(
         clipped = job.write(np.asarray(result.light))
     facts = {"seconds": seconds, "method": algorithm or "default"} | result.to_dict() | {"clipped": clipped}
     findings = [Wrapped(with_options(found.text)) for found in result.findings.printed]
-    return job.report(facts) + Report({}, findings, result.converged)
+    hidden = {"blocks": facts.pop("blocks")} if len(result.blocks) > _MOST_BLOCKS else {}
+    return job.report(facts) + Report(hidden, findings, result.converged)
 
 
 def _measured_psfs(path: Path, encoding: Encoding | None) -> list[MeasuredPSF]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -251,6 +252,10 @@ class Restoration(Judged):
     distances, distance_errors : tuple of float
         Estimates of an unknown distance, metres, the likeliest first, and their standard errors: by their blur, the
         two sides of the focus are alike without aberrations. Empty if the distance was stated.
+    blocks : tuple of mappings
+        Where an unknown distance varies, for each overlapping block of the photograph its centre, "row" and "column"
+        (pixels), the diameter of its blur, "blur_pixels" (None if it is not known), "distances" and "distance_errors"
+        as above. Else empty.
     """
 
     values: Pixels
@@ -267,6 +272,7 @@ class Restoration(Judged):
     findings: Findings = field(default_factory=Findings)
     distances: tuple[float, ...] = ()
     distance_errors: tuple[float, ...] = ()
+    blocks: tuple[Mapping[str, Any], ...] = ()
 
     @property
     def message(self) -> str:

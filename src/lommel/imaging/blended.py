@@ -102,6 +102,37 @@ class UniformBlur(LinearBlur):
         return self.forward(image)
 
 
+class TiledBlur(LinearBlur):
+    """Blur by a uniform blur in each of overlapping tiles, whose images are added by their shares.
+
+    Parameters
+    ----------
+    shape : (int, int)
+    parts : sequence of (Tile, UniformBlur)
+        Tiles by :func:`tiles_of`, each with a blur of its shape.
+    """
+
+    dtype = np.dtype(_Real)
+
+    def __init__(self, shape: tuple[int, int], parts: Sequence[tuple[Tile, UniformBlur]]) -> None:
+        self.shape, self.parts, self.channels = shape, parts, parts[0][1].channels
+
+    def forward(self, image: Values) -> Values:
+        """Return the blurred image."""
+        return self._summed(image, lambda share, plane, blur: share * blur.forward(plane))
+
+    def adjoint(self, image: Values) -> Values:
+        """Return the transpose of :meth:`forward` applied to an image."""
+        return self._summed(image, lambda share, plane, blur: blur.adjoint(share * plane))
+
+    def _summed(self, image: Values, seen: Callable[[Values, Values, UniformBlur], Values]) -> Values:
+        total = np.zeros(image.shape, self.dtype)
+        for tile, blur in self.parts:
+            share = tile.share.reshape(*tile.share.shape, *[1] * (image.ndim - 2))
+            total[tile.rows, tile.columns] += seen(share, image[tile.rows, tile.columns], blur)
+        return total
+
+
 class Blend:
     """Deblurring by a Wiener filter, a local Wiener filter and total variation, blended.
 
@@ -116,13 +147,18 @@ class Blend:
         `tell` is called after each tile.
         """
         blur, photo = observed.blur, _Photo.of(observed)
-        if isinstance(blur, UniformBlur):
-            tiles = _tiles(blur.shape, _TILE, _OVERLAP)
-            problem_of: Callable[[_Tile], _Problem] = partial(_Problem.uniform, photo, blur)
+        parts: list[tuple[Tile, Callable[[], _Problem]]]
+        if isinstance(blur, UniformBlur | TiledBlur):
+            blurs = (
+                blur.parts
+                if isinstance(blur, TiledBlur)
+                else [(tile, blur) for tile in tiles_of(blur.shape, _TILE, _OVERLAP)]
+            )
+            parts = [(tile, partial(_Problem.uniform, photo, part, tile)) for tile, part in blurs]
         elif uniform_over_field(blur):
             stride, overlap = (_TILE, _OVERLAP) if isinstance(blur, MeasuredBlur) else (_FIELD_TILE, _FIELD_TILE)
-            tiles = _tiles(blur.shape, stride, overlap, beyond=_FIELD_TILE // 2)
-            problem_of = partial(_FieldProblem.at_centre, photo, blur)
+            tiles = tiles_of(blur.shape, stride, overlap, beyond=_FIELD_TILE // 2)
+            parts = [(tile, partial(_FieldProblem.at_centre, photo, blur, tile)) for tile in tiles]
         else:
             raise ValueError(
                 "method=Blend() needs a lens and one distance of the whole scene, got the blur "
@@ -131,15 +167,15 @@ class Blend:
         light, change = np.zeros_like(photo.light), np.zeros_like(photo.light)
         fits, start = [], time.perf_counter()
         signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0], _Real), photo.light.shape)
-        for k, tile in enumerate(tiles):
-            problem = problem_of(tile)
+        for k, (tile, problem_of) in enumerate(parts):
+            problem = problem_of()
             step = _PROBE * problem.taken(signs) * np.sqrt(problem.variances)
             sharp, probed = problem.blended(step)
             fits.append(problem.fit(sharp))
             # The derivative times the variance, by Stein's lemma.
             for image, values in ((light, sharp), (change, step * (probed - sharp - step) / _PROBE**2)):
                 image[:, tile.rows, tile.columns] += tile.share * values[:, *problem.inside]
-            tell(k + 1, math.nan, (time.perf_counter() - start) * (len(tiles) / (k + 1) - 1.0))
+            tell(k + 1, math.nan, (time.perf_counter() - start) * (len(parts) / (k + 1) - 1.0))
         certain = observed.certain
         # Light is not negative, but the output of a linear filter can be negative.
         result = _image(np.maximum(light, 0.0), certain.shape)
@@ -173,7 +209,7 @@ def _image(planes: Values, shape: tuple[int, ...]) -> Values:
     return np.ascontiguousarray(np.moveaxis(planes, 0, 2)).reshape(shape)
 
 
-class _Tile(NamedTuple):
+class Tile(NamedTuple):
     """Rows and columns of a tile in the image, and the share of each pixel of the image that it contributes.
 
     `first` and `last` are the corners of the tile, which may lie beyond the image.
@@ -186,7 +222,7 @@ class _Tile(NamedTuple):
     last: tuple[int, int]
 
 
-def _tiles(shape: tuple[int, int], stride: int, overlap: int, beyond: int = 0) -> list[_Tile]:
+def tiles_of(shape: tuple[int, int], stride: int, overlap: int, beyond: int = 0) -> list[Tile]:
     """Return overlapping tiles of at least `stride`, whose shares sum to 1 at each pixel of an image.
 
     With `beyond`, the outer tiles extend beyond the image by this number of pixels.
@@ -208,7 +244,7 @@ def _tiles(shape: tuple[int, int], stride: int, overlap: int, beyond: int = 0) -
             parts.append((inside, share[inside], start, stop))
         axes.append(parts)
     return [
-        _Tile(rows, columns, down[:, None] * across, (top, left), (bottom, right))
+        Tile(rows, columns, down[:, None] * across, (top, left), (bottom, right))
         for (rows, down, top, bottom), (columns, across, left, right) in itertools.product(*axes)
     ]
 
@@ -251,7 +287,7 @@ class _Problem:
     _periodic = False
 
     def __init__(
-        self, photo: _Photo, tile: _Tile, margin: int, transfer: Callable[[tuple[int, int]], Values], curve: Array
+        self, photo: _Photo, tile: Tile, margin: int, transfer: Callable[[tuple[int, int]], Values], curve: Array
     ) -> None:
         sides = photo.light.shape[1:]
         ends = zip(tile.first, tile.last, strict=True)
@@ -277,7 +313,7 @@ class _Problem:
             self._fill()
 
     @classmethod
-    def uniform(cls, photo: _Photo, blur: UniformBlur, tile: _Tile) -> Self:
+    def uniform(cls, photo: _Photo, blur: UniformBlur, tile: Tile) -> Self:
         """Return the problem of a tile of a photograph."""
         problem = cls(photo, tile, 0, blur.on, blur.curve(FREQUENCIES))
         problem.border = math.ceil(_BORDER * blur.radius)
@@ -466,7 +502,7 @@ class _FieldProblem(_Problem):
     _periodic = True
 
     @classmethod
-    def at_centre(cls, photo: _Photo, blur: FieldBlur | MeasuredBlur, tile: _Tile) -> Self:
+    def at_centre(cls, photo: _Photo, blur: FieldBlur | MeasuredBlur, tile: Tile) -> Self:
         """Return the problem of a tile, with the PSF of its centre."""
         row, column = (
             min(max((start + stop) // 2, 0), side - 1)

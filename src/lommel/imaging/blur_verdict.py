@@ -140,10 +140,13 @@ class BlurEstimate(NamedTuple):
 
 def defocused(focused: Pupil, spectrum: Spectrum, pixel: float) -> Blurs:
     """Return the transfer functions of a pupil by its defocus C_d (rad), given the pupil without it."""
+    computed: dict[bytes, Array] = {}  # the first stack is the same for all parts of a photograph
 
     def curves_of(stack: Array) -> Array:
-        parts = np.array_split(stack, _PARTS)
-        return np.concatenate([pupil_curve(changed(focused, q, 0.0), spectrum, pixel)(FREQUENCIES) for q in parts])
+        if (key := stack.tobytes()) not in computed:
+            parts = [pupil_curve(changed(focused, q, 0.0), spectrum, pixel) for q in np.array_split(stack, _PARTS)]
+            computed[key] = np.concatenate([part(FREQUENCIES) for part in parts])
+        return computed[key]
 
     return curves_of
 

@@ -211,8 +211,9 @@ def restore(
         and masked elements of a masked array mark unknown pixels.
     depth : float, array_like of shape (height, width), "unknown" or None
         Distance of the scene, or of each point, from the lens along the axis, metres; may be infinite. "unknown"
-        estimates one distance of the whole scene from the photograph; without `lens`, the diameter of a disc or the
-        width of a Gaussian, whichever is likelier. None for a blur operator or a PSF.
+        estimates it from the photograph: one distance, or those of blocks of 256 pixels if they differ; without
+        `lens`, the diameter of a disc or the width of a Gaussian, whichever is likelier. None for a blur operator or a
+        PSF.
     lens : Lens, LinearBlur or MeasuredPSF, optional
         A lens with radially symmetric aberrations; a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
         subclass of your own, whose matrix must not have negative elements; or the PSF of :meth:`lommel.PSF.measured`
@@ -317,7 +318,7 @@ def restore(
         result, share, stopped = _without_ringing(observed, (result, share, stopped), progress or silent)
     verdict = None
     if estimate is not None:
-        share, stopped = (share, stopped) if estimate.blur.known else (1.0, MISFIT)
+        share, stopped = (share, stopped) if estimate.known else (1.0, MISFIT)
     elif uniform is not None:
         verdict = uniform.verdict(observed, result.light)
     if uniform is not None and verdict is not None and verdict.doubtful:
@@ -343,6 +344,7 @@ def restore(
         values, restored, discrepancy, tuple(map(float, after)), before, result.steps,
         stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,
         distances=estimate.distances if estimate else (), distance_errors=estimate.errors if estimate else (),
+        blocks=estimate.blocks if estimate else (),
         findings=Findings(
             [*findings, *_blur_findings(verdict, o.accept), *_sharpened(estimate.blur if estimate else verdict)]
         ),
@@ -457,9 +459,15 @@ def _estimate_findings(estimate: SceneEstimate, findings: list[Finding]) -> list
             for d, e in zip(estimate.distances, estimate.errors, strict=True)
         )
         text = f"distance estimated: {sides}, a blur of {blur.diameter:.3g} pixels"
+        if estimate.blocks:
+            blurs = [block["blur_pixels"] for block in estimate.blocks if block["distances"]]
+            text = (
+                f"depth varies: distances estimated in {len(blurs)} of {len(estimate.blocks)} blocks, blurs of "
+                f"{min(blurs):.3g} to {max(blurs):.3g} pixels; the other blocks are only denoised"
+            )
         numbers |= {"distances": estimate.distances, "errors": estimate.errors}
         code, hint = "distance_estimated", "the distance"
-    if blur.known:
+    if estimate.known:
         return [*findings, Finding(code, "note", text, numbers)]
     text = f"the photograph does not determine its blur, and is returned unchanged: state {hint}"
     return [Finding("undetermined", "error", text, numbers)]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import NamedTuple, Self
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import scipy
@@ -14,11 +14,12 @@ from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import silent
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.estimation.focal_model import Spectrum
-from lommel.imaging.blended import Blend, UniformBlur
+from lommel.imaging.blended import Blend, TiledBlur, UniformBlur, tiles_of
 from lommel.imaging.blur import require_depth
 from lommel.imaging.blur_spectrum import FREQUENCIES
 from lommel.imaging.blur_verdict import (
     BlurEstimate,
+    Blurs,
     BlurVerdict,
     changed,
     compare_blurs,
@@ -33,6 +34,8 @@ from lommel.recorded.noise import Noise
 
 _VARIANCE_RMS = 2.0  # pixels: rms width of the Gaussian that smooths the light of which the noise is computed
 _SOFT_GAUSSIAN = 0.1  # relative error of the width of a Gaussian by the softness of scenes
+_BLOCK = 128  # stride and overlap (pixels) of the blocks of which distances are estimated
+_VARIES = 4.0  # mean squared deviation of the blurs of blocks / their variance, from which depth varies
 _LEAST_SLOPE = 1.0  # of textures behind a Gaussian: the power spectrum of scenes that are not soft falls as f^-2
 _ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
 
@@ -80,33 +83,39 @@ class UniformScene(NamedTuple):
 class SceneEstimate(NamedTuple):
     """Estimated blur, and the distances (metres) at which the lens has it, the likeliest first, with standard errors.
 
-    Without a lens `shape` is that of the blur, "disc" or "Gaussian", and there are no distances.
+    Without a lens `shape` is that of the blur, "disc" or "Gaussian", and there are no distances. Where depth varies,
+    `blocks` has the centre of each block (pixels), its blur (None if it is not known), distances and errors.
     """
 
     blur: BlurEstimate
     distances: tuple[float, ...] = ()
     errors: tuple[float, ...] = ()
     shape: str = ""
+    blocks: tuple[Mapping[str, Any], ...] = ()
+
+    @property
+    def known(self) -> bool:
+        """True if the photograph determines its blur, or those of some blocks."""
+        return bool(self.blocks) or self.blur.known
 
 
 def estimate_scene(
     photo: Array, lens: tuple[Lens, float] | None, spectra: Sequence[Spectrum], noise: Noise, limit: float
-) -> tuple[UniformBlur, SceneEstimate]:
+) -> tuple[UniformBlur | TiledBlur, SceneEstimate]:
     """Return the blur that the light of a photograph shows, and the distance, or without a lens the shape, behind it.
 
-    `lens` has its pixel pitch beside it. Light of `limit` and above is saturated.
+    Where depth varies, blur and distance are those of overlapping blocks. `lens` has its pixel pitch beside it. Light
+    of `limit` and above is saturated.
     """
     # A stand-in for the unknown blur leaves images as they are.
     blur = UniformBlur(photo.shape[:2], lambda f: np.ones((len(spectra), *f.shape)), 0.0)
     observed, first = PhotographLikelihood(blur, photo, noise, limit), None
+    search = None if lens is None else _Search.of(*lens, spectra)
     while True:
         plane, variance = _middle(observed, first)
-        if lens is None:
-            blur, estimate = _estimated_shape(blur, plane, variance)
-        else:
-            blur, estimate = _estimated_distance(blur, *lens, spectra, plane, variance)
+        blur, estimate = (search.whole if search else _estimated_shape)(blur, plane, variance)
         if observed.full is None or first is not None:
-            return blur, estimate
+            return (search and search.blocks(blur, estimate, plane, variance)) or (blur, estimate)
         # Saturated pixels, which make the photograph sharper, are raised by a first restoration.
         observed = PhotographLikelihood(blur, photo, noise, limit)
         first = blur.forward(Blend().solve(observed, silent).light)
@@ -125,25 +134,73 @@ def _estimated_shape(blur: UniformBlur, plane: Array, variance: Array) -> tuple[
     return undone, SceneEstimate(found, shape=shape)
 
 
-def _estimated_distance(
-    blur: UniformBlur, lens: Lens, pixel: float, spectra: Sequence[Spectrum], plane: Array, variance: Array
-) -> tuple[UniformBlur, SceneEstimate]:
-    """Return the blur of a lens and its distance, given the light and noise variance of the middle channel."""
-    unit, pitch = _pixels_per_radian(lens, pixel)
-    infinite = float(lens.defocus(math.inf))
-    pupil = changed(lens.pupil(math.inf), -infinite, 0.0)
-    curves = defocused(pupil, spectra[len(spectra) // 2], pitch)
-    found = estimate_blur(curves, lens.aberrations.flat, unit, plane, variance)
-    # C_d is linear in 1 / distance.
-    slope = float(lens.defocus(1.0)) - infinite
-    distances, errors = [], []
-    for defocus in (found.value,) if found.sign_known else (found.value, -found.value):
-        vergence = (defocus - infinite) / slope
-        if vergence > 0.0:
-            distances.append(1.0 / vergence)
-            errors.append(abs(defocus * found.error / slope) / vergence**2)
-    likeliest = UniformBlur.of(blur.shape, changed(pupil, found.value, 0.0), pitch, spectra)
-    return likeliest, SceneEstimate(found, tuple(distances), tuple(errors))
+class _Search(NamedTuple):
+    """Search for the distance at which a lens has the blur of a photograph.
+
+    `focused` is the pupil without defocus and `unit` the diameter of the blur in pixels for C_d = 1 rad.
+    """
+
+    lens: Lens
+    focused: Pupil
+    unit: float
+    pitch: float
+    spectra: Sequence[Spectrum]
+    curves: Blurs
+
+    @classmethod
+    def of(cls, lens: Lens, pixel: float, spectra: Sequence[Spectrum]) -> Self:
+        """Return the search by the blur of the middle channel."""
+        unit, pitch = _pixels_per_radian(lens, pixel)
+        focused = changed(lens.pupil(math.inf), -float(lens.defocus(math.inf)), 0.0)
+        return cls(lens, focused, unit, pitch, spectra, defocused(focused, spectra[len(spectra) // 2], pitch))
+
+    def whole(self, blur: UniformBlur, plane: Array, variance: Array) -> tuple[UniformBlur, SceneEstimate]:
+        """Return the blur of one distance, and the distance, by the light and noise variance of a channel."""
+        found = self._found(plane, variance)
+        return self._blur(blur.shape, found), SceneEstimate(found, *self._distances(found))
+
+    def blocks(
+        self, blur: UniformBlur, whole: SceneEstimate, plane: Array, variance: Array
+    ) -> tuple[TiledBlur, SceneEstimate] | None:
+        """Return the blurs and distances of overlapping blocks, or None if they have the same distance."""
+        tiles = tiles_of(blur.shape, _BLOCK, _BLOCK)
+        if len(tiles) < 2:
+            return None
+        found = [self._found(*(values[tile.rows, tile.columns] for values in (plane, variance))) for tile in tiles]
+        size, error = np.array([(math.log(each.diameter), each.error) for each in found if each.known]).T.reshape(
+            2, -1
+        )
+        if len(size) < 2 or np.mean(((size - np.average(size, weights=error**-2)) / error) ** 2) < _VARIES:
+            return None
+        parts, blocks = [], []
+        for tile, each in zip(tiles, found, strict=True):
+            # A block whose blur is not known is not deblurred.
+            of_tile = UniformBlur(tile.share.shape, lambda f: np.ones((blur.channels, *f.shape)), 0.0)
+            parts.append((tile, self._blur(tile.share.shape, each) if each.known else of_tile))
+            distances, errors = self._distances(each) if each.known else ((), ())
+            row, column = ((part.start + part.stop) // 2 for part in (tile.rows, tile.columns))
+            block = {"row": row, "column": column, "blur_pixels": each.diameter if each.known else None}
+            blocks.append(block | {"distances": distances, "distance_errors": errors})
+        return TiledBlur(blur.shape, parts), whole._replace(distances=(), errors=(), blocks=tuple(blocks))
+
+    def _found(self, plane: Array, variance: Array) -> BlurEstimate:
+        return estimate_blur(self.curves, self.lens.aberrations.flat, self.unit, plane, variance)
+
+    def _blur(self, shape: tuple[int, int], found: BlurEstimate) -> UniformBlur:
+        return UniformBlur.of(shape, changed(self.focused, found.value, 0.0), self.pitch, self.spectra)
+
+    def _distances(self, found: BlurEstimate) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Return the distances at which the lens has a blur, the likeliest first, and their standard errors."""
+        # C_d is linear in 1 / distance.
+        infinite = float(self.lens.defocus(math.inf))
+        slope = float(self.lens.defocus(1.0)) - infinite
+        distances, errors = [], []
+        for defocus in (found.value,) if found.sign_known else (found.value, -found.value):
+            vergence = (defocus - infinite) / slope
+            if vergence > 0.0:
+                distances.append(1.0 / vergence)
+                errors.append(abs(defocus * found.error / slope) / vergence**2)
+        return tuple(distances), tuple(errors)
 
 
 def _pixels_per_radian(lens: Lens, pixel: float) -> tuple[float, float]:

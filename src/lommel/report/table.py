@@ -26,7 +26,8 @@ _KEYS = {
     "pixel_in_sample in_focus hyperfocal_distance near far blur airy_radius dark_ring_radius geometric_radius "
     "circle_of_confusion fwhm fwhm_with_pixel diameter_80 diameter_80_with_pixel radius focus_tolerance sensor x y z "
     "distance reach wavelength wavelengths working_distance thickness depth step lateral axial paraxial brightest "
-    "axial_fwhm lateral_fwhm focus focus_in_the_middle focus_distances between standard_error depth_scale",
+    "axial_fwhm lateral_fwhm focus focus_in_the_middle focus_distances between standard_error depth_scale distances "
+    "distance_errors",
     "rad": "defocus defocus_of_distances spherical higher",
     "deg": "critical_angle rim_angle angles angle",
     "1/m": "cutoff nyquist nyquist_y mtf50 mtf50_y frequency",

@@ -11,7 +11,7 @@ import scipy
 from lommel import Noise
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import Blend, DepthBlur, RichardsonLucy, restore
-from lommel.imaging.blended import UniformBlur, _frame, _tiles
+from lommel.imaging.blended import TiledBlur, UniformBlur, _frame, tiles_of
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
 from scenes import ThinLens, averaged, lommel_lens, plane, texture
 
@@ -132,10 +132,10 @@ def test_frame_is_tight_and_tiles_sum_to_one():
         squares[band.part] += np.square(band.gain).sum(axis=0)
     np.testing.assert_allclose(squares, 1.0, atol=1e-6)
     total = np.zeros((1500, 700))
-    for rows, columns, share, *_ in _tiles(total.shape, 512, 128):
+    for rows, columns, share, *_ in tiles_of(total.shape, 512, 128):
         total[rows, columns] += share
     np.testing.assert_allclose(total, 1.0, atol=1e-5)
-    assert len(_tiles((1500, 700), 512, 128)) == 2
+    assert len(tiles_of((1500, 700), 512, 128)) == 2
 
 
 def test_tiles_agree_with_the_whole(monkeypatch):
@@ -146,6 +146,21 @@ def test_tiles_agree_with_the_whole(monkeypatch):
     tiled = restored(photo)
     assert decibels(tiled.light, truth) == pytest.approx(decibels(whole.light, truth), abs=0.3)
     assert not np.array_equal(tiled.light, whole.light)
+
+
+def test_blurs_of_tiles_are_added_by_their_shares():
+    shape, widths = (20, 48), (3.0, 0.0)
+    tiles = tiles_of(shape, 24, 16)
+    blurs = [
+        UniformBlur(tile.share.shape, lambda f, w=w: np.exp(-np.square(w * f))[None], 1.0)
+        for tile, w in zip(tiles, widths, strict=True)
+    ]
+    blur = TiledBlur(shape, [*zip(tiles, blurs, strict=True)])
+    a, b = np.random.default_rng(0).random((2, *shape)).astype(np.float32)
+    assert np.vdot(blur.forward(a), b) == pytest.approx(np.vdot(a, blur.adjoint(b)), rel=1e-5)
+    np.testing.assert_allclose(blur.forward(a)[:, 33:], a[:, 33:], atol=1e-5)
+    whole = UniformBlur(shape, lambda f: np.exp(-np.square(3.0 * f))[None], 1.0).forward(a)
+    np.testing.assert_allclose(blur.forward(a)[:, :14], whole[:, :14], atol=2e-3)
 
 
 @pytest.mark.parametrize("slope", [1.5, 2.5])

@@ -138,6 +138,39 @@ def test_photograph_without_texture_has_no_distance():
     np.testing.assert_allclose(found.light, photo, atol=1e-6)
 
 
+def planes_side_by_side(sizes: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """Return a photograph of planes with these blurs, each two periods of a texture high and wide."""
+    scene = texture("leaves", SIDE, 7)
+    seen = [np.tile(plane(scene, [LENS], distance_of(size), LIGHT)[0], (2, 2)) for size in sizes]
+    draw, electrons = np.random.default_rng(4), np.hstack(seen)
+    photo = (draw.poisson(electrons) + draw.normal(0.0, READ, electrons.shape)) / NOISE.white
+    return photo, np.tile(averaged(scene), (2, 2 * len(sizes))) / 3.0
+
+
+def test_unknown_distances_are_estimated_in_blocks():
+    photo, truth = planes_side_by_side((5.0, 9.0))
+    found = restored(photo, "unknown")
+    assert found.converged
+    assert "depth varies: distances estimated in" in found.findings.get("distance_estimated").text
+    assert found.distances == ()
+    # Four columns of blocks, of which two have one blur only.
+    for block in found.blocks:
+        outer = {96: 5.0, 416: 9.0}.get(block["column"])
+        if outer is not None:
+            z = (np.array(block["distances"]) - distance_of(outer)) / block["distance_errors"]
+            assert np.abs(z).min() < 3.0
+    assert {block["column"] for block in found.blocks} >= {96, 416}
+    one = restored(photo, distance_of(5.0))
+    assert decibels(found.light, truth) > max(decibels(photo, truth) + 2.0, decibels(one.light, truth) + 1.0)
+
+
+def test_blocks_of_one_distance_are_restored_by_one_blur():
+    photo, _ = planes_side_by_side((6.0,))
+    found = restored(photo, "unknown")
+    assert found.blocks == ()
+    assert len(found.distances) == 2
+
+
 def by_shape(shape: str, size: float) -> tuple[np.ndarray, np.ndarray]:
     """Return a photograph that is blurred by a disc of a diameter or a Gaussian of an rms width, drawn on points."""
     scene = texture("leaves", SIDE, 7, 0.4)

@@ -51,6 +51,26 @@ def test_periods_of_nine_pixels_have_depth(live):
     assert np.mean(np.abs(z) > 3.0) < 0.1
 
 
+def test_what_few_frequencies_leave_at_the_minimum_widens_errors():
+    light, at = 5.0 * LIGHT, np.arange(SIDE * POINTS) / (SIDE * POINTS)
+    bars = np.where((16.0 * at[:, None] + 11.0 * at) % 1.0 < 0.21, 1.0, -1.0)
+    points = 1.0 + 0.6 * bars + 0.5 * (texture("pink", SIDE) - 1.0)
+    bright = lm.imaging.LiveDepth(
+        [lommel_lens(lens) for lens in LENSES], 2.2e-6, between=BETWEEN, noise=lm.Noise(read=3.0, offset=100.0),
+        shape=(SIDE, SIDE), light=light,
+    )  # fmt: skip
+    found = bright(*record(plane(points, LENSES, 1.277, light), seed=3))
+    depth, errors = (np.array(each)[6:-6, 6:-6] for each in (found.depth, found.errors))
+    assert np.isfinite(errors).mean() > 0.9
+    assert np.mean(np.abs(depth - 1.277) > 3.0 * errors) < 0.1
+    assert np.median(errors) < 0.01
+
+
+def test_a_valley_of_one_frequency_that_is_too_wide_has_no_depth(live):
+    _, known = inner(live, stripes(33), 1.0)
+    assert known.mean() < 0.1
+
+
 @pytest.mark.parametrize("kind", ["pink", "leaves"])
 def test_textures_of_many_frequencies_have_depth(live, kind):
     z, known = inner(live, texture(kind, SIDE), 0.667)

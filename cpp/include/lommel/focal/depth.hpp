@@ -137,8 +137,12 @@ class FocalSearch {
     // A texture counts as one of few frequencies from this excess of concentration on, and fully as one after `concentrating` more.
     static constexpr float concentrated = 0.15f, concentrating = 0.4f;
     // Multiples of the leak, of textures of all frequencies and in addition of few: difference of energy from other valleys that are
-    // excluded, difference below which a candidate may be the true one, and, of few frequencies alone, energy that shifts a minimum.
-    static constexpr float apart = 5.0f, apart_of_few = 50.0f, alike = 1.3f, alike_of_few = 10.0f, shifted_of_few = 1.0f;
+    // excluded, and difference below which a candidate may be the true one.
+    static constexpr float apart = 5.0f, apart_of_few = 50.0f, alike = 1.3f, alike_of_few = 10.0f;
+    // (Energy that shifts the minimum) / (energy that remains there), relative to the odds of the excess of concentration: at least
+    // and at most. The odds are those of this largest excess at most.
+    static constexpr float least_shifting = 1.5f, most_shifting = 3.0f, single = 0.95f;
+    static constexpr float narrower = 0.6f;  // for few frequencies: reduction of the largest extent of a valley, relative to it
     static constexpr float hidden = 0.3f;  // drop of a valley between rough candidates / energy of wrong candidates, at most
 
     std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
@@ -231,8 +235,8 @@ class FocalSearch {
         }
         // Other valleys must be higher than the minimum by more than noise and leak can make them.
         const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
-        const float few =
-            std::min(1.0f, std::max(0.0f, (concentration - statistic(Concentration) - concentrated) / concentrating));
+        const float excess = std::min(single, std::max(0.0f, concentration - statistic(Concentration)));
+        const float few = std::min(1.0f, std::max(0.0f, (excess - concentrated) / concentrating));
         const float strength = valley + std::max(0.0f, here), leak = statistic(Leak) * strength;
         const float least_second = here + distinct / likelihood + (apart + apart_of_few * few) * leak;
         float second = infinite;
@@ -269,9 +273,16 @@ class FocalSearch {
             }
             variance = std::max(variance, moment / std::max(total, 1e-3f));
         }
-        // By Schwarz's inequality, leak shifts the minimum by at most the square root of (its energy / curvature).
-        variance += shifted_of_few * few * leak / curvature + square(statistic(Bias));
-        // The distance of the farthest candidate that leak could have made higher than the minimum, as two standard errors.
+        // What filters let through shifts the minimum by the square root of (its energy / curvature), as far as it is parallel to the
+        // derivative of the residual; the rest remains as energy of the minimum. The part that is parallel, of the energy of n
+        // frequencies, is 1 / n on average: the excess of concentration.
+        const float odds = excess / (1.0f - excess), remains = std::max(0.0f, here),
+                    by_chance = noise * std::sqrt(2.0f / pixels);
+        const float shifting = std::min(std::max(few * leak, least_shifting * odds * std::max(0.0f, remains - by_chance)),
+                                        most_shifting * odds * (remains + by_chance));
+        variance += shifting / curvature + square(statistic(Bias));
+        // The distance of the farthest candidate that leak could have made higher than the minimum, as two standard errors; a valley
+        // that is too wide has no position.
         const float level = here + (alike + alike_of_few * few) * leak;
         float reach = 0.5f * rough_step;  // less this, for the spread that steps of 4 add
         for (std::size_t c = best; rough(c) < level; --c) {
@@ -282,6 +293,10 @@ class FocalSearch {
         }
         for (std::size_t c = best + 1; c <= high && rough(c) < level; ++c) {
             reach = std::max(reach, away(c));
+        }
+        if (reach - 0.5f * rough_step > (1.0f - narrower * few) * given_.largest) {
+            found.position = unknown;
+            return found;
         }
         found.error = std::sqrt(std::max(variance, square(0.5f * (reach - 0.5f * rough_step))));
         return found;

@@ -725,9 +725,9 @@ def depth(
             progress=lambda finished, tiles: status(f"tile {finished} of {tiles}", finished / tiles),
             options=with_calibration(options, instrument),
         )
-        seconds = time.perf_counter() - start
         status("comparing the blur with the blur of other apertures")
         estimate.verdict  # noqa: B018 (computed here, and kept)
+        seconds = time.perf_counter() - start
         for path, values in zip(outputs, (estimate.depth, estimate.errors), strict=False):
             imaging.write_depth(path, values)
         if sharp is not None:

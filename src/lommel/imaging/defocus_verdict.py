@@ -33,9 +33,9 @@ from lommel.recorded.noise import Noise
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
 _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
 # Variance of the difference of the images, relative to the noise of their finest details, above which it is in doubt
-# and above which it is not noise: up to 3 in right pairs, as JPEG of quality 90 or smoothed by 0.8 pixels, 13 or more
-# in pairs shifted by a pixel.
-_DOUBTFUL_EXCESS, _WRONG_EXCESS = 5.0, 10.0
+# and above which it is not noise: up to 3 in right pairs, as smoothed by 0.8 pixels, 13 or more in pairs shifted by a
+# pixel. JPEG removes finest details: up to 25 in right pairs of quality 75, 15 to 88 in those shifted by a pixel.
+_DOUBTFUL_EXCESS, _WRONG_EXCESS, _WRONG_EXCESS_OF_JPEG = 5.0, 10.0, 30.0
 _EXCHANGED_RATIO = 1.15  # misfit / that of exchanged lenses, from which these are named if they agree
 _MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
 _BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
@@ -178,13 +178,14 @@ class DefocusVerdict(FitReport):
             )
         elif noise is not None:
             findings.append(noise_finding(noise))
-            if (total := excess * misfit) > _DOUBTFUL_EXCESS:
+            wrong = _WRONG_EXCESS_OF_JPEG if compressed else _WRONG_EXCESS
+            if (total := excess * misfit) > (wrong if compressed else _DOUBTFUL_EXCESS):
                 text = (
                     f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted, "
                     "something moved, the lens or its foci are wrong, or they were denoised; noise and errors of "
                     "depth are estimated from this difference"
                 )
-                add("misfit", "error" if total > _WRONG_EXCESS else "doubt", text, {"excess": total})
+                add("misfit", "error" if total > wrong else "doubt", text, {"excess": total})
             untested.insert(0, "registration and noise (the noise is estimated from the images)")
         elif judged < _MIN_JUDGED:
             text = (
@@ -236,15 +237,16 @@ class DefocusVerdict(FitReport):
             agreements.append(
                 f"blurs differ as the lenses state{errors} ({ratio} of it; f-numbers wrong by {unseen} agree too)"
             )
-        disagrees = any(finding.severity != "note" for finding in findings)
-        if not agreements and not disagrees:
+        worst = {finding.severity for finding in findings}
+        if not agreements and worst <= {"note"}:
             text = "depth is as right as the lens: calibrate it by planes at known distances (lommel calibrate)"
             if not unmeasured:
                 text = "depth is as right as the lens with its stated errors; state the noise to test registration"
             if compressed:
                 text = (
-                    "JPEG of quality 75 or more moves depth by up to 0.5 of its standard error, of faint texture by "
-                    "up to 2, and denoising in a camera by more: use raw images or PNG"
+                    "the images are JPEG, which hides errors of noise, registration and lens; quality 75 or more "
+                    "moves depth by up to 1.1 of its standard error, of faint texture by up to 2.6, and denoising in "
+                    "a camera by more: use raw images or PNG"
                 )
             add("undetermined", "doubt", text)
         details, parts = dict[str, object](), list[str]()
@@ -265,8 +267,8 @@ class DefocusVerdict(FitReport):
             add("stated", "note", "; ".join(parts), details)
         findings.append(untested_finding(untested, {}))
         nothing = f"{'compressed (JPEG); ' if compressed else ''}neither noise nor lens could be tested"
-        if disagrees:
-            nothing = "what was tested disagrees"
+        if not worst <= {"note"}:
+            nothing = "what was tested disagrees" if "error" in worst else "what was tested is in doubt"
         return cls(
             findings=Findings(findings),
             summary="; ".join(agreements) or nothing,

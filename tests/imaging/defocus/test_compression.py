@@ -75,6 +75,18 @@ def test_a_verdict_by_which_nothing_is_tested_is_not_reliable():
     assert "undetermined" not in DefocusVerdict.of(1.0, 1.0, 0.03, noise=noise).findings.codes
 
 
+@pytest.mark.parametrize(("excess", "code"), [(25.0, "undetermined"), (40.0, "misfit")])
+def test_a_difference_that_jpeg_explains_is_put_down_to_it(excess, code):
+    verdict = DefocusVerdict.of(1.0, noise=Noise(white=5e3, read=2.0), excess=excess, compressed=True)
+    assert {"undetermined", "misfit"} & set(verdict.findings.codes) == {code}
+    assert ("JPEG" in verdict.findings.get(code).text) == (code == "undetermined")
+
+
+def test_a_doubt_is_not_called_a_contradiction():
+    assert DefocusVerdict.of(1.5).summary == "what was tested is in doubt"
+    assert DefocusVerdict.of(2.5).summary == "what was tested disagrees"
+
+
 @pytest.mark.parametrize(("stated", "measured"), [(None, False), (0.04, True)])
 def test_a_lens_whose_errors_are_stated_is_not_to_be_calibrated_again(stated, measured):
     verdict = DefocusVerdict.of(1.0, noise=Noise(white=5e3, read=2.0), stated=stated)

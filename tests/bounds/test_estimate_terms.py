@@ -376,7 +376,8 @@ def test_images_of_a_search_have_the_tolerance_of_a_search_and_others_their_own(
     monkeypatch.setattr(field_stars, "Plan", plan)
     plain = {"search_tol": 1e-4, "tol": 1e-6, "shape": (5, 5), "pixel": 0.5, "threads": 1, "pupil": lm.Pupil()}
     stars = Made(**plain, first_star=Made(terms=((2, 0),)))
-    image = Made(pupils=lambda _: lm.Pupil(), plan=prepared_with(1e-6), _search_plan=prepared_with(1e-4))
+    plans = {"plan": prepared_with(1e-6), "_search_plan": prepared_with(1e-4)}
+    image = Made(pupils=lambda _: lm.Pupil(), derivatives=(), **plans)
     for fast, tol in ((True, 1e-4), (False, 1e-6)):
         for asked in (
             lambda fast=fast: field_stars.FieldStars._block(

@@ -100,6 +100,19 @@ def test_a_wrong_obscuration_is_estimated(aperture):
     assert (one["value"], one["stated"]) == (pytest.approx(0.3, abs=4 * one["error"]), 0.34)
 
 
+@pytest.mark.parametrize("factor", [0.5, 1.6, 3.0])
+def test_another_gain_than_the_stated_one_is_named(factor):
+    windows = factor * Camera(gain=0.0, read=3.0).record(images(blur=())[:1], 0)
+    fit = searches.fit_field(
+        windows, PLACES[:1], lm.Pupil(obscuration=0.3, wavelength=600e-9, f_number=8.0), sensor=(400, 500),
+        pixel=4.5e-6, noise=lm.Noise(read=3.0), degree=0, terms=["noll 4", "noll 8"], tol=1e-4,
+    )  # fmt: skip
+    assert not fit.reliable
+    found = fit.findings.printed[0]
+    assert (found.code, found.numbers["factor"]) == ("gain", pytest.approx(factor, rel=0.1))
+    assert fit.findings.get("missed_light") is None
+
+
 def test_an_amplitude_that_falls_towards_the_edge_is_estimated():
     one = fitted(images(dimmed=0.15)).findings.get("estimated").numbers["apodization"]
     assert one["value"] == pytest.approx(0.15, abs=4 * one["error"])

@@ -485,7 +485,9 @@ def fit_targets(
     u, v = chip.relative(x, y)
     pixel_size = np.array([2.0 / columns, 2.0 / rows])
     degree, draw = highest_degree(options.degree, count), draw or np.random.default_rng(0)
-    search = Search(stars, np.stack([u, v], axis=1), pixel_size, degree, draw, Progress(options.progress))
+    search = Search(
+        stars, np.stack([u, v], axis=1), pixel_size, degree, draw, Progress(options.progress), noise.excess
+    )
     outcome = _search_repeatedly(search, start is not None, min(_MAX_SEARCHES, effort.starts))
     distortion_settings = ideal, _DISTORTION if options.distortion is None else options.distortion
     known_blurs = blur_model if isinstance(blur_model, tuple) else ()
@@ -526,7 +528,7 @@ def _search_repeatedly(search: Search, has_start: bool, attempts: int) -> Outcom
         # The known defocus alone is a good start, because it is usually larger than the unknown aberrations.
         first_fit = search.fit_from_start() if attempt == 0 and (has_start or search.stars.has_defocus) else None
         outcome = search.outcome(search.reject_outliers(first_fit or search.fit_from_single_stars()))
-        if outcome.findings.converged:
+        if outcome.findings.converged or outcome.of_noise:
             return outcome
         best_outcome = outcome if best_outcome is None or outcome.cost < best_outcome.cost else best_outcome
     assert best_outcome is not None
@@ -636,7 +638,8 @@ def _build_field_fit(
         findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
     labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
     grade = None if outcome.model_error else outcome.grade
-    findings = covered([*outcome.findings, *missing_findings(tests, grade, labels), *findings])
+    effects = [] if "gain" in outcome.findings.codes else missing_findings(tests, grade, labels)
+    findings = covered([*outcome.findings, *effects, *findings])
     findings += estimated_effects(outcome.rounds, coefficients, np.sqrt(np.diag(covariance)).reshape(k, m))
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)

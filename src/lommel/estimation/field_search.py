@@ -31,7 +31,7 @@ from lommel.estimation.star_images import label
 from lommel.estimation.star_readout import lines_of
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
-from lommel.fit.model_error import ModelError, with_errors_of_model
+from lommel.fit.model_error import ModelError, with_errors_of_model, with_noise
 from lommel.fit.score_tests import Grade, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, search_rows
 from lommel.methods.derivative_names import term_of
@@ -83,11 +83,11 @@ class Solution(Fit[WholeField]):
 
     @cached_property
     def residual_parts(self) -> tuple[Array, Array, Array]:
-        """Residual, variance and light of all pixels of a single star."""
+        """Residual, variance and light of all pixels of the used stars."""
         stars, nuisance, values = self.model.stars, self.nuisance(), self.model.images(self.x)[0]
         counted, _, read, valid = stars.pixel_data[:, self.model.chosen].reshape(4, *values.shape)
         mean = stars.expected(values, nuisance).reshape(values.shape)
-        residual, light = np.where(valid > 0.0, counted - mean, np.nan), nuisance[0, 2, :, None, None] * values
+        residual, light = np.where(valid > 0.0, counted - mean, np.nan), nuisance[:, 2].reshape(-1, 1, 1) * values
         return residual, np.maximum(mean + read, 0.25 * read), light
 
     @cached_property
@@ -131,6 +131,7 @@ class Outcome:
     rival: Rival | None = None
     model_error: ModelError | None = None  # of a single star
     rounds: Sequence[Round] = ()  # refits with effects that the stars favour
+    of_noise: Sequence[Finding] = ()  # finding on noise that is not the stated one
 
     @property
     def findings(self) -> Findings:
@@ -167,7 +168,8 @@ class Outcome:
             findings.append(Finding("another_minimum", "doubt", text, self.rival._asdict()))
         # Above _QUIET, a low chi2 is often due to chance with few electrons, and is not reported.
         quiet_findings = [replace(r, severity="error") for r in findings if r.code == "too_quiet" and chi2 < _QUIET]
-        return Findings([*quiet_findings, *(r for r in findings if r.code != "too_quiet"), *self.notes])
+        others = (finding for finding in findings if finding.code != "too_quiet")
+        return Findings([*self.of_noise, *quiet_findings, *others, *self.notes])
 
     @property
     def cost(self) -> float:
@@ -189,7 +191,9 @@ class Search:
         degree: int,
         draw: np.random.Generator,
         report: Progress,
+        excess: float = 1.0,
     ) -> None:
+        self.excess = excess  # of the noise of electron multiplication
         self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
         self.initial_stars, stars.report = stars, report
         self.blur_costs: dict[str, float] = {}
@@ -685,6 +689,9 @@ class Search:
         held_out = self.held_out(fit)
         results = self.blur_costs, [*slope_notes, *untested], tests, grade, self.rival
         outcome = Outcome(fit, rejected, held_out, bright_chi2, self.places, *results, rounds=rounds)
+        read = self.stars.pixel_data[2, chosen].reshape(psf.shape)
+        found = with_noise(outcome.findings, [*seen(tests)], fit.residual_parts, read, self.excess)[0]
+        outcome.of_noise = found[: len(found) - len(outcome.findings)]
         if len(chosen) == 1 and "misfit" in outcome.findings.codes:
             outcome.model_error = fit.valid_model_error(outcome.findings.codes, tests)
         return outcome

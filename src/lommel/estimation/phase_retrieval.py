@@ -45,7 +45,7 @@ from lommel.estimation.star_images import (
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
-from lommel.fit.model_error import ModelError, covered, noise_findings, with_errors_of_model
+from lommel.fit.model_error import ModelError, covered, with_errors_of_model, with_noise
 from lommel.fit.score_tests import Grade, Marginal, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -693,17 +693,12 @@ def _fit_findings(
     causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
     findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
     effects = missing_findings(tests, grade, [label(name) for name in fit.model.names])
-    residual, variance, light = fit.residual_parts
+    residual, variance, _ = fit.residual_parts
     if effects and grade is not None and grade.explained:
         findings = [finding for finding in findings if finding.code == "too_quiet"]
     findings += goodness_of_fit.outlier_findings(residual / np.sqrt(variance))
-    if {"misfit", "too_quiet"} & {*Findings(findings).codes}:
-        read = fit.model.read.reshape(residual.shape)
-        mean = fit.model.counted.reshape(residual.shape) - residual
-        of_noise = noise_findings(residual, mean, read, mean - light, noise.excess)
-        if "gain" in Findings(of_noise).codes:  # effects that were tested by another noise
-            effects = []
-        findings[:0] = of_noise if not effects else []
+    read = fit.model.read.reshape(residual.shape)
+    findings, effects = with_noise(findings, effects, fit.residual_parts, read, noise.excess)
     error = None if grade is None else fit.valid_model_error(Findings(findings).codes, tests)
     if error is None:
         return findings, effects, None

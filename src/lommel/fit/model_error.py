@@ -23,7 +23,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import scipy
@@ -140,6 +140,22 @@ def noise_findings(residual: Array, mean: Array, read: Array, background: Array,
     variance = (mean + read) * float(np.nanmean(residual**2 / (mean + read)))
     parts = (residual, variance, mean - background)
     return [] if is_correlated(*(np.broadcast_to(part, residual.shape).reshape(size) for part in parts)) else found
+
+
+def with_noise(
+    findings: Sequence[Finding], effects: list[Any], parts: tuple[Array, Array, Array], read: Array, excess: float
+) -> tuple[list[Finding], list[Any]]:
+    """Return findings with that of :func:`noise_findings` first, if chi2 is not that of noise, and `effects`.
+
+    `parts` are residual, variance and light, and `effects` those that the images favour: none with another gain, as
+    they were tested by another noise.
+    """
+    if {"misfit", "too_quiet"}.isdisjoint(Findings(findings).codes):
+        return [*findings], effects
+    residual, variance, light = parts
+    of_noise = noise_findings(residual, variance - read, read, variance - read - light, excess)
+    kept = [] if "gain" in Findings(of_noise).codes else effects
+    return [*(() if kept else of_noise), *findings], kept
 
 
 def model_error(residual: Array, derivatives: Array, variance: Array, light: Array) -> ModelError | None:

@@ -510,17 +510,7 @@ class _FieldProblem(_Problem):
         )
         windows = [blur.window(row, column, c) for c in range(blur.channels)]
         half = max(len(window) for window in windows) // 2
-
-        def transfer(shape: tuple[int, int]) -> Values:
-            planes = np.zeros((len(windows), *shape), _Real)
-            for plane, window in zip(planes, windows, strict=True):
-                first = half - len(window) // 2
-                plane[first : first + len(window), first : first + len(window)] = window
-            fy, fx = _fourier_axes(shape)
-            # Windows include the pixel, which is a part of the scene that is estimated.
-            spectra = scipy.fft.rfft2(np.roll(planes, (-half, -half), (1, 2)))
-            return np.asarray(spectra / (np.sinc(fy) * np.sinc(fx)).astype(_Real))
-
+        transfer = partial(_window_transfer, windows)
         return cls(photo, tile, max(2 * half, _FIELD_MARGIN), transfer, _radial(transfer, half))
 
     def _transformed(self, planes: Values) -> Values:
@@ -549,6 +539,25 @@ class _FieldProblem(_Problem):
 
 def _fourier_axes(shape: tuple[int, int]) -> tuple[Array, Array]:
     return np.asarray(np.fft.fftfreq(shape[0]))[:, None], np.asarray(np.fft.rfftfreq(shape[1]))
+
+
+def _window_transfer(windows: Sequence[Array], shape: tuple[int, int]) -> Values:
+    """Return the transfer functions of windows on real Fourier transforms of an image, without that of the pixel."""
+    half = max(len(window) for window in windows) // 2
+    planes = np.zeros((len(windows), *shape), _Real)
+    for plane, window in zip(planes, windows, strict=True):
+        first = half - len(window) // 2
+        plane[first : first + len(window), first : first + len(window)] = window
+    fy, fx = _fourier_axes(shape)
+    # Windows include the pixel, which is a part of the scene that is estimated.
+    spectra = scipy.fft.rfft2(np.roll(planes, (-half, -half), (1, 2)))
+    return np.asarray(spectra / (np.sinc(fy) * np.sinc(fx)).astype(_Real))
+
+
+def radial_curve(blur: MeasuredBlur, channel: int) -> Array:
+    """Return the rms of the transfer function of a PSF over all directions at FREQUENCIES."""
+    window = blur.window(0, 0, channel)
+    return np.asarray(_radial(partial(_window_transfer, [window]), len(window) // 2)[0])
 
 
 def _radial(transfer: Callable[[tuple[int, int]], Values], half: int) -> Array:

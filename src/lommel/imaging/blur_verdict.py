@@ -41,10 +41,11 @@ Blurs = Callable[[Array], Array]
 class BlurVerdict(NamedTuple):
     """The most likely of the blurs that were compared with the stated one.
 
-    `factor` multiplies the defocus, `waves` are those of spherical aberration, `gain` is that in log-likelihood, and
-    `sharpness` the power that the blur transmits, divided by that of the stated blur. `sharpening` is the gain of an
-    unsharp mask over these blurs. `noise` is the most likely variance of the noise above the stated one, by the
-    stated blur, and `noise_gain` its gain. Of a mask and noise the less likely explanation has a gain of 0.
+    `factor` multiplies the defocus, or the size of a measured PSF, `waves` are those of spherical aberration, `gain`
+    is that in log-likelihood, and `sharpness` the power that the blur transmits, divided by that of the stated blur.
+    `sharpening` is the gain of an unsharp mask over these blurs. `noise` is the most likely variance of the noise
+    above the stated one, by the stated blur, and `noise_gain` its gain. Of a mask and noise the less likely
+    explanation has a gain of 0.
     """
 
     factor: float
@@ -86,23 +87,24 @@ class BlurVerdict(NamedTuple):
 
 
 def compare_blurs(
-    pupil: Pupil, defocus: float, spectrum: Spectrum, pixel: float, plane: Array, variance: Array
+    curves_of: Blurs, spherical: Callable[[Array], Array] | None, plane: Array, variance: Array
 ) -> BlurVerdict:
-    """Compare the blur of a pupil, whose defocus is C_d (rad), with others, for one channel of a photograph.
+    """Compare the stated blur of one channel of a photograph with others.
 
-    `variance` is the stated noise variance of each pixel of the `plane`.
+    `curves_of` returns transfer functions at FREQUENCIES by factors of the size, and `spherical` those by waves of
+    spherical aberration. `variance` is the stated noise variance of each pixel of the `plane`.
     """
     factors = np.array(_SCALES)
-    curves = pupil_curve(changed(pupil, (factors - 1.0) * defocus, 0.0), spectrum, pixel)(FREQUENCIES)
+    curves = curves_of(factors)
     waves = np.zeros_like(factors)
     rings = BlurSpectrum.windowed(plane[None], variance[None])
     noise = rings.texture(curves[0], 0).noise
     likelihood = rings.likelihood(curves, 0, noise)
     sharpening = rings.sharpening(curves[[0, int(np.argmax(likelihood))]], 0, noise)
-    if likelihood.max() - likelihood[0] > _MIN_GAIN:
+    if spherical is not None and likelihood.max() - likelihood[0] > _MIN_GAIN:
         # Spherical aberration takes more time: it is compared where the stated blur is not the best one.
         factors, waves = np.append(factors, np.ones(len(_SPHERICAL))), np.append(waves, _SPHERICAL)
-        curves = np.concatenate([curves, _spherical(pupil, spectrum, pixel)])
+        curves = np.concatenate([curves, spherical(np.array(_SPHERICAL))])
         likelihood = rings.likelihood(curves, 0, noise)
     best = int(np.argmax(likelihood))
     power = np.square(curves[:, : len(FREQUENCIES) // 3]).sum(axis=1)
@@ -204,9 +206,9 @@ def changed(pupil: Pupil, defocus: float | Array, waves: float | Array) -> Pupil
     return replace(pupil, wavefront=pupil.wavefront + (change or Wavefront(defocus=defocus)))
 
 
-def _spherical(pupil: Pupil, spectrum: Spectrum, pixel: float) -> Array:
+def aberrated_curves(pupil: Pupil, spectrum: Spectrum, pixel: float, waves: Array) -> Array:
     """Return the OTFs with spherical aberration at FREQUENCIES; frequencies beyond some lobes do not matter."""
-    aberrated = changed(pupil, 0.0, np.array(_SPHERICAL))
+    aberrated = changed(pupil, 0.0, waves)
     diameter = 2.0 * float(aberrated.geometric_radius().max()) / pixel
     f = np.linspace(0.0, min(FREQUENCIES[-1], _LOBES / max(diameter, 1e-9)), _NODES)
     wavelength = float(np.average([w for w, _ in spectrum], weights=[s for _, s in spectrum]))

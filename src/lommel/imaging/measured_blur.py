@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Self
 
 import numpy as np
@@ -18,23 +20,25 @@ _LEAST_LIGHT = 0.999  # of a PSF, within the window that is used
 
 
 class MeasuredBlur(LinearBlur):
-    """Blur by one window of each channel, all over an image that is mirrored at its edges.
+    """Blur by the PSF of each channel, all over an image that is mirrored at its edges.
 
     Parameters
     ----------
     shape : (int, int)
-    windows : sequence of ndarray
-        Odd squares of sum 1, pixel-integrated.
-    findings : Findings
-        Those of the PSFs.
+    psfs : sequence of MeasuredPSF
+        PSFs of the channels, on the pixels of the image.
+    scale : float
+        Factor of the width of the PSFs.
     """
 
     dtype = np.dtype(np.float32)
 
-    def __init__(self, shape: tuple[int, int], windows: Sequence[Array], findings: Findings) -> None:
-        self.shape, self.channels, self.findings = shape, len(windows), findings
-        self._windows = [np.asarray(window, self.dtype) for window in windows]
-        widest = max(len(window) for window in windows)
+    def __init__(self, shape: tuple[int, int], psfs: Sequence[MeasuredPSF], scale: float = 1.0) -> None:
+        self.shape, self.channels, self._psfs = shape, len(psfs), psfs
+        self.findings = Findings([found for psf in dict.fromkeys(psfs) for found in psf.findings])
+        windows = {psf: _trimmed(_scaled(psf, scale)) for psf in dict.fromkeys(psfs)}
+        self._windows = [np.asarray(windows[psf], self.dtype) for psf in psfs]
+        widest = max(len(window) for window in self._windows)
         if widest > min(shape):
             raise ValueError(
                 f"the PSF has light in {widest} pixels, more than the shorter side of the photograph: crop it"
@@ -56,8 +60,11 @@ class MeasuredBlur(LinearBlur):
                     f"{format_length(psf.pixel)}; for stacks use lommel.microscopy.deconvolve"
                 )
         pitched = [psf if pixel is None else psf.resampled(pixel, pixel) for psf in psfs]
-        windows = [_trimmed(psf.values[0]) for psf in pitched] * (channels // len(psfs))
-        return cls((shape[0], shape[1]), windows, Findings([found for psf in pitched for found in psf.findings]))
+        return cls((shape[0], shape[1]), pitched * (channels // len(psfs)))
+
+    def scaled(self, factor: float) -> MeasuredBlur:
+        """Return the blur by PSFs that are wider by a factor."""
+        return MeasuredBlur(self.shape, self._psfs, factor)
 
     def window(self, row: int, column: int, channel: int = 0) -> Array:
         """Return the PSF of a channel, which is the same at all pixels."""
@@ -82,6 +89,15 @@ class MeasuredBlur(LinearBlur):
             return folded(np.asarray(spread), (len(window) // 2,) * 2, self.shape)
 
         return self.by_channel(image, gathered)
+
+
+def _scaled(psf: MeasuredPSF, scale: float) -> Array:
+    """Return the values of a PSF that is wider by a factor."""
+    if scale == 1.0:
+        return np.asarray(psf.values[0])
+    dark = math.ceil(max(psf.values.shape) * max(1.0 / scale - 1.0, 0.0))
+    padded = replace(psf, values=np.pad(psf.values, ((0, 0), (dark, dark), (dark, dark))))
+    return np.asarray(padded.resampled(psf.pixel / scale, psf.step).values[0])
 
 
 def _trimmed(values: Array) -> Array:

@@ -56,7 +56,7 @@ from lommel.imaging.photograph import (
     require_scene,
 )
 from lommel.imaging.settings import WindowOptions, channel_spectra, spectra
-from lommel.imaging.uniform_scene import SceneEstimate, UniformScene, estimate_scene
+from lommel.imaging.uniform_scene import MeasuredScene, SceneEstimate, UniformScene, estimate_scene
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
@@ -75,6 +75,8 @@ _MAX_RINGING = 6.0
 # (pixels) of the areas that are compared, and smallest fraction of such areas for which this takes the time.
 _EXPECTED, _WORSE, _LEAST_AREA, _LEAST_RINGING = 0.4, 1.2, 3.0, 0.01
 _MIN_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
+_MOST_PHOTOGRAPH = 0.9  # largest share of the photograph in a result, by a likelier blur, that is not given up
+_SHARPENED_NOISE = 2.0  # least variance of the noise of a sharpened photograph / the stated one
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
 _WAVELENGTH = 550e-9  # of grey light where no lens is stated, metres
@@ -212,8 +214,7 @@ def restore(
     depth : float, array_like of shape (height, width), "unknown" or None
         Distance of the scene, or of each point, from the lens along the axis, metres; may be infinite. "unknown"
         estimates it from the photograph: one distance, or those of blocks of 256 pixels if they differ; without
-        `lens`, the diameter of a disc or the width of a Gaussian, whichever is likelier. None for a blur operator or a
-        PSF.
+        `lens`, the diameter of a disc or the width of a Gaussian, whichever is likelier. None for an operator or PSF.
     lens : Lens, LinearBlur or MeasuredPSF, optional
         A lens with radially symmetric aberrations; a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
         subclass of your own, whose matrix must not have negative elements; or the PSF of :meth:`lommel.PSF.measured`
@@ -257,7 +258,8 @@ def restore(
     validation.instance("noise", noise, Noise)
     validation.function("progress", progress, required=False)
     image, mask = validation.parted("photo", photo, "counts")
-    method, uniform, estimate = o.method, None, None
+    method, estimate = o.method, None
+    uniform: UniformScene | MeasuredScene | None = None
     psfs = [lens] if isinstance(lens, MeasuredPSF) else lens
     if isinstance(psfs, list | tuple) and psfs and all(isinstance(psf, MeasuredPSF) for psf in psfs):
         require_image("photo", image.shape)
@@ -273,6 +275,7 @@ def restore(
         light, blur = recorded(image, encoding, limit, mask), given_blur
         blur.require(light, "photo", missing=True)
         method = method or (Blend() if uniform_over_field(blur) else None)
+        uniform = MeasuredScene(blur) if isinstance(blur, MeasuredBlur) else None
     else:
         limit = full_light(image, encoding, o.saturation)
         light = recorded(image, encoding, limit, mask)
@@ -306,9 +309,9 @@ def restore(
                         "method=Blend() needs one distance of the whole scene, got a depth map in which the diameter "
                         f"of the blur varies by {scene:.3g} pixels; use RichardsonLucy()"
                     )
-                if uniform is not None and (method is None or isinstance(method, Blend)):
-                    warn_of_depths(lens, uniform.pixel, distances)
-                    blur, method = uniform.blur, Blend()
+                if isinstance(scene, UniformScene) and (method is None or isinstance(method, Blend)):
+                    warn_of_depths(lens, scene.pixel, distances)
+                    blur, method = scene.blur, Blend()
                 else:
                     blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
     observed = PhotographLikelihood(blur, light, noise, limit)
@@ -321,16 +324,19 @@ def restore(
         share, stopped = (share, stopped) if estimate.known else (1.0, MISFIT)
     elif uniform is not None:
         verdict = uniform.verdict(observed, result.light)
-    if uniform is not None and verdict is not None and verdict.doubtful:
-        likelier = PhotographLikelihood(uniform.preferred(verdict).blur, light, noise, limit)
-        if o.accept:
+    if uniform is not None and verdict is not None and (verdict.doubtful or verdict.noisier or verdict.sharpened):
+        more = 1.0 if verdict.doubtful else max(verdict.noise, _SHARPENED_NOISE)
+        noisier = replace(noise, white=observed.white / more, read=noise.read / math.sqrt(more))
+        likelier = PhotographLikelihood(uniform.preferred(verdict).blur, light, noisier, limit)
+        other, of_photograph, reason = _solved(likelier, Blend(), progress or silent)
+        if o.accept and verdict.doubtful:
             observed = likelier
-            result, share, stopped = _solved(observed, Blend(), progress or silent)
-            result, share, stopped = _without_ringing(observed, (result, share, stopped), progress or silent)
-        elif verdict.decisive:
-            # By the likelier blur, the photograph may agree better with itself than with the result.
-            fits = [likelier.mean(likelier.discrepancies_of(image)) for image in (result.light, observed.image)]
-            share, stopped = (1.0, MISFIT) if fits[0] > fits[1] else (share, stopped)
+            result, share, stopped = _without_ringing(observed, (other, of_photograph, reason), progress or silent)
+        else:
+            share = max(share, _milder(observed, result.light, blend(likelier, other.light, of_photograph)))
+            images = blend(observed, result.light, share), observed.image
+            fits = [likelier.mean(likelier.discrepancies_of(image)) for image in images]
+            share, stopped = (1.0, MISFIT) if share > _MOST_PHOTOGRAPH or fits[0] > fits[1] else (share, stopped)
     restored = blend(observed, result.light, share)
     after = observed.discrepancies_of(restored)
     discrepancy = observed.mean(after)
@@ -346,7 +352,10 @@ def restore(
         distances=estimate.distances if estimate else (), distance_errors=estimate.errors if estimate else (),
         blocks=estimate.blocks if estimate else (),
         findings=Findings(
-            [*findings, *_blur_findings(verdict, o.accept), *_sharpened(estimate.blur if estimate else verdict)]
+            [
+                *findings, *_blur_findings(verdict, o.accept, share),
+                *_sharpened(estimate.blur if estimate else verdict),
+            ]
         ),
     )  # fmt: skip
 
@@ -394,6 +403,12 @@ def _without_ringing(
     )
     light = np.asarray(result.light + mixed * (other.light - result.light), result.light.dtype)
     return result._replace(light=light), share, stopped
+
+
+def _milder(observed: PhotographLikelihood, light: Values, likelier: Values) -> float:
+    """Return the share of the photograph that brings a result as near as possible to that of a likelier blur."""
+    change, other = ((image - observed.image)[observed.certain].astype(np.float64) for image in (light, likelier))
+    return float(np.clip(1.0 - change @ other / max(float(change @ change), 1e-300), 0.0, 1.0))
 
 
 def recorded(photo: Pixels, encoding: Encoding, limit: float, mask: NDArray[np.bool_] | None = None) -> Array:
@@ -484,8 +499,8 @@ def _sharpened(compared: BlurEstimate | BlurVerdict | None) -> list[Finding]:
     return [Finding("sharpened", "doubt", text, {"gain": compared.sharpening})]
 
 
-def _blur_findings(verdict: BlurVerdict | None, accepted: bool) -> list[Finding]:
-    """Return the findings of the comparison of blurs."""
+def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) -> list[Finding]:
+    """Return the findings of the comparison of blurs; `share` is that of the photograph in the result."""
     if verdict is None:
         return []
     numbers = {"factor": verdict.factor, "waves": verdict.waves, "gain": verdict.gain}
@@ -497,13 +512,13 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool) -> list[Finding]
         return [Finding("estimated", "note", f"restored by a blur of {better} {gain}", numbers)]
     if verdict.doubtful:
         text = (
-            f"the photograph agrees better with a blur of {better} {gain}: check distance, f-number and focus; "
-            "accept=True restores by that blur"
+            f"the photograph agrees better with a blur of {better} {gain}, so {100.0 * share:.0f} % of it are mixed "
+            "in: check distance, f-number and focus; accept=True restores by that blur"
         )
         return [Finding("blur_doubtful", "doubt", text, numbers)]
     if verdict.noisier:
         text = (
-            f"the photograph is noisier than stated, {verdict.noise:g} times the variance, which is amplified: "
+            f"the photograph is noisier than stated, {verdict.noise:g} times the variance, and is restored mildly: "
             "check white, the electrons of white, and the read noise, and whether it was sharpened"
         )
         numbers |= {"noise": verdict.noise, "noise_gain": verdict.noise_gain}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple, Self
 
 import numpy as np
@@ -13,20 +14,22 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import silent
 from lommel.deconvolve.likelihood import PhotographLikelihood
-from lommel.estimation.focal_model import Spectrum
-from lommel.imaging.blended import Blend, TiledBlur, UniformBlur, tiles_of
+from lommel.estimation.focal_model import Spectrum, pupil_curve
+from lommel.imaging.blended import Blend, TiledBlur, UniformBlur, radial_curve, tiles_of
 from lommel.imaging.blur import require_depth
 from lommel.imaging.blur_spectrum import FREQUENCIES
 from lommel.imaging.blur_verdict import (
     BlurEstimate,
     Blurs,
     BlurVerdict,
+    aberrated_curves,
     changed,
     compare_blurs,
     defocused,
     disc_or_gaussian,
     estimate_blur,
 )
+from lommel.imaging.measured_blur import MeasuredBlur
 from lommel.imaging.one_pass import fill_unknown
 from lommel.optics.lens import Lens, require_round
 from lommel.optics.pupil import Pupil
@@ -75,9 +78,33 @@ class UniformScene(NamedTuple):
 
     def verdict(self, observed: PhotographLikelihood, light: Values) -> BlurVerdict:
         """Compare the blur with others, given the restored light, by the middle channel of the photograph."""
-        plane, variance = _middle(observed, observed.blur.forward(light))
         middle = self.spectra[len(self.spectra) // 2]
-        return compare_blurs(self.pupil, self.defocus, middle, self.pixel, plane, variance)
+
+        def of_factors(factors: Array) -> Array:
+            stack = changed(self.pupil, (factors - 1.0) * self.defocus, 0.0)
+            return pupil_curve(stack, middle, self.pixel)(FREQUENCIES)
+
+        spherical = partial(aberrated_curves, self.pupil, middle, self.pixel)
+        return compare_blurs(of_factors, spherical, *_middle(observed, observed.blur.forward(light)))
+
+
+class MeasuredScene(NamedTuple):
+    """A scene that is blurred by a measured PSF."""
+
+    blur: MeasuredBlur
+
+    def preferred(self, verdict: BlurVerdict) -> Self:
+        """Return the scene with the PSF scaled as a verdict prefers."""
+        return self._replace(blur=self.blur.scaled(verdict.factor))
+
+    def verdict(self, observed: PhotographLikelihood, light: Values) -> BlurVerdict:
+        """Compare the PSF with scaled ones, given the restored light, by the middle channel of the photograph."""
+        curve = radial_curve(self.blur, self.blur.channels // 2)
+
+        def of_factors(factors: Array) -> Array:
+            return np.array([np.interp(factor * FREQUENCIES, FREQUENCIES, curve, right=0.0) for factor in factors])
+
+        return compare_blurs(of_factors, None, *_middle(observed, observed.blur.forward(light)))
 
 
 class SceneEstimate(NamedTuple):

@@ -52,11 +52,16 @@ class MeasuredPSF:
         if max(abs(ratio - 1.0) for ratio in ratios) < _EQUAL:
             return self
         halves = [int((side // 2 + 0.49) / ratio) for side, ratio in zip(self.values.shape, ratios, strict=True)]
-        if min(halves if len(self.values) > 1 else halves[1:]) < _LEAST_HALF:
-            raise ValueError(
-                f"psf must have 5 voxels or more in each direction of the recording's {format_length(pixel)} and "
-                f"{format_length(step)}, got {' x '.join(str(2 * half + 1) for half in halves)}"
-            )
+        flat = len(self.values) == 1
+        if min(halves[flat:]) < _LEAST_HALF:
+            voxels = f"pixels or more in each direction of the photograph's {format_length(pixel)}"
+            if not flat:
+                voxels = (
+                    f"voxels or more in each direction of the recording's {format_length(pixel)} and "
+                    f"{format_length(step)}"
+                )
+            sides = " x ".join(str(2 * half + 1) for half in halves[flat:])
+            raise ValueError(f"psf must have 5 {voxels}, got {sides}")
         places = [
             np.asarray(middle + ratio * np.arange(-half, half + 1), np.float64)
             for middle, ratio, half in zip(self.point, ratios, halves, strict=True)
@@ -68,6 +73,8 @@ class MeasuredPSF:
             one = np.where(f * new <= 0.5, np.sinc(f * new) / np.sinc(f * old) if axis else 1.0, 0.0)
             gain *= np.expand_dims(one, tuple(k for k in range(3) if k != axis))
         text = f"the PSF was resampled from voxels of {voxel_text(self.pixel, self.step)} to those of the stack"
+        if flat:
+            text = f"the PSF was resampled from pixels of {format_length(self.pixel)} to those of the photograph"
         finding = Finding("measured_psf", "note", text, {"pixel": self.pixel, "step": self.step})
         values = np.maximum(sampled(self.values, places, gain), 0.0)
         findings = Findings([*self.findings, finding])

@@ -222,11 +222,12 @@ class _Beads:
         }  # fmt: skip
         size = f"{shape[0]} x {shape[1]} x {shape[2]} voxels of {voxel_text(self._pixel, self._step)}"
         if len(mean) == 1:
-            size = f"{shape[1]} x {shape[2]} pixels of {format_length(self._pixel, digits=4)}"
+            size = f"{shape[1]} x {shape[2]} pixels"
         source = "a single image" if len(crops) == 1 else f"the mean of {count} beads"
         text = (
             f"the PSF is {source}: {size}, noise of {percent(noise)} of its light, {percent(rim)} of it on "
-            f"the rim, {100.0 * float(values.max()):.2g} % in the brightest voxel" + f"; {removed}" * (len(mean) > 1)
+            f"the rim, {100.0 * float(values.max()):.2g} % in the brightest "
+            + (f"voxel; {removed}" if len(mean) > 1 else "pixel")
         )
         findings = [Finding("measured_psf", "note", text, numbers)]
         if self._refused:

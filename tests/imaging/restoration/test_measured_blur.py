@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.ndimage import gaussian_filter
+from scipy.ndimage import gaussian_filter, zoom
 from scipy.signal import fftconvolve
 
 import lommel as lm
@@ -49,7 +49,7 @@ def test_image_of_a_point_is_centred_and_normalised():
     assert [light.sum(1) @ place, light.sum(0) @ place] == pytest.approx([0.0, 0.0], abs=0.05)
     middle = drawn()
     assert 0.5 * np.abs(light - middle).sum() < 0.15
-    assert "31 x 31 pixels of 4 um" in found.findings[0].text
+    assert "31 x 31 pixels, noise of" in found.findings[0].text
 
 
 @pytest.mark.parametrize("method", [None, RichardsonLucy()])
@@ -61,6 +61,21 @@ def test_photograph_is_restored_by_the_image_of_a_point(method):
     assert found.reliable
     assert "measured_psf" in found.findings.codes
     assert error(found.light, scene) < 0.8 * error(photo, scene)
+
+
+def test_psf_that_is_too_wide_is_a_doubt():
+    """The result is not below the photograph, and ``accept=True`` restores by the narrower PSF."""
+    photo, scene = photograph(drawn())
+    wide = zoom(point(drawn()), 45 / 31, order=3)
+    found, accepted = (
+        restore(photo, None, lm.PSF.measured(wide, PIXEL), encoding="linear", noise=NOISE, accept=accept)
+        for accept in (False, True)
+    )
+    doubt = found.findings.get("blur_doubtful")
+    assert doubt.numbers["factor"] == pytest.approx(31 / 45, abs=0.06)
+    assert error(found.light, scene) < 1.001 * error(photo, scene)
+    assert accepted.reliable
+    assert error(accepted.light, scene) < 0.8 * error(photo, scene)
 
 
 def test_psf_of_another_photograph_is_a_misfit():

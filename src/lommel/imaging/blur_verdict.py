@@ -38,6 +38,11 @@ Blurs = Callable[[Array], Array]
 """Transfer functions at FREQUENCIES by a parameter of a blur, such as defocus: (blurs) -> (blurs, frequencies)."""
 
 
+def is_sharpened(sharpening: float) -> bool:
+    """Return True if the gain of an unsharp mask shows that a photograph was sharpened, or has more noise."""
+    return sharpening > _SHARPENED
+
+
 class BlurVerdict(NamedTuple):
     """The most likely of the blurs that were compared with the stated one.
 
@@ -55,11 +60,6 @@ class BlurVerdict(NamedTuple):
     sharpening: float
     noise: float
     noise_gain: float
-
-    @property
-    def sharpened(self) -> bool:
-        """True if the photograph was sharpened, or has more noise than stated."""
-        return self.sharpening > _SHARPENED
 
     @property
     def doubtful(self) -> bool:
@@ -111,7 +111,7 @@ def compare_blurs(
     gain = float(likelihood[best] - likelihood[0])
     sharpness = float(power[best] / power[0])
     more, noise_gain, beyond = rings.more_noise(curves[0], 0, noise)
-    if sharpening > max(_SHARPENED, beyond):
+    if is_sharpened(sharpening) and sharpening > beyond:
         noise_gain = 0.0  # an unsharp mask explains the noise, and better
     elif noise_gain > _MIN_GAIN:
         sharpening = 0.0
@@ -133,11 +133,6 @@ class BlurEstimate(NamedTuple):
     sign_known: bool
     sharpening: float
     slope: float
-
-    @property
-    def sharpened(self) -> bool:
-        """True if the photograph was sharpened, or has more noise than stated."""
-        return self.sharpening > _SHARPENED
 
 
 def defocused(focused: Pupil, spectrum: Spectrum, pixel: float) -> Blurs:

@@ -44,7 +44,7 @@ from lommel.deconvolve.linear import LinearBlur
 from lommel.fit.findings import Finding, Findings, untested_finding
 from lommel.imaging.blended import Blend, UniformBlur, uniform_over_field
 from lommel.imaging.blur import DepthBlur, require_lens, warn_of_depths
-from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict
+from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict, is_sharpened
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.measured_blur import MeasuredBlur
 from lommel.imaging.occlusion import Occlusion
@@ -324,7 +324,11 @@ def restore(
         share, stopped = (share, stopped) if estimate.known else (1.0, MISFIT)
     elif uniform is not None:
         verdict = uniform.verdict(observed, result.light)
-    if uniform is not None and verdict is not None and (verdict.doubtful or verdict.noisier or verdict.sharpened):
+    if (
+        uniform is not None
+        and verdict is not None
+        and (verdict.doubtful or verdict.noisier or is_sharpened(verdict.sharpening))
+    ):
         more = 1.0 if verdict.doubtful else max(verdict.noise, _SHARPENED_NOISE)
         noisier = replace(noise, white=observed.white / more, read=noise.read / math.sqrt(more))
         likelier = PhotographLikelihood(uniform.preferred(verdict).blur, light, noisier, limit)
@@ -490,7 +494,7 @@ def _estimate_findings(estimate: SceneEstimate, findings: list[Finding]) -> list
 
 def _sharpened(compared: BlurEstimate | BlurVerdict | None) -> list[Finding]:
     """Return the finding on a photograph that was sharpened."""
-    if compared is None or not compared.sharpened:
+    if compared is None or not is_sharpened(compared.sharpening):
         return []
     text = (
         "the photograph was sharpened, or its noise is stated too low: detail and noise are stronger than this blur "

@@ -17,7 +17,6 @@ from lommel.base.arrays import Array, Numbers, Values, largest
 from lommel.base.quantities import in_unit
 from lommel.base.units import pitch_in_words
 from lommel.core.answers import Declined, ToleranceError
-from lommel.measures.measured_psf import MeasuredPSF
 from lommel.measures.psf_like import PSFLike
 from lommel.methods import question
 from lommel.methods.method import Method
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from lommel.blur.blurs import Blur
+    from lommel.measures.measured_psf import MeasuredPSF
     from lommel.methods.derivative_names import Name
     from lommel.optics.pupil import FieldPupil, Pupil
     from lommel.traced.traced_psf import TracedPSF

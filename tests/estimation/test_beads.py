@@ -365,6 +365,16 @@ def test_constants_with_priors_are_estimated_and_right_ones_not_suspected():
     assert sure.objective.sample == pytest.approx(1.33, abs=1e-5)
 
 
+def test_an_estimate_far_from_its_prior_is_a_doubt_that_names_it():
+    images, _ = recorded(3, waves(3), diameter=0.22e-6, depth=0.11e-6, light=4e4)
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={"diameter": 10e-9})
+    assert found.status == "doubtful"
+    told = found.findings.get("contradiction")
+    assert told.numbers == {"diameter": pytest.approx((found.diameter - 0.1e-6) / 10e-9, rel=1e-6)}
+    assert re.match(r"diameter 0\.2\d* um is 1\d prior errors from 0\.1 \+- 0\.01:", told.text)
+    assert len(repr(found).splitlines()) <= 12
+
+
 def test_a_stack_in_reversed_order_is_told_before_constants():
     images, _ = recorded(6, waves(6), light=2e4)
     found = fitted(images[::-1], OIL, **GIVEN, terms=TERMS, priors={})

@@ -102,3 +102,10 @@ def test_a_fit_is_plain_data():
 
 def test_plain_data_of_arrays_and_nested_results():
     assert plain({"a": (np.arange(2), [np.nan]), "b": np.bool_(True)}) == {"a": [[0, 1], [None]], "b": True}
+
+
+def test_a_result_is_shown_in_at_most_twelve_lines():
+    made = Fit(findings=Findings(), summary="chi2 1.02", coefficients={})
+    few, many = (made._shown([f"noll {k}" for k in range(count)]).splitlines() for count in (11, 30))
+    assert [len(few), few[-1]] == [12, "  noll 10>"]
+    assert [len(many), many[-1]] == [12, "  ... and 20 more: coefficients, errors>"]

@@ -95,13 +95,16 @@ def test_each_psf_of_a_stack_has_its_peak_and_the_sum_that_is_not_its_light():
 
 def test_values_are_told_with_their_errors_and_none_as_a_dash():
     facts = {
-        "terms": {"a": 1.234, "b": 2.0}, "others": {"a": 1.0, "c": 2.0}, "images": ["x.tif", "y.tif"],
+        "terms": {"a": 1.234, "b": 2.0, "d": 2.5e-7}, "others": {"a": 1.0, "c": 2.0}, "images": ["x.tif", "y.tif"],
         "blur": [1.234, None], "counts": [1, 2], "text": "blur",
-        "errors": {"a": 0.05, "b": 0.5, "blur": [0.012, 0.1]}, "units": {"a": "nm", "blur": "px"},
+        "errors": {"a": 0.05, "b": 0.5, "blur": [0.012, 0.1], "d": 3e-9},
+        "units": {"a": "nm", "blur": "px", "d": "m"},
     }  # fmt: skip
     (values, _, columns) = tables(facts, {"a": "noll 4"})
     shown = [[*map(str, column._cells)] for column in values.columns]
-    assert shown == [["noll 4", "b"], ["1.234", "2.00"], ["0.050", "0.50"], ["nm", ""]]
+    assert shown == [
+        ["noll 4", "b", "d"], ["1.234", "2.00", "250.0"], ["0.050", "0.50", "3.0"], ["nm", "", "nm"],
+    ]  # fmt: skip
     assert [str(column.header) for column in values.columns] == ["terms", "value", "std. error", "unit"]
     assert [[*column._cells] for column in columns.columns] == [["x.tif", "y.tif"], ["1.234+-0.012", "-"]]
     assert [Report({"reliable": given}, []).exit_code for given in (True, False, None)] == [0, 4, 0]

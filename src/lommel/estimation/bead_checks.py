@@ -78,6 +78,7 @@ _NEIGHBOR = 0.3  # expected light of a neighbour, divided by the light of the be
 _MIN_DISTANCE = 2.0  # smallest distance of a neighbour, Rayleigh distances; a nearer bead would look like a wide one
 _MOVED_RATIO = 4.0  # smallest significance of a displaced plane, divided by the median of all planes
 _MOVED_SIGMAS = 5.0  # smallest significance of a displaced plane, standard deviations
+_FAR = 5.0  # distance of an estimate from the mean of its prior, standard deviations, that is reported
 _CONTRADICTED = 3.5  # smallest significance (standard deviations) at which the beads contradict a prior
 
 
@@ -422,6 +423,21 @@ def estimates_of(first: Round, last: Round, stated: Setup) -> list[Finding]:
     count = len(before.state.waves)
     moves = np.abs(fit.state.waves[:count] - before.state.waves) / first_errors[:count]
     return estimated_findings(estimates, float(moves.max(initial=0.0)))
+
+
+def prior_findings(model: BeadModel, state: State) -> list[Finding]:
+    """Return the finding on estimated constants that lie many standard deviations from the priors of `model`."""
+    sizes = {n: (state.setup.value(n) - prior.value) / prior.error for n, prior in model.priors.items()}
+    far, texts = sorted((n for n in sizes if abs(sizes[n]) > _FAR), key=lambda n: -abs(sizes[n])), list[str]()
+    for name in far:
+        (factor, unit), prior = _unit(name), model.priors[name]
+        pair = (
+            f"{factor * state.setup.value(name):.4g}{unit}",
+            f"{factor * prior.value:.4g} +- {factor * prior.error:.2g}",
+        )
+        texts.append(f"{name} {pair[0]} is {abs(sizes[name]):.2g} prior errors from {pair[1]}")
+    text = f"{', '.join(texts)}: a stated value is wrong, or these stand for another error of the model"
+    return [Finding("contradiction", "doubt", text, {name: sizes[name] for name in far})] if far else []
 
 
 def reversed_findings(

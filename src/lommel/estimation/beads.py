@@ -364,13 +364,13 @@ class BeadFit(FitReport):
         return show.estimates.fit(images, model, residual, bars, f"{self.status}, chi2 = {self.chi2:.3g}", titles)
 
     def __repr__(self) -> str:
-        lines = [f"<BeadFit: {self.message}"]
+        lines = []
         for name, value in self.coefficients.items():
             is_constant = isinstance(name, str)
             factor, unit = UNITS[CONSTANTS[name].unit if is_constant else "rad"]
             value_text, error = with_error(factor * value, factor * self.errors[name])
-            lines.append(f"  {name if is_constant else label(name)}: {value_text} +- {error}{unit}")
-        return "\n".join(lines) + ">"
+            lines.append(f"{name if is_constant else label(name)}: {value_text} +- {error}{unit}")
+        return self._shown(lines)
 
 
 def _point_stack(z: Array, shape: tuple[int, int]) -> Stack:
@@ -686,7 +686,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     if has_light and not fit.settled:
         text = "the steps have not settled: state measured constants, or estimate fewer of them (`priors`)"
         findings.append(Finding("not_settled", "error", text))
-    findings += held_out_findings
+    findings += [*held_out_findings, *bead_checks.prior_findings(search.model, state)]
     findings += _error_findings(covariance[: len(state.waves), : len(state.waves)], image_error)
     if not all(is_used):
         left_out = ", ".join(map(str, np.flatnonzero(np.logical_not(is_used))))

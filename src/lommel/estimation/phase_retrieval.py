@@ -256,8 +256,7 @@ class Retrieval(FitReport):
         return show.notebook.retrieval(self.images, self.model, rows + self._rows("±"))
 
     def __repr__(self) -> str:
-        terms = [f"  {name}: {value}".rstrip() for name, value in self._rows("+-")]
-        return "\n".join([f"<Retrieval: {self.message}", *terms]) + ">"
+        return self._shown([f"{name}: {value}".rstrip() for name, value in self._rows("+-")])
 
     def _rows(self, sign: str) -> list[tuple[str, str]]:
         values = self.coefficients.items()

@@ -19,7 +19,7 @@ CODES: Mapping[str, str] = {
     "blur_doubtful": "the images agree better with a smaller blur than the stated one",
     "blur_shape": "the most likely shape of the blur",
     "compressed": "the images are compressed (JPEG), which changes their blur and noise",
-    "contradiction": "values that were stated contradict each other",
+    "contradiction": "values that were stated contradict each other, or what the images show",
     "crowded": "many images contain other molecules in addition to the fitted molecule",
     "distance_estimated": "the distance of the scene was estimated from its blur",
     "errors_change": "a standard error changes within one standard deviation of the estimate",
@@ -84,6 +84,7 @@ _CAUSES = (
     "gain", "missed_light", "other_explanation", "hot_pixels", "pattern", "lens_scale",
 )  # fmt: skip
 _MOST_CHARACTERS = 800  # of the texts of findings that are printed: ten lines
+_MOST_LINES = 12  # of a result
 _MOST_WORDS = 15  # of the finding "untested"
 
 
@@ -276,7 +277,14 @@ class FitReport(Judged):
         return self._message(self.summary)
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {self.message}>"
+        return self._shown([])
+
+    def _shown(self, estimates: Sequence[str]) -> str:
+        """Return the message and a line for each estimate, at most twelve lines."""
+        lines = [f"<{type(self).__name__}: {self.message}", *(f"  {text}" for text in estimates)]
+        if more := lines[_MOST_LINES:]:
+            lines[_MOST_LINES - 1 :] = [f"  ... and {len(more) + 1} more: coefficients, errors"]
+        return "\n".join(lines) + ">"
 
     def to_dict(self) -> dict[str, Any]:
         """Return the result as plain data for JSON, without images.

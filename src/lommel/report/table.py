@@ -162,7 +162,7 @@ def tables(facts: Facts, titles: Mapping[str, str] | None = None, first: str = "
             and name not in ("errors", "units")
             and _is_number(*map(errors.get, values))
         ):
-            rows = [(titles.get(k, k), *with_error(v, errors[k]), units.get(k, "")) for k, v in values.items()]
+            rows = [(titles.get(k, k), *_estimate(v, errors[k], units.get(k, ""))) for k, v in values.items()]
             found.append(table_of((name, "value", "std. error", "unit"), rows))
     columns = {k: v for k, v in facts.items() if isinstance(v, list) and isinstance(errors.get(k), list)}
     if columns:
@@ -189,6 +189,15 @@ def records_of(name: str, records: Sequence[Facts], keys: Iterable[str] = ()) ->
     rows = [[_text(key, record.get(key), {}) or "-" for key in keys] for record in records]
     words = [k for k, key in enumerate(keys) if k == 0 or any(isinstance(record.get(key), str) for record in records)]
     return table_of([_label(key) for key in keys], rows, words, name)
+
+
+def _estimate(value: float, error: float, unit: str) -> tuple[str, str, str]:
+    """Return a value, its standard error and their unit as texts; lengths in nm, um or mm."""
+    factor, unit = next(((f, u) for f, u in _LENGTHS if unit == "m" and abs(value) * f < 1e3), (1.0, unit))
+    return (*with_error(factor * value, factor * error), unit)
+
+
+_LENGTHS = (1e9, "nm"), (1e6, "um"), (1e3, "mm")
 
 
 def _is_number(*values: object) -> bool:

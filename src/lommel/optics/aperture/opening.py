@@ -409,10 +409,11 @@ def _joined(strips: list[_Strip]) -> list[_Strip]:
     """Return strips of which opposite ones, and those that half a turn maps onto each other, are one."""
     joined: list[_Strip] = []
     for strip in strips:
-        cosine, sine, low, high, *rest = strip
+        cosine, sine, low, high = strip.cosine, strip.sine, strip.low, strip.high
         across = (low, high) if strip.mirrored else (-high, -low)
+        begins = (strip.begins, strip.start)
         for i, other in enumerate(joined):
-            plain = other.behind == 0.0 and np.allclose(other[7:], rest[3:], rtol=1e-13, atol=1e-14)
+            plain = other.behind == 0.0 and np.allclose((other.begins, other.start), begins, rtol=1e-13, atol=1e-14)
             if plain and other.mirrored == strip.mirrored and _near(other, (-cosine, -sine, *across)):
                 joined[i] = other._replace(behind=1.0)
                 break
@@ -425,7 +426,7 @@ def _joined(strips: list[_Strip]) -> list[_Strip]:
 
 
 def _near(strip: _Strip, place: tuple[float, ...]) -> bool:
-    return bool(np.allclose(strip[:4], place, rtol=0.0, atol=1e-14))
+    return bool(np.allclose((strip.cosine, strip.sine, strip.low, strip.high), place, rtol=0.0, atol=1e-14))
 
 
 def _opposite(vane: _Vane) -> tuple[float, float, float, float]:

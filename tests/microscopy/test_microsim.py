@@ -45,10 +45,8 @@ def test_the_beads_of_microsim_are_restored_where_they_were_and_as_bright(folder
     planes = int(re.search(r"in\s+all\s+(\d+)\s+planes\s+of\s+its\s+PSF", result.stdout)[1])
     restored = np.squeeze(tifffile.imread(folder / "restored.ome.tif")).astype(float)
     for bead in TRUE["stack"]:
-        light, part = (
-            restored[tuple(slice(max(round(at) - n, 0), round(at) + n + 1) for at in bead["voxel"])] - np.median(restored)
-            for n in (4, 3)
-        )
+        around = ([slice(max(round(at) - n, 0), round(at) + n + 1) for at in bead["voxel"]] for n in (4, 3))
+        light, part = (restored[tuple(box)] - np.median(restored) for box in around)
         first = [round(at) - 3 for at in bead["voxel"]]
         places = np.indices(part.shape).reshape(3, -1) @ part.ravel() / part.sum() + np.maximum(first, 0)
         assert places == pytest.approx(bead["voxel"], abs=0.1)

@@ -139,9 +139,9 @@ class FocalSearch {
     // Multiples of the leak, of textures of all frequencies and in addition of few: difference of energy from other valleys that are
     // excluded, and difference below which a candidate may be the true one.
     static constexpr float apart = 5.0f, apart_of_few = 50.0f, alike = 1.3f, alike_of_few = 10.0f;
-    // (Energy that shifts the minimum) / (energy that remains there), relative to the odds of the excess of concentration: at least
-    // and at most. The odds are those of this largest excess at most.
-    static constexpr float least_shifting = 1.5f, most_shifting = 3.0f, single = 0.95f;
+    // (Energy that shifts the minimum) / (energy that remains there), relative to the odds of the excess of concentration, which are
+    // those of `single` at most.
+    static constexpr float shifting = 1.5f, single = 0.95f;
     static constexpr float narrower = 0.6f;  // for few frequencies: reduction of the largest extent of a valley, relative to it
     static constexpr float hidden = 0.3f;  // drop of a valley between rough candidates / energy of wrong candidates, at most
 
@@ -276,11 +276,11 @@ class FocalSearch {
         // What filters let through shifts the minimum by the square root of (its energy / curvature), as far as it is parallel to the
         // derivative of the residual; the rest remains as energy of the minimum. The part that is parallel, of the energy of n
         // frequencies, is 1 / n on average: the excess of concentration.
-        const float odds = excess / (1.0f - excess), remains = std::max(0.0f, here),
+        const float odds = shifting * excess / (1.0f - excess), remains = std::max(0.0f, here),
                     by_chance = noise * std::sqrt(2.0f / pixels);
-        const float shifting = std::min(std::max(few * leak, least_shifting * odds * std::max(0.0f, remains - by_chance)),
-                                        most_shifting * odds * (remains + by_chance));
-        variance += shifting / curvature + square(statistic(Bias));
+        const float shifts =
+            std::min(std::max(few * leak, odds * std::max(0.0f, remains - by_chance)), odds * (remains + by_chance));
+        variance += shifts / curvature + square(statistic(Bias));
         // The distance of the farthest candidate that leak could have made higher than the minimum, as two standard errors; a valley
         // that is too wide has no position.
         const float level = here + (alike + alike_of_few * few) * leak;

@@ -11,7 +11,7 @@ tiles (Huber 1967, White 1982, doi:10.2307/1912526).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from os import PathLike
@@ -43,9 +43,18 @@ _RADII = np.linspace(0.0, math.sqrt(0.5) + 1e-4, 2048)  # cycles per pixel, at w
 _TABLE_RADII = np.linspace(0.0, 1.4, 4096)  # cycles per pixel, at which transfer functions are tabulated
 _LOWEST = 0.012  # cycles per pixel: lower frequencies, of uneven light, are suppressed
 _EDGE = 0.3  # pixels: a change of the blur radius by this much, or one radian of defocus, is the unit of shifts
-_SCAN = np.arange(-12.0, 12.1, 1.5)  # common shifts of focus from which the search starts, in these units
-_TABLE = np.arange(-16.0, 16.1, 0.25)  # shifts at which transfer functions are tabulated, in these units
+# Shifts of foci that are searched, in these units, and steps of this search and of the table of transfer functions in
+# focus; with defocus both grow.
+_RANGE, _SCAN, _TABLE, _NEAR = (8.0, 64.0), 0.4, 0.25, 30.0
+_PRIORS = 4.0  # shifts that are searched / standard errors of what is stated
+_LEAST = 0.01  # least vergence / range of vergences, at which transfer functions are computed
+_SCANNED = 128  # number of tiles of a plane in this search
+_UNLIKELY_START = 50.0  # -log(likelihood) above that of the best start, from which no lens is refined
+_EVIDENCE = 9.0  # chi2 above that of the likeliest lens, above which another one is excluded
+_FAR = 0.01  # relative change of a focus above which another answer is told, and not only part of the errors
+_STARTS = 6  # largest number of minima from which lenses are refined
 _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
+_SAME = 0.3  # difference of parameters below which lenses are the same, in these units
 _COARSE = 0.1  # last step of the search by coarse details, in these units
 _MAX_STEPS, _GAIN_STEPS = 12, 8  # steps of the search, and of the gain
 # Metres: standard error of an origin that is held. Entrance pupils lie 0 to 4 cm behind the front rim of lenses of up
@@ -62,7 +71,6 @@ _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
 _UNLIKELY = (
     3.0  # deviation of the lens of one plane from the stated one, standard errors, above which another is sought
 )
-_COLLAPSED = 0.15  # distance of a found focus from the only plane / that of the stated one (1/m) that is in doubt
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
 _MAX_MISFIT, _WRONG_MISFIT = 1.8, 6.0  # misfits above which the photographs do not follow the noise, and the lens
@@ -77,6 +85,55 @@ def _tiled(values: NDArray[np.generic]) -> NDArray[np.generic]:
     """Return an image as tiles, (rows of tiles, side, columns of tiles, side); the last pixels are left out."""
     height, width = (side // _SIDE for side in values.shape)
     return values[: height * _SIDE, : width * _SIDE].reshape(height, _SIDE, width, _SIDE)
+
+
+def _relative_energies(a: Array, b: Array, c: Array, first: ArrayLike, second: ArrayLike) -> Array:
+    """Return mean squares a + 2 g b + g^2 c of tiles (last axis) over those of noise, first + g^2 second.
+
+    g is the likeliest gain of the second frame, found by Newton steps.
+    """
+    first, second = (np.asarray(noise)[..., None] for noise in (first, second))
+    gain = np.ones((*b.shape[:-1], 1))
+    for _ in range(_GAIN_STEPS):
+        energy, variance = a + gain * (2.0 * b + gain * c), first + gain**2 * second
+        slope = ((b + gain * c) / energy).mean(axis=-1, keepdims=True) - gain * second / variance
+        mean = (c / energy).mean(axis=-1, keepdims=True) - second / variance
+        gain = gain - slope / np.maximum(mean, 0.5 * (mean + second / variance))
+    return np.asarray((a + gain * (2.0 * b + gain * c)) / (first + gain**2 * second))
+
+
+def _spread(ends: ArrayLike, step: float) -> Array:
+    """Return numbers between ends, `step` apart where they are below `_NEAR`, and farther apart beyond."""
+    low, high = np.arcsinh(np.divide(ends, _NEAR)) * _NEAR
+    return np.asarray(_NEAR * np.sinh(np.linspace(low, high, math.ceil((high - low) / step) + 1) / _NEAR))
+
+
+def _tabulate(lens: Lens, vergences: Array, spectrum: Spectrum, pitch: float) -> scipy.interpolate.CubicSpline:
+    """Return the transfer function of a lens at `_TABLE_RADII`, by vergence, which may be negative."""
+    # A lens focused nearer has the same transfer functions of nearer planes, in units of the cutoff.
+    nearer = max(0.0, _LEAST * float(np.ptp(vergences)) - float(vergences[0]))
+    changed = _Changed(lens, 1.0 / lens.focus_distance + nearer, 1.0).lens
+    pitch *= changed.sensor_distance / lens.sensor_distance
+    parts = np.array_split(vergences, math.ceil(len(vergences) / 16))  # blurs of a part are of similar width
+    values = [transfer_curve(changed, part + nearer, spectrum, pitch)(_TABLE_RADII) for part in parts]
+    return scipy.interpolate.CubicSpline(vergences, np.concatenate(values), extrapolate=False)
+
+
+def _scatter(tiles: Array) -> float:
+    """Return the variance of gradients / curvature at the minimum of costs, (places, places, tiles), at least 1."""
+    costs = tiles.sum(axis=2)
+    i, j = (
+        min(max(k, 1), side - 2)
+        for k, side in zip(np.unravel_index(np.argmin(costs), costs.shape), costs.shape, strict=True)
+    )
+    ratios = []
+    for behind, here, ahead in (
+        (tiles[i - 1, j], tiles[i, j], tiles[i + 1, j]),
+        (tiles[i, j - 1], tiles[i, j], tiles[i, j + 1]),
+    ):
+        curvature = max(float((ahead + behind - 2.0 * here).sum()), 1e-9)
+        ratios.append(float(np.var(0.5 * (ahead - behind)) * len(here) / curvature))
+    return max(1.0, float(np.median(ratios)))
 
 
 class _Changed(NamedTuple):
@@ -96,6 +153,10 @@ class _Changed(NamedTuple):
 
 class _Plane:
     """Spectra of two photographs of a plane, with tiles in which their residual is evaluated."""
+
+    tables: list[
+        scipy.interpolate.CubicSpline
+    ]  # transfer functions of the stated lenses by vergence, at _TABLE_RADII
 
     def __init__(self, images: Array, valid: NDArray[np.bool_], distance: float, blur: float, read: float) -> None:
         self.distance = distance
@@ -123,21 +184,10 @@ class _Plane:
         centres = (np.argwhere(self._tiles) + 0.5) * _SIDE - 0.5 * np.array(valid.shape)
         self.places = centres / (0.5 * math.hypot(*valid.shape))
 
-    def tabulate(
-        self, lenses: Sequence[Lens], vergences: Array, spectrum: Spectrum, pitches: Sequence[float]
-    ) -> None:
-        """Compute the transfer functions of the stated lenses at equally spaced vergences."""
-        self._tables = [
-            scipy.interpolate.CubicSpline(
-                vergences, transfer_curve(lens, vergences, spectrum, pitch)(_TABLE_RADII), extrapolate=False
-            )
-            for lens, pitch in zip(lenses, pitches, strict=True)
-        ]
-
     def _transfer(self, lenses: Sequence[_Changed], vergence: float, f: Array) -> Array:
         """Return transfer functions, (frames, frequencies), without the area of a pixel."""
         result = []
-        for (stated, focus, scale), table in zip(lenses, self._tables, strict=True):
+        for (stated, focus, scale), table in zip(lenses, self.tables, strict=True):
             # The same defocus in radians at the radius R / scale of the pupil, and the same fraction of the cutoff.
             place = 1.0 / stated.focus_distance + (vergence - focus) / scale**2
             cutoff = stated.sensor_distance / scale * (1.0 / stated.focal_length - focus)
@@ -168,12 +218,33 @@ class _Plane:
         )
         products = (first**2, first * second, second**2)
         a, b, c = (_tiled(p * self._inner).mean(axis=(1, 3))[self._tiles] / self._shares for p in products)
-        gain = 1.0
-        for _ in range(_GAIN_STEPS):  # Newton steps to the likeliest gain of the second frame
-            energy, variance = a + gain * (2.0 * b + gain * c), noise[0] + gain**2 * noise[1]
-            slope, mean = ((b + gain * c) / energy).mean() - gain * noise[1] / variance, (c / energy).mean()
-            gain -= slope / max(mean - noise[1] / variance, 0.5 * mean)
-        return np.asarray((a + gain * (2.0 * b + gain * c)) / (noise[0] + gain**2 * noise[1]))
+        return _relative_energies(a, b, c, noise[0], noise[1])
+
+    def scan(self, places: Sequence[Array]) -> Array:
+        """Return costs of tiles as of :meth:`_Search.costs`, (places, places, tiles), with defocus on a grid.
+
+        `places` are vergences that focus the stated lenses as :meth:`_transfer` computes them, for each photograph.
+        """
+        few = np.linspace(0, len(self.places) - 1, min(_SCANNED, len(self.places))).astype(int)
+        images, noises = [], []
+        for table, at, values in zip(self.tables[::-1], places[::-1], self._spectra, strict=True):
+            curves = self._weights * np.array([np.interp(_RADII, _TABLE_RADII, table(place)) for place in at])
+            tiles = [
+                _tiled(scipy.fft.idctn(np.interp(self._f, _RADII, curve) * values, norm="ortho") * self._inner)
+                .transpose(0, 2, 1, 3)[self._tiles][few]
+                .reshape(len(few), -1)
+                for curve in curves
+            ]
+            images.append(np.array(tiles, dtype=np.float32))  # (places, tiles, pixels)
+            noises.append(curves**2 @ self._density)
+        first, second = images
+        pixels = self._shares[few] * _SIDE**2
+        a, c = (np.einsum("itp,itp->it", x, x) / pixels for x in images)
+        b = -np.matmul(second.transpose(1, 0, 2), first.transpose(1, 2, 0)).transpose(1, 2, 0) / pixels
+        variances = self._light.variance * self._light.relative_variances()
+        first_noise, second_noise = variances[0] * noises[0], (variances[1] * noises[1])[:, None]
+        energies = _relative_energies(a, b, c[:, None], first_noise, second_noise)
+        return _LOG * np.log(energies) * (len(self.places) / len(few))
 
 
 class _Search:
@@ -199,11 +270,18 @@ class _Search:
             radius_rate = 4.0 * lens.wavelength * lens.working_f_number / (math.pi * pixel)
             shift = min(shift, radian / min(1.0, radius_rate / _EDGE))
         distances = np.array([plane.distance + self._origin for plane in planes])
-        for plane, distance in zip(planes, distances, strict=True):
-            vergences = 1.0 / distance + shift * _TABLE
-            plane.tabulate(lenses, vergences[vergences > 0.0], spectrum, [pixel * scale for scale in scales])
         self.unit, self.foci = shift, [1.0 / lens.focus_distance for lens in lenses]
         defocus = max(float(np.abs(1.0 / distances - focus).max()) for focus in self.foci)
+        expected = math.hypot(UNMEASURED[1] * max(self.foci), 2.0 * UNMEASURED[0] * defocus) / shift
+        self.reach = float(np.clip(_PRIORS * expected, *_RANGE))
+        beyond = shift * (self.reach + 4.0)
+        ends = np.array([1.0 / distances.max() - beyond, 1.0 / distances.min() + beyond])
+        tables = [
+            _tabulate(lens, focus + shift * _spread((ends - focus) / shift, _TABLE), spectrum, pixel * scale)
+            for lens, focus, scale in zip(lenses, self.foci, scales, strict=True)
+        ]
+        for plane in planes:
+            plane.tables = tables
         # Changes of log f-number, of both foci (1/m), and of the origin (metres) by a unit of each parameter, in the
         # order in which planes determine them.
         self.basis = {"shift": [0.0, shift, shift, 0.0], "f-number": [0.5 * shift / defocus, 0.0, 0.0, 0.0]}
@@ -259,37 +337,83 @@ class _Search:
                     hessian[i, j] = hessian[j, i] = both - ahead[i] - ahead[j] + _LOG
             return np.subtract(ahead, behind) / (2.0 * _STEP), hessian / _STEP**2
 
-    def start(self) -> Array:
-        """Return parameters: the nearest shift at which the planes agree about as well as anywhere; ValueError."""
-        self.weigh(np.zeros(4), self._excess)
-        common, planes = (
-            np.array(self.basis["shift"]),
-            np.array([1.0 / (p.distance + self._origin) for p in self.planes]),
+    def starts(self) -> list[Array]:
+        """Return parameters of the likeliest minima of a search by coarse details, best first; ValueError if none."""
+        self.weigh(np.zeros(4), _EXCESS)
+        vergences = np.array([1.0 / (plane.distance + self._origin) for plane in self.planes])
+        tables, spans = [], 0.0
+        for plane, vergence in zip(self.planes, vergences, strict=True):
+            ends = vergence + self.unit * self.reach * np.array([-1.0, 1.0])
+            places = [f + self.unit * _spread((ends - f) / self.unit, _SCAN) for f in self.foci]
+            tiles = plane.scan(places)
+            shifts = [(some - vergence) / self.unit for some in places]
+            count = _LOG * len(plane.places)
+            # Geometric means of the energies of tiles are nearly parabolas, their logarithms narrow valleys.
+            means = np.exp(tiles.sum(axis=2) / count)
+            spans += float(np.log(np.ptp(means) / means.min() + 1.0))
+            spline = scipy.interpolate.RectBivariateSpline(*shifts, means)
+            tables.append((spline, [some[[0, -1]] for some in shifts], 0.5 * means.min(), count / _scatter(tiles)))
+        self._scatter = float(
+            np.mean([_LOG * len(p.places) / t[3] for p, t in zip(self.planes, tables, strict=True)])
         )
-        # With one focus the blur is the same on both of its sides: stay on the stated one.
-        sides = planes - self.foci[0] if self.foci[0] == self.foci[1] else np.full(1, math.inf)
-        units = [k for k in sorted(_SCAN, key=abs) if ((sides - k * self.unit) * sides > 0.0).all()]
-        sums = ((k, float(self.costs(k * common).sum())) for k in units)
-        costs = {k: cost for k, cost in sums if cost < math.inf}
-        span = max(costs.values()) - min(costs.values())
-        if span < _MIN_CHANGE * _LOG * sum(len(plane.places) for plane in self.planes):
+        if spans < _MIN_CHANGE * len(self.planes):
             raise ValueError(_UNDETERMINED)
-        limit = min(costs.values()) + 0.1 * span
-        step = float(_SCAN[1] - _SCAN[0])
-        best = next(
-            k
-            for k, cost in costs.items()
-            if costs.get(k - step, math.inf) >= cost <= min(costs.get(k + step, math.inf), limit)
-        )
-        if abs(best) == max(map(abs, costs)):
-            raise self._disagreement()
-        return np.append(best, np.zeros(len(self.rows) - 1))
+
+        def posterior(first: Array, second: Array, log_scale: Array) -> Array:
+            """Return -log(likelihood), and of what is stated, by shifts of foci (units) and log of f-number."""
+            total = self.stated_cost(self.unit * first, self.unit * second, log_scale)
+            for vergence, (spline, ends, least, count) in zip(vergences, tables, strict=True):
+                places, away = [], False
+                for focus, shift, (low, high) in zip(self.foci, (first, second), ends, strict=True):
+                    defocus = (vergence - focus) / self.unit
+                    places.append((defocus - shift) * np.exp(-2.0 * log_scale) - defocus)
+                    away = away | (places[-1] < low) | (places[-1] > high)
+                total = np.where(away, math.inf, total + count * np.log(np.maximum(spline.ev(*places), least)))
+            return total
+
+        axis = np.linspace(-self.reach, self.reach, 2 * math.ceil(self.reach / (2.0 * _SCAN)) + 1)
+        widest = _PRIORS * UNMEASURED[0]
+        defocus = max(float(np.abs(vergences - focus).max()) for focus in self.foci) / self.unit
+        step = _SCAN / max(defocus, 4.0)  # of log(f-number), by which defocus changes as by that of foci
+        scales = np.linspace(-widest, widest, 2 * math.ceil(widest / step) + 1)
+        one = self.foci[0] == self.foci[1]
+        first, second, scale = np.meshgrid(axis, np.zeros(1) if one else axis, scales, indexing="ij")
+        values = posterior(first, first if one else second, scale)
+        found: list[tuple[float, Array]] = []
+        lowest = (values == scipy.ndimage.minimum_filter(values, 3, mode="nearest")) & np.isfinite(values)
+        for place in sorted(np.argwhere(lowest).tolist(), key=lambda k: float(values[tuple(k)]))[: 4 * _STARTS]:
+            at = np.array([first[tuple(place)], (first if one else second)[tuple(place)], scale[tuple(place)]])
+            turn = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 1.0]] if one else np.eye(3)) * [_SCAN, _SCAN, step]
+
+            def cost(step: Array, at: Array = at, turn: Array = turn) -> float:
+                return float(posterior(*(at + step @ turn)))
+
+            simplex = {"initial_simplex": 0.5 * np.eye(len(turn) + 1, len(turn), -1), "fatol": 0.01}
+            best = scipy.optimize.minimize(cost, np.zeros(len(turn)), method="Nelder-Mead", options=simplex)
+            found.append((float(best.fun), at + best.x @ turn))
+        found.sort(key=lambda each: each[0])
+        kept: list[Array] = []
+        for value, at in found:
+            if value < found[0][0] + _UNLIKELY_START and all(np.abs(at - o)[:2].max() > 0.5 for o in kept):
+                kept.append(at)
+        # Parameters from changes of log f-number and foci; the origin is held.
+        inverse = np.linalg.pinv(self.rows[[name != "origin" for name in self.basis]])
+        changes = [np.array([at[2], self.unit * at[0], self.unit * at[1], 0.0]) @ inverse for at in kept[:_STARTS]]
+        return [np.append(change, np.zeros(len(self.rows) - len(change))) for change in changes]
+
+    def stated_cost(self, first: ArrayLike, second: ArrayLike, log_scale: ArrayLike) -> Array:
+        """Return half the squares of changes of foci (1/m) and log(f-number) over their variances as stated."""
+        errors = [max(UNMEASURED[1] * focus, 0.25 * self.unit) for focus in self.foci]
+        if self.foci[0] == self.foci[1]:
+            errors[1] = math.inf
+        parts = zip((first, second, log_scale), (*errors, UNMEASURED[0]), strict=True)
+        return np.asarray(0.5 * sum(np.square(np.divide(change, error)) for change, error in parts))
 
     def _disagreement(self) -> ValueError:
         """Return the error where no lens near the stated one agrees."""
         planes = ", ".join(format_length(plane.distance) for plane in self.planes)
         return ValueError(
-            f"distances and photographs disagree: no focus within {_SCAN[-1] * self.unit:.2g} dioptres of those of "
+            f"distances and photographs disagree: no focus within {self.reach * self.unit:.2g} dioptres of those of "
             f"lenses explains planes at {planes}"
         )
 
@@ -307,15 +431,15 @@ class _Search:
             variance = scatter @ scatter.T * (tiles.shape[1] / (tiles.shape[1] - 1.0))
             yield _Score(tiles, curvatures, tiles.sum(axis=1), slopes, scales, variance)
 
-    def likeliest(self, at: Array) -> Array:
-        """Return parameters near the greatest likelihood of coarse details, whose valleys are wide."""
+    def likeliest(self, at: Array, excess: float) -> Array:
+        """Return parameters near a greatest likelihood; valleys of coarse details (large `excess`) are wide."""
         for _ in range(_MAX_STEPS):
-            self.weigh(at @ self.rows, _EXCESS)
+            self.weigh(at @ self.rows, excess)
             gradients, hessians = self.derivatives(at @ self.rows)
             if not np.isfinite(hessians).all():
                 break
-            gradient = gradients.sum(axis=1) + at / self.stated**2
-            values, axes = np.linalg.eigh(hessians.sum(axis=2) + np.diag(self.stated**-2.0))
+            gradient = gradients.sum(axis=1) + self._scatter * at / self.stated**2
+            values, axes = np.linalg.eigh(hessians.sum(axis=2) + self._scatter * np.diag(self.stated**-2.0))
             step = -axes @ (axes.T @ gradient / np.maximum(np.abs(values), 1.0))
             step *= min(1.0, _MAX_STEP / float(np.abs(step).max()))
             cost = self._posterior(at)
@@ -328,7 +452,7 @@ class _Search:
 
     def _posterior(self, at: Array) -> float:
         """Return -log(likelihood) of all tiles and of the changes of what is stated."""
-        return float(self.costs(at @ self.rows).sum() + 0.5 * np.square(at / self.stated).sum())
+        return float(self.costs(at @ self.rows).sum() + 0.5 * self._scatter * np.square(at / self.stated).sum())
 
     def minimum(self, at: Array, floors: Array, steady: bool = False) -> tuple[Array, list[_Score], Array, Array]:
         """Return parameters, scores of planes, the weight of gradients, and the precision; ValueError if none.
@@ -367,47 +491,76 @@ class _Search:
                 break
         return at, scores, weight, precision
 
-    def best(self) -> tuple[Array, Array, list[CalibratedPlane]]:
-        """Return parameters, their covariance, and the planes; ValueError if these do not determine the focus."""
-        start, found, error = self.start(), list[tuple[Array, Array, list[CalibratedPlane]]](), None
-        for again in (False, True):  # where planes contradict each other, or one plane what is stated
-            try:
-                found.append(self._solution(self._likeliest_near(start) if again else start, again))
-            except ValueError as failure:
-                error = error or failure
-            else:
-                at, _, planes = found[-1]
-                if max(map(_deviation, planes)) < _DOUBTFUL and (len(planes) > 1 or self._is_near(at)):
-                    return found[-1]
-        if error is not None and not found:
-            raise error
-        return min(found, key=lambda one: self._common_cost(one[0], [each[0] for each in found]))
+    def best(self) -> list[_Solution]:
+        """Return lenses that explain the planes, the likeliest first; ValueError if planes do not determine one."""
+        found, contrary, error = list[_Solution](), list[_Solution](), None
+        starts = self.starts()
+        for start in starts:
+            at = self.likeliest(start, _EXCESS)
+            at = self.likeliest(at, self._excess) if self._excess < _EXCESS else at
+            starts.extend(twin for twin in self._twins(at) if all(np.abs(twin - s).max() > 1.0 for s in starts))
+            for steady in (False, True):
+                try:
+                    one = self._solution(at, steady)
+                except ValueError as failure:
+                    error = error or failure
+                    continue
+                lost = self._cost(one.at, [at]) - self._cost(at, [at])
+                if 2.0 * lost / one.scale < _EVIDENCE:  # at the minimum, and not at a saddle
+                    if all(np.abs(one.at - other.at).max() > _SAME for other in found):
+                        found.append(one._replace(minimum=at))
+                    break
+                if max(map(_deviation, one.seen)) > _DOUBTFUL:
+                    contrary.append(one)
+        found = found or contrary[:1]
+        if not found:
+            raise self._disagreement() if error is None or len(self.planes) > 1 else error
+        minima = [one.minimum for one in found]
+        costs = [self._cost(at, minima) for at in minima]
+        scale = found[int(np.argmin(costs))].scale
+        chi2 = np.multiply(2.0 / scale, costs) + [
+            one.chi2 + 2.0 * float(self.stated_cost(*(one.at @ self.rows)[[1, 2, 0]])) for one in found
+        ]
+        best = float(chi2.min())
+        ranked = [one._replace(chi2=float(x) - best) for one, x in zip(found, chi2, strict=True)]
+        return sorted(ranked, key=lambda one: one.chi2)
+
+    def _defocus(self, at: Array) -> Array:
+        """Return the defocus of both photographs of the first plane in units, by the stated f-number."""
+        lenses, origin = self.calibrated(at @ self.rows)
+        vergence = 1.0 / (self.planes[0].distance + origin)
+        return np.array([(vergence - lens.focus) / lens.scale**2 / self.unit for lens in lenses])
+
+    def _twins(self, at: Array) -> Iterator[Array]:
+        """Yield parameters of likely lenses by which one plane has the same blur, on other sides of the foci."""
+        for sides in (
+            ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0)) if len(self.planes) == 1 and "difference" in self.basis else ()
+        ):
+            changes = at @ self.rows
+            changes[1:3] += 2.0 * self.unit * math.exp(2.0 * changes[0]) * self._defocus(at) * sides
+            if self.stated_cost(*changes[[1, 2, 0]]) < _UNLIKELY_START / 4.0:
+                yield np.linalg.lstsq(self.rows.T, changes, rcond=None)[0]
+
+    def _cost(self, at: Array, others: Sequence[Array]) -> float:
+        """Return -log(likelihood) by the weights of frequencies of all `others`, of which none is favoured.
+
+        Errors of distances do not count: each plane is at its own minimum, to second order.
+        """
+        total = 0.0
+        for other in others:
+            self.weigh(other @ self.rows, self._excess)
+            total += float(self.costs(at @ self.rows).sum())
+            for score in self._scores(at):
+                slopes = score.slopes[:, self._measured]
+                total -= max(0.0, float(score.gradient @ np.linalg.solve(slopes + slopes.T, score.gradient)))
+        return total / len(others)
 
     def moved(self, at: Array) -> float:
         """Return the deviation of one plane's lens from what is stated, standard errors; 0 for more planes."""
         return float(np.linalg.norm(at / self.stated)) if len(self.planes) == 1 else 0.0
 
-    def _is_near(self, at: Array) -> bool:
-        """Return whether one plane's lens is near the stated one, and at a minimum of -log(likelihood), no saddle."""
-        slopes = next(self._scores(at)).slopes[:, self._measured]
-        return self.moved(at) < _UNLIKELY and float(np.linalg.eigvalsh(slopes + slopes.T)[0]) > 0.0
-
-    def _likeliest_near(self, start: Array) -> Array:
-        """Return the likeliest of the parameters that `likeliest` finds from `start` and from both sides of it."""
-        step = np.append(_SCAN[1] - _SCAN[0], np.zeros(len(start) - 1))
-        near = [self.likeliest(start + side * step) for side in (0.0, -1.0, 1.0)]
-        return min(near, key=lambda at: self._common_cost(at, near))
-
-    def _common_cost(self, at: Array, others: Sequence[Array]) -> float:
-        """Return -log(likelihood) by the weights of frequencies of all `others`, of which none is favoured."""
-        total = 0.0
-        for other in others:
-            self.weigh(other @ self.rows, self._excess)
-            total += float(self.costs(at @ self.rows).sum())
-        return total
-
-    def _solution(self, at: Array, steady: bool) -> tuple[Array, Array, list[CalibratedPlane]]:
-        """Return what `best` does, from one start; `steady` as of :meth:`minimum`."""
+    def _solution(self, at: Array, steady: bool) -> _Solution:
+        """Return the lens found from a start; `steady` as of :meth:`minimum`."""
         floors = np.full((len(self.planes), 2), _FLOOR)
         at, scores, weight, precision = self.minimum(at, floors, steady)
         if self._excess > 1.0:
@@ -418,7 +571,9 @@ class _Search:
                 for one, other in zip(scores, self._scores(at), strict=True)
             ]
             at, scores, weight, precision = self.minimum(at, np.hypot(floors, changes), steady)
-        if any(score.slopes[0, 0] <= 0.0 for score in scores):
+        measured = [score.slopes[:, self._measured] for score in scores]
+        saddle = len(scores) == 1 and np.linalg.eigvalsh(measured[0] + measured[0].T)[0] <= 0.0
+        if saddle or any(score.slopes[0, 0] <= 0.0 for score in scores):
             raise ValueError(_UNDETERMINED)
         slopes, covariance = np.vstack([score.slopes for score in scores]), np.asarray(np.linalg.inv(precision))
         left = weight - weight @ slopes @ covariance @ slopes.T @ weight
@@ -435,7 +590,12 @@ class _Search:
             found = 1.0 / (1.0 / away - self.unit * shift) - origin
             numbers = *self._tilt(plane, score, metres), self._misfit(k, at)
             seen.append(CalibratedPlane(plane.distance, found, error, *numbers))
-        return at, covariance, seen
+        ratios = [
+            0.5 * np.trace(np.linalg.solve(m, score.variance)) for m, score in zip(measured, scores, strict=True)
+        ]
+        return _Solution(
+            at, covariance, seen, at, max(1.0, float(np.mean(ratios))), float(gradient @ weight @ gradient)
+        )
 
     def _misfit(self, plane: int, at: Array) -> float:
         """Return the median of the energies of the tiles of a plane, relative to those of noise."""
@@ -464,6 +624,17 @@ class _Score(NamedTuple):
     slopes: Array  # Hessian, (directions, parameters)
     scales: Array  # its diagonal
     variance: Array
+
+
+class _Solution(NamedTuple):
+    """A lens that explains the planes."""
+
+    at: Array  # parameters
+    covariance: Array
+    seen: list[CalibratedPlane]
+    minimum: Array  # parameters of the least -log(likelihood) of all tiles
+    scale: float  # variance of gradients / curvature: of -log(likelihood), by which its differences are too large
+    chi2: float  # of planes and their distances, and of what is stated; less that of the best
 
 
 class CalibratedPlane(NamedTuple):
@@ -554,7 +725,8 @@ class FocalCalibration(FitReport):
     def __str__(self) -> str:
         rows = [("f-number, true / stated", self.f_number_scale, self.f_number_error, "")]
         foci = dict.fromkeys(lens.focus_distance for lens in self.lenses)
-        rows += [("focus distance", focus, self.focus_error * focus**2, " m") for focus in foci]
+        names = ("focus",) if len(foci) == 1 else ("focus, first photo", "focus, second photo")
+        rows += [(name, focus, self.focus_error * focus**2, " m") for name, focus in zip(names, foci, strict=True)]
         rows += [("origin before the lens", self.origin, self.origin_error, " m")]
         planes = [plane for plane in self.planes if plane.error < math.inf]
         rows += [(f"plane at {plane.distance:.4g} m", plane.found, plane.error, " m") for plane in planes]
@@ -699,18 +871,32 @@ def calibrate_focus(
     more = planes, pitch, origin, registered.scales, spectrum, excess
     search, other = _Search(lenses, *more), partial(_Search, lenses[::-1], *more)
     try:
-        at, covariance, seen = search.best()
+        solutions = search.best()
     except ValueError as error:
-        if _agrees(other()):
+        if _contradiction(other()) < math.inf:
             raise ValueError(
                 f"{error}; in the other order they agree: exchange the photographs of each pair"
             ) from None
+        rest = range(len(planes) if len(planes) > 2 else 0)
+        found = [_contradiction(_Search(lenses, [*planes[:k], *planes[k + 1 :]], *more[1:])) for k in rest]
+        if found and min(found) < math.inf:
+            wrong = format_length(planes[int(np.argmin(found))].distance)
+            raise ValueError(
+                f"distances contradict each other, and least without the plane at {wrong}: measure them again, from "
+                "one point, and check its photographs"
+            ) from None
         raise
+    at, covariance, seen = solutions[0][:3]
+    others = [(one.at - at, one.chi2) for one in solutions[1:] if one.chi2 < _EVIDENCE]
+    total = 1.0 + sum(math.exp(-0.5 * chi2) for _, chi2 in others)
+    for change, chi2 in others:  # errors contain all answers
+        covariance = covariance + max(math.exp(-0.5 * chi2) / total, 1.0 / 9.0) * np.outer(change, change)
     ratios = dict(zip(search.basis, (np.sqrt(np.diag(covariance)) / search.stated).tolist(), strict=True))
     moved = search.moved(at)
     at, covariance = at @ search.rows, search.rows.T @ covariance @ search.rows
     findings = [
         *_findings(ratios, moved, seen, covariance, noise is not None),
+        *_other_answers(search, at, [(change @ search.rows, chi2) for change, chi2 in others]),
         *_exchanged(search, at, seen, other()),
     ]
     if compressed:
@@ -721,8 +907,6 @@ def calibrate_focus(
         findings.append(Finding("compressed", "doubt", text, {}))
     f_number_error, *focus_errors, origin_error = np.sqrt(np.diag(covariance)).tolist()
     changed, origin = search.calibrated(at)
-    if len(planes) == 1:
-        findings.extend(_at_focus(seen[0], zip(lenses, (one.lens for one in changed), strict=True), zero))
     return FocalCalibration(
         findings=Findings(findings),
         summary=f"{len(planes)} planes, {sum(len(plane.places) for plane in planes)} tiles",
@@ -738,16 +922,30 @@ def calibrate_focus(
     )
 
 
-def _at_focus(plane: CalibratedPlane, lenses: Iterable[tuple[Lens, Lens]], zero: float) -> Iterator[Finding]:
-    """Yield the finding on a focus that moved to the only plane; `lenses` are pairs of stated and found ones."""
-    for stated, found in lenses:
-        before, after = (1.0 / one.focus_distance - 1.0 / (plane.distance + zero) for one in (stated, found))
-        if abs(after) < _COLLAPSED * abs(before):
-            text = (
-                f"the focus stated as {format_length(stated.focus_distance)} was found at the plane itself, where "
-                "many lenses agree: use a second plane, or one that is farther from both foci"
-            )
-            yield Finding("contradiction", "doubt", text, {"focus": found.focus_distance, "plane": plane.distance})
+def _other_answers(search: _Search, at: Array, others: Sequence[tuple[Array, float]]) -> Iterator[Finding]:
+    """Yield the finding on lenses that explain the planes as well; `others` are their changes, and chi2."""
+    foci = np.add(search.foci, at[1:3])
+    far = [(change, chi2) for change, chi2 in others if (np.abs(change[1:3]) > _FAR * np.abs(foci)).any()]
+    if not far:
+        return
+    change, chi2 = far[0]
+    # Defocus at a further plane, whose sign no photograph tells, differs most between the answers.
+    plane = 1.0 / (search.planes[0].distance + search.calibrated(at)[1])
+    places = plane * np.linspace(0.4, 1.6, 121)[:, None]
+    differs = np.square(np.abs(places - foci) - np.abs(places - foci - change[1:3])).sum(axis=1)
+    enough = places[differs > 0.8 * differs.max(), 0]
+    distance = 1.0 / float(enough[np.argmin(np.abs(enough - plane))])
+    one, other = (
+        ", ".join(format_length(1.0 / focus) for focus in dict.fromkeys(each)) for each in (foci, foci + change[1:3])
+    )
+    more = f" ({len(far) - 1} more)" if len(far) > 1 else ""
+    text = (
+        f"two answers fit: foci {one} and foci {other}{more}, with chi2 that differ by {chi2:.2g}; a further plane "
+        f"at about {distance:.2g} m decides"
+    )
+    yield Finding(
+        "undetermined", "doubt", text, {"chi2": chi2, "foci": list(1.0 / (foci + change[1:3])), "plane": distance}
+    )
 
 
 def _findings(
@@ -803,12 +1001,15 @@ def _deviation(plane: CalibratedPlane) -> float:
     return abs(plane.found - plane.distance) / plane.error
 
 
-def _agrees(search: _Search) -> bool:
-    """Return whether some lens near the stated one agrees."""
+def _contradiction(search: _Search) -> float:
+    """Return squares of deviations of the planes and of what is stated of the lens; inf where no lens agrees."""
     try:
-        return max(map(_deviation, search.best()[2])) < _DOUBTFUL
+        best = search.best()[0]
     except ValueError:
-        return False
+        return math.inf
+    deviation = max(map(_deviation, best.seen))
+    stated = 2.0 * float(search.stated_cost(*(best.at @ search.rows)[[1, 2, 0]]))
+    return stated + deviation**2 if deviation < _DOUBTFUL else math.inf
 
 
 def _exchanged(search: _Search, at: Array, seen: Sequence[CalibratedPlane], other: _Search) -> Iterator[Finding]:
@@ -824,17 +1025,19 @@ def _exchanged(search: _Search, at: Array, seen: Sequence[CalibratedPlane], othe
                 "a plane nearer to one of the foci)"
             )
             yield untested_finding([text], {"other": shift})
-    if stated < _MAX_SHIFT and max(map(_deviation, seen)) < _DOUBTFUL:
+    misfit = max(plane.misfit for plane in seen) > _WRONG_MISFIT
+    if stated < _MAX_SHIFT and max(map(_deviation, seen)) < _DOUBTFUL and not misfit:
         return
     try:
-        best = other.minimum(other.start(), np.full((len(seen), 2), _FLOOR))[0] @ other.rows
+        best = other.best()[0].at @ other.rows
     except ValueError:
         return
     change = search.costs(at) - other.costs(best)
     deviation = float(change.sum() / max(float(np.std(change)) * math.sqrt(len(change)), 1e-12))
     needed = np.abs(best[1:3] / other.foci).max()
     # One plane between two foci agrees about as well in either order, with another shift of the foci.
-    if stated > max(_MAX_SHIFT, 1.5 * needed) if one else deviation > _DOUBTFUL and needed < stated:
+    nearer = stated > max(_MAX_SHIFT, 1.5 * needed) if one else needed < stated
+    if (nearer and one) or (deviation > _DOUBTFUL and (misfit or (nearer and not one))):
         text = (
             f"the photographs seem exchanged: in the other order foci are off by {percent(needed, 1)}, in this order "
             f"by {percent(stated, 1)}"

@@ -161,9 +161,8 @@ def test_the_origin_that_is_stated_moves_the_planes(pairs):
 
 
 def test_distances_that_contradict_each_other_are_an_error(pairs):
-    found = lm.imaging.calibrate_focus(pairs, [1.25, 1.65, 1.95], STATED, PIXEL, **OPTIONS)
-    assert not found.converged
-    assert found.status == "contradiction"
+    with pytest.raises(ValueError, match=r"distances contradict each other, and least without the plane at"):
+        lm.imaging.calibrate_focus(pairs, [1.25, 1.65, 1.95], STATED, PIXEL, **OPTIONS)
 
 
 def test_exchanged_photographs_are_an_error(pairs):
@@ -171,8 +170,8 @@ def test_exchanged_photographs_are_an_error(pairs):
     assert found.status == "exchanged"  # with another shift of the foci either order agrees
     found = lm.imaging.calibrate_focus([plane(1.55)[::-1]], [1.55], STATED, PIXEL, **OPTIONS)
     assert "the order of the photographs" in found.findings.get("untested").text  # about midway between the foci
-    with pytest.raises(ValueError, match="in the other order they agree: exchange the photographs"):
-        lm.imaging.calibrate_focus([pairs[0][::-1]], DISTANCES[:1], STATED, PIXEL, **OPTIONS)
+    found = lm.imaging.calibrate_focus([pairs[0][::-1]], DISTANCES[:1], STATED, PIXEL, **OPTIONS)
+    assert found.status == "exchanged"
 
 
 def test_a_tilted_plane_is_a_doubt():
@@ -189,7 +188,7 @@ def test_a_tilted_plane_is_a_doubt():
 
 
 def test_a_plane_far_from_any_focus_near_the_stated_one_is_refused(pairs):
-    with pytest.raises(ValueError, match=r"no focus within 0\.25 dioptres"):
+    with pytest.raises(ValueError, match=r"no focus within 0\.17 dioptres"):
         lm.imaging.calibrate_focus(pairs[:1], [0.9], STATED, PIXEL, **OPTIONS)
 
 

@@ -297,3 +297,13 @@ def test_a_fit_that_misses_little_light_is_reliable():
     assert 0.01 < fit.findings.get("missed_light").numbers["missed"] < 0.03
     assert np.abs(pulls_of(fit)).max() < 3.0
     assert np.abs(pulls_of(found(images, checks=False))).max() > 4.0
+
+
+def test_no_effect_is_named_where_none_explains_a_misfit():
+    images = recorded()
+    rows, columns = np.indices(images.shape[1:])
+    shaded = np.where(np.hypot(rows - 16, columns - 12) < 2.6, 0.7 * images, images)  # dust on the sensor
+    fit = found(shaded)
+    assert not fit.reliable
+    assert not {"other_explanation", "estimated", "pattern"} & {*fit.findings.codes}
+    assert "pupil (vanes, f-number), pixel, noise" in fit.message

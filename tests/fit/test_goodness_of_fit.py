@@ -175,3 +175,16 @@ def test_a_rare_chi2_is_a_doubt_where_effects_are_freed(chance, freed, severitie
     chi2 = float(goodness_of_fit.largest_plausible_chi2(0.02, chance))
     found = goodness_of_fit.chi2_findings(chi2, 0.02, "", freed=freed)
     assert [(one.code, one.severity) for one in found] == [("rare_chi2", severity) for severity in severities]
+
+
+def test_a_pattern_that_explains_little_of_a_misfit_is_not_named():
+    draw = np.random.default_rng(4)
+    rows, columns = np.indices((33, 33))
+    noise = draw.normal(size=(2, 33, 33))
+    star = 10.0 * draw.normal(size=(2, 33, 33)) * (np.hypot(rows - 16, columns - 16) < 8)
+    stripes = 3.0 * np.cos(2.0 * np.pi * columns / 5.0)
+    (told,) = goodness_of_fit.stripe_findings(noise + stripes, np.ones_like(noise))
+    assert told.numbers["period"] == pytest.approx(5.0, rel=0.02)
+    smooth = 40.0 * np.exp(-0.5 * ((rows - 16) ** 2 + (columns - 16) ** 2) / 3.0**2)
+    for misfit in (star, np.array([smooth, -smooth])):
+        assert not goodness_of_fit.stripe_findings(noise + misfit, np.ones_like(noise))

@@ -687,7 +687,9 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         text = "the steps have not settled: state measured constants, or estimate fewer of them (`priors`)"
         findings.append(Finding("not_settled", "error", text))
     findings += [*held_out_findings, *bead_checks.prior_findings(search.model, state)]
-    findings += _error_findings(covariance[: len(state.waves), : len(state.waves)], image_error)
+    # Errors of a misfit, by the jackknife, are not due to little light.
+    of_light = full_covariance if "missed_light" in Findings(findings).codes else covariance
+    findings += _error_findings(of_light[: len(state.waves), : len(state.waves)], image_error)
     if not all(is_used):
         left_out = ", ".join(map(str, np.flatnonzero(np.logical_not(is_used))))
         findings.append(Finding("left_out", "note", f"left out, inconsistent with the other beads: bead {left_out}"))

@@ -638,7 +638,8 @@ def _build_field_fit(
         findings = _sign_findings(start is not None, stars.has_defocus, "map" if stars.count > 1 else "wavefront")
     labels = [label(name) for name in first_star.unknowns.terms for _ in range(m)]
     grade = None if outcome.model_error else outcome.grade
-    effects = [] if "gain" in outcome.findings.codes else missing_findings(tests, grade, labels)
+    is_named = "gain" not in outcome.findings.codes and not outcome.unexplained
+    effects = missing_findings(tests, grade, labels) if is_named else []
     findings = covered([*outcome.findings, *effects, *findings])
     findings += estimated_effects(outcome.rounds, coefficients, np.sqrt(np.diag(covariance)).reshape(k, m))
     squared_widths = fit.squared_widths()

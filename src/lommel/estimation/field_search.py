@@ -134,6 +134,13 @@ class Outcome:
     of_noise: Sequence[Finding] = ()  # finding on noise that is not the stated one
 
     @property
+    def unexplained(self) -> bool:
+        """Whether no effect explains half of a misfit, such that none is named."""
+        (chi2, spread), known = self.fit.quality, seen(self.tests) and self.grade.explained
+        is_misfit = chi2 >= largest_plausible_chi2(spread)
+        return not known and bool(is_misfit and causes_of_misfit(_CAUSES, chi2, spread, self.tests))
+
+    @property
     def findings(self) -> Findings:
         """Findings on the fit."""
         chi2, deviation = self.fit.quality

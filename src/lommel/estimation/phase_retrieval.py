@@ -695,13 +695,16 @@ def _fit_findings(
     residual, variance, _ = fit.residual_parts
     if effects and grade is not None and grade.explained:
         findings = [finding for finding in findings if finding.code == "too_quiet"]
+    elif causes and "misfit" in Findings(findings).codes:  # no effect explains half of it: none is named
+        effects = []
     findings += goodness_of_fit.outlier_findings(residual / np.sqrt(variance))
     read = fit.model.read.reshape(residual.shape)
     findings, effects = with_noise(findings, effects, fit.residual_parts, read, noise.excess)
     error = None if grade is None else fit.valid_model_error(Findings(findings).codes, tests)
     if error is None:
         return findings, effects, None
-    return with_errors_of_model(findings, *fit.residual_parts, causes), missing_findings(tests, None, ()), error
+    named = [] if causes else missing_findings(tests, None, ())
+    return with_errors_of_model(findings, *fit.residual_parts, causes), named, error
 
 
 def _refit_by_fields(first: _StarFit, result: Retrieval, blurred: Callable[[Pupil], Retrieval]) -> Retrieval | None:

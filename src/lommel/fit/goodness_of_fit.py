@@ -49,6 +49,8 @@ _MAX_DEFECT = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
 # Smallest deviation of an outlier, standard errors, and its smallest part of the sum of (squared deviation - 1).
 _MIN_OUTLIER, _OUTLIER_SHARE = 8.0, 0.5
 _FINE_STEPS = np.linspace(-0.5, 0.5, 9)  # wave vectors about the most significant one, periods in the window
+# Smallest part of a misfit that a pattern explains, and the misfit, standard deviations, from which this is required.
+_PATTERN_SHARE, _LARGE_MISFIT = 0.3, 4.0
 _LEAST_SIDE = 6  # smallest side of windows for the test of stripes, pixels
 
 
@@ -279,6 +281,10 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
         fy = (fy + 0.5) % 1.0 - 0.5
         wave = {"period": 1.0 / math.hypot(fy, fx), "angle": math.degrees(math.atan2(fy, fx))}
     excess_power, factor = power[kind]
+    # Of a large misfit, a pattern is a name only if it explains a good part.
+    rest = float((np.nan_to_num(residual) ** 2 * weight).sum()) / dispersion - (count := float((weight > 0.0).sum()))
+    if rest > _LARGE_MISFIT * math.sqrt(2.0 * count) and excess_power < _PATTERN_SHARE * rest:
+        return []
     # The power in excess of that of noise is converted to an rms offset in electrons.
     size = excess * math.sqrt(dispersion * excess_power / (factor * float(total.sum())))
     text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"

@@ -549,7 +549,8 @@ def _conclude(
             context.stack, context.camera, background, context.saturation, reverse=model.is_reversed
         )
     if isinstance(model, GivenPSF) and not model.is_contained:
-        text = f"not tested: light beyond the window of the PSF ({percent(model.rim)} on its rim): widen it"
+        rim = f"{percent(model.rim)} on its rim"
+        text = f"not tested: light beyond the window of the PSF ({rim}): give `psf` in a wider window"
         findings.append(Finding("untested", "note", text, {"rim": model.rim, "most": MAX_RIM}))
     if outcome.stopped == INTERRUPTED:
         findings.append(Finding("interrupted", "error", "it was interrupted: the completed steps are kept"))

@@ -366,13 +366,13 @@ def test_constants_with_priors_are_estimated_and_right_ones_not_suspected():
 
 
 def test_an_estimate_far_from_its_prior_is_a_doubt_that_names_it():
-    images, _ = recorded(3, waves(3), diameter=0.22e-6, depth=0.11e-6, light=4e4)
-    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={"diameter": 10e-9})
-    assert found.status == "doubtful"
-    told = found.findings.get("contradiction")
-    assert told.numbers == {"diameter": pytest.approx((found.diameter - 0.1e-6) / 10e-9, rel=1e-6)}
-    assert re.match(r"diameter 0\.2\d* um is 1\d prior errors from 0\.1 \+- 0\.01:", told.text)
-    assert len(repr(found).splitlines()) <= 12
+    model = SimpleNamespace(priors={"diameter": Prior(0.1e-6, 10e-9), "sample": Prior(1.33, 0.02)})
+    state = SimpleNamespace(setup=SimpleNamespace(value={"diameter": 0.22e-6, "sample": 1.38}.get))
+    (told,) = bead_checks.prior_findings(model, state)
+    assert (told.code, told.severity) == ("contradiction", "doubt")
+    assert told.numbers == {"diameter": pytest.approx(12.0)}
+    assert told.text.startswith("diameter 0.22 um is 12 prior errors from 0.1 +- 0.01:")
+    assert bead_checks.prior_findings(model, state, ["diameter"]) == []
 
 
 def test_a_stack_in_reversed_order_is_told_before_constants():

@@ -425,9 +425,13 @@ def estimates_of(first: Round, last: Round, stated: Setup) -> list[Finding]:
     return estimated_findings(estimates, float(moves.max(initial=0.0)))
 
 
-def prior_findings(model: BeadModel, state: State) -> list[Finding]:
-    """Return the finding on estimated constants that lie many standard deviations from the priors of `model`."""
-    sizes = {n: (state.setup.value(n) - prior.value) / prior.error for n, prior in model.priors.items()}
+def prior_findings(model: BeadModel, state: State, freed: Sequence[str] = ()) -> list[Finding]:
+    """Return the finding on estimated constants that lie many standard deviations from the priors of `model`.
+
+    Those that are `freed` from their priors have another finding.
+    """
+    priors = {name: prior for name, prior in model.priors.items() if name not in freed}
+    sizes = {n: (state.setup.value(n) - prior.value) / prior.error for n, prior in priors.items()}
     far, texts = sorted((n for n in sizes if abs(sizes[n]) > _FAR), key=lambda n: -abs(sizes[n])), list[str]()
     for name in far:
         (factor, unit), prior = _unit(name), model.priors[name]

@@ -686,7 +686,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     if has_light and not fit.settled:
         text = "the steps have not settled: state measured constants, or estimate fewer of them (`priors`)"
         findings.append(Finding("not_settled", "error", text))
-    findings += [*held_out_findings, *bead_checks.prior_findings(search.model, state)]
+    findings += [*held_out_findings, *bead_checks.prior_findings(search.model, state, estimated_names)]
     # Errors of a misfit, by the jackknife, are not due to little light.
     of_light = full_covariance if "missed_light" in Findings(findings).codes else covariance
     findings += _error_findings(of_light[: len(state.waves), : len(state.waves)], image_error)

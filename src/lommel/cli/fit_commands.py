@@ -33,7 +33,7 @@ from lommel.psf import psf
 from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixels, sharpness
 from lommel.recorded.counts import Counts, counts_of
 from lommel.recorded.headers import without_compared
-from lommel.report import Facts, Report, Wrapped
+from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.table import described, tables
 
 if TYPE_CHECKING:
@@ -539,13 +539,28 @@ def beads(
         # Their priors say more of these constants than the beads do.
         by_priors = titles.keys() & {name for name, changes in untested.numbers.items() if not changes}
         titles |= {name: f"{name} (by its prior)" for name in by_priors}
-    numbers = {name: facts[name] for name in ("coefficients", "errors")} | {"units": units, "places": facts["places"]}
-    shown = tables(numbers, titles)
+    shown = tables({name: facts[name] for name in ("coefficients", "errors")} | {"units": units}, titles)
+    shown += ["", *_places(facts["places"], facts["beads"])]
     if widths := facts["fwhm"]:
         nanometres = [{axis: 1e9 * pair[k] for axis, pair in widths.items()} for k in (0, 1)]
         title = "FWHM at the first bead, without bead and pixel"
         shown += ["", *tables({title: nanometres[0], "errors": nanometres[1], "units": dict.fromkeys("xyz", "nm")})]
     return report_findings(facts, *verdict_lines(facts, result.summary), *shown, "") + files
+
+
+def _places(fits: list[Facts], names: list[str]) -> Parts:
+    """Return the table of where beads are and of their light, with standard errors, planes taken together."""
+    units = {"z": "nm", "depth": "nm", "flux": "electrons", "background": "electrons"}
+    factors = {"row": 1.0, "column": 1.0, "z": 1e9, "depth": 1e9, "flux": 1.0, "background": 1.0}
+    known = {k: factor for k, factor in factors.items() if all(k in fit["errors"] for fit in fits)}
+
+    def columns(numbers: list[Facts]) -> Facts:
+        used = [one if fit["used"] else None for one, fit in zip(numbers, fits, strict=True)]
+        return {k: [None if one is None else f * float(np.mean(one[k])) for one in used] for k, f in known.items()}
+
+    values, errors = columns(fits), columns([fit["errors"] for fit in fits])
+    beads = [f"{name}, chi2 {fit['chi2']:.3g}" for name, fit in zip(names, fits, strict=True)]
+    return tables({"images": beads, "errors": errors, "units": units} | values, first="bead")
 
 
 def _fitted(microscope: Microscope, result: BeadFit, step: float) -> Microscope:

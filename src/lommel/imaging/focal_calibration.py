@@ -68,9 +68,8 @@ _MAX_ERROR = 4.0  # units: standard error of the shift of foci above which plane
 # Standard error of what is stated after calibration / before: above these, planes determine it in part, or hardly.
 _PART, _HELD = 0.5, 0.9
 _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
-_UNLIKELY = (
-    3.0  # deviation of the lens of one plane from the stated one, standard errors, above which another is sought
-)
+# Deviation of the lens of one plane, and of two, from the stated one, standard errors, that is a doubt.
+_UNLIKELY, _UNLIKELY_PAIR = 3.0, 5.0
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
 _MAX_MISFIT, _WRONG_MISFIT = 1.8, 6.0  # misfits above which the photographs do not follow the noise, and the lens
@@ -272,7 +271,8 @@ class _Search:
         distances = np.array([plane.distance + self._origin for plane in planes])
         self.unit, self.foci = shift, [1.0 / lens.focus_distance for lens in lenses]
         defocus = max(float(np.abs(1.0 / distances - focus).max()) for focus in self.foci)
-        expected = math.hypot(UNMEASURED[1] * max(self.foci), 2.0 * UNMEASURED[0] * defocus) / shift
+        by_origin = _ORIGIN_ERROR / distances.min() ** 2 if origin is None else 0.0
+        expected = math.hypot(UNMEASURED[1] * max(self.foci), 2.0 * UNMEASURED[0] * defocus, by_origin) / shift
         self.reach = float(np.clip(_PRIORS * expected, *_RANGE))
         beyond = shift * (self.reach + 4.0)
         ends = np.array([1.0 / distances.max() - beyond, 1.0 / distances.min() + beyond])
@@ -403,7 +403,8 @@ class _Search:
 
     def stated_cost(self, first: ArrayLike, second: ArrayLike, log_scale: ArrayLike) -> Array:
         """Return half the squares of changes of foci (1/m) and log(f-number) over their variances as stated."""
-        errors = [max(UNMEASURED[1] * focus, 0.25 * self.unit) for focus in self.foci]
+        origin = _ORIGIN_ERROR / min(p.distance for p in self.planes) ** 2 if "origin" in self.basis else 0.0
+        errors = [math.hypot(max(UNMEASURED[1] * focus, 0.25 * self.unit), origin) for focus in self.foci]
         if self.foci[0] == self.foci[1]:
             errors[1] = math.inf
         parts = zip((first, second, log_scale), (*errors, UNMEASURED[0]), strict=True)
@@ -512,7 +513,7 @@ class _Search:
                     break
                 if max(map(_deviation, one.seen)) > _DOUBTFUL:
                     contrary.append(one)
-        found = found or contrary[:1]
+        found = found or (contrary[:1] if len(self.planes) < 3 else [])  # of more, the caller names the plane
         if not found:
             raise self._disagreement() if error is None or len(self.planes) > 1 else error
         minima = [one.minimum for one in found]
@@ -556,8 +557,8 @@ class _Search:
         return total / len(others)
 
     def moved(self, at: Array) -> float:
-        """Return the deviation of one plane's lens from what is stated, standard errors; 0 for more planes."""
-        return float(np.linalg.norm(at / self.stated)) if len(self.planes) == 1 else 0.0
+        """Return the deviation of the lens from what is stated, standard errors; 0 for more than two planes."""
+        return float(np.linalg.norm(at / self.stated)) if len(self.planes) < 3 else 0.0
 
     def _solution(self, at: Array, steady: bool) -> _Solution:
         """Return the lens found from a start; `steady` as of :meth:`minimum`."""
@@ -665,9 +666,9 @@ class CalibratedPlane(NamedTuple):
 class FocalCalibration(FitReport):
     """Lenses calibrated by :func:`lommel.imaging.calibrate_focus`.
 
-    The findings have the codes "exchanged", "contradiction" (of planes, or of one plane and the stated lens),
-    "not_flat", "misfit", "compressed", "stated", and "untested" (the order of the photographs of one plane about
-    midway between the foci).
+    The findings have the codes "exchanged", "contradiction" (of planes, or of one or two and the stated lens),
+    "undetermined" (another lens explains the planes as well), "not_flat", "misfit", "compressed", "stated", and
+    "untested" (the order of the photographs of one plane about midway between the foci).
     ``print(found)`` prints a table.
 
     Attributes
@@ -817,9 +818,10 @@ def calibrate_focus(
     with a standard error of 3 % that `focus_error` includes, as it does 2 % of each focus for a difference that is
     held, and 2 cm of an origin that is neither stated nor estimated. A second plane adds the f-number, a third the
     foci of both photographs, a further one the origin of distances: each is estimated only where its standard error
-    is below 5 % of the f-number or 2 cm of the origin. Standard errors follow from the scatter between tiles of 32 x
-    32 pixels. They do not include errors of the model that all tiles share, such as spherical aberration that the
-    lens does not state.
+    is below 5 % of the f-number or 2 cm of the origin. Photographs do not tell the sign of defocus: all lenses near
+    the stated one are searched, and standard errors contain those that explain the planes about as well.
+    They follow from the scatter between tiles of 32 x 32 pixels, and do not include errors of the model that all
+    tiles share, such as spherical aberration that the lens does not state.
 
     Examples
     --------
@@ -955,13 +957,14 @@ def _findings(
 
     `ratios` are standard errors of parameters after calibration / before, `moved` as of :meth:`_Search.moved`.
     """
-    if moved > _UNLIKELY:
+    limit, decide = (_UNLIKELY, "a second plane") if len(planes) == 1 else (_UNLIKELY_PAIR, "three planes")
+    if moved > limit:
         text = (
-            f"the photographs of the plane contradict the stated lens by {moved:.2g} of its standard errors "
-            f"({percent(UNMEASURED[0])} of the f-number, {percent(UNMEASURED[1])} of each focus): check lens file, "
-            "pixel and distance, or use a second plane"
+            f"the lens is {moved:.2g} standard errors from the stated one ({percent(UNMEASURED[0])} of the f-number, "
+            f"{percent(UNMEASURED[1])} of each focus), farther than {len(planes)} plane{'s' * (len(planes) > 1)} can "
+            f"show: check lens file, pixel and distances, or use {decide}"
         )
-        yield Finding("contradiction", "doubt", text, {"deviation": moved, "limit": _UNLIKELY})
+        yield Finding("contradiction", "doubt", text, {"deviation": moved, "limit": limit})
     for plane in planes:
         name, (found, error) = f"the plane at {format_length(plane.distance)}", with_error(plane.found, plane.error)
         if (deviation := _deviation(plane)) > _DOUBTFUL:

@@ -130,6 +130,20 @@ def test_one_plane_by_which_the_stated_foci_are_far_off_is_a_doubt(pairs):
     assert found.findings.get("contradiction").severity == "doubt"
 
 
+def test_one_plane_at_a_focus_has_two_answers_and_errors_that_contain_both():
+    # The sign of the defocus of the first photograph, of some four units, is not in the photographs.
+    true = [lm.Lens(focal_length=35e-3, f_number=1.8, focus_distance=f, wavelength=540e-9) for f in (1.35, 1.5)]
+    pair = shoot(texture(side=192), 1.375, true, seed=0)
+    stated = [lens.focused(f) for lens, f in zip(true, (1.38, 1.49), strict=True)]
+    found = lm.imaging.calibrate_focus([pair], [1.375], stated, PIXEL, **OPTIONS, origin=0.0)
+    shift = 1.0 / 1.35 - 1.0 / 1.38
+    assert abs(found.focus_shifts[0] - shift) < 3.0 * np.sqrt(found.covariance[1, 1])
+    finding = found.findings.get("undetermined")
+    assert finding.severity == "doubt"
+    assert "two answers fit" in finding.text
+    assert not found.reliable
+
+
 def test_differences_of_many_times_the_stated_noise_are_a_doubt(pairs):
     quiet = lm.Noise(white=1e6, read=3.0)
     found = lm.imaging.calibrate_focus(pairs[:1], DISTANCES[:1], STATED, PIXEL, encoding="linear", noise=quiet)

@@ -345,14 +345,14 @@ def restore(
     PHOTO is a PNG, JPEG, TIFF, EXR or HEIC, grey or RGB, neither sharpened nor denoised. DEPTH is a depth
     map of the same size, the distance of each point from the lens along the optical axis, in metres: a grey TIFF,
     NPY, PFM, PNG or EXR; with --at there is none. Without a lens file LENS, focal length and f-number come from the
-    photo's EXIF. With PHOTO alone, the blur is estimated as a disc or a Gaussian, the same all over the photo.
+    photo's EXIF. With PHOTO alone, the blur is estimated as a disc, the same all over the photo.
 
     With one distance, the stated blur is compared with others. A photo that is sharper than stated is a doubt;
     --accept then restores by the blur that agrees better.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
-    about 1 where they differ only by noise. A larger value means that depth, lens or noise do not fit the photo: the
-    exit code is then 3.
+    about 1 where they differ only by noise. Where it shows that depth, lens or noise do not fit, the photo is
+    written, and the exit code is 3.
 
     Parameters
     ----------

@@ -17,6 +17,7 @@ from lommel.fit.findings import Findings, Judged
 
 # Reasons to stop.
 NOISE, STEPS, MISFIT, ONE_PASS = "noise", "steps", "misfit: depth, lens or noise do not fit", "one pass"
+UNDETERMINED = "undetermined: the photograph does not show its blur"
 
 # Arguments: number of steps taken, discrepancy, estimated remaining time (s).
 ProgressCallback = Callable[[int, float, float], object]
@@ -235,7 +236,8 @@ class Restoration(Judged):
         Total number of steps; each applies the blur and its transpose once.
     stopped : str
         Reason to stop: "noise" if the result agrees with the photograph within its noise, "steps" at the maximum
-        number of steps, "one pass", "misfit: ..." where depth, lens or noise do not fit.
+        number of steps, "one pass", "misfit: ..." where depth, lens or noise do not fit, "undetermined: ..." where
+        the photograph does not determine an unknown blur.
     strength : float or None
         Weight of the total variation.
     unknown : float

@@ -28,6 +28,8 @@ _WIDTH = np.sqrt(0.5) / _RINGS  # width of a ring, cycles per pixel
 _LARGEST = 1.6  # largest alias frequency, cycles per pixel
 _GRID = 128  # frequencies along each axis of a quadrant, of which the shares of rings are computed
 _SLOPES = np.arange(0.0, 4.01, 0.25)  # exponents s of the texture
+# Soft scenes behind an unknown blur: rms widths (pixels) of their Gaussians, those above 0 for every second exponent.
+_SOFT = np.array([0.0, 0.35, 0.5, 0.7, 0.9, 1.2, 1.6, 2.2, 3.0, 4.0])
 _MIN_PERIODS = 2.5  # smallest frequency that is compared, periods per side of the photograph
 _NOISES = np.geomspace(0.5, 2.0, 13)  # noise variance in units of the stated variance
 _MORE_NOISES = 2.0, 2.8, 4.0, 5.7, 8.0  # the same, of noise that is stated too low
@@ -172,8 +174,24 @@ class BlurSpectrum:
 
         It is divided by the dispersion of the best blur, if that is above 1.
         """
-        fit = self._fit(self._shapes(curves), channel, noise)
-        return np.asarray(-fit.cost / max(float(fit.dispersion[np.argmin(fit.cost)]), 1.0))
+        return np.asarray(self._likelihoods(curves, channel, noise, np.zeros(1))[0])
+
+    def soft_likelihood(self, curves: Array, channel: int) -> tuple[Array, Array]:
+        """Return the log-likelihood of blurs, and that where the texture may also fall as a Gaussian.
+
+        Only zeros of the transfer functions tell blurs from soft scenes.
+        """
+        plain, *soft = self._likelihoods(curves, channel, 1.0, _SOFT)
+        return plain, np.maximum(plain, np.max(soft, axis=0))
+
+    def _likelihoods(self, curves: Array, channel: int, noise: float, softness: Array) -> Array:
+        """Return the log-likelihoods of blurs (softness, blurs), divided by the dispersion of the best if above 1."""
+        falls = np.exp(-0.5 * np.square(2.0 * np.pi * softness[:, None] * FREQUENCIES))
+        slopes = (_SLOPES[::2] if width else _SLOPES for width in softness)
+        fits = [self._fit(self._shapes(curves * f, s), channel, noise) for f, s in zip(falls, slopes, strict=True)]
+        cost = np.array([fit.cost for fit in fits])
+        width, blur = np.unravel_index(int(cost.argmin()), cost.shape)
+        return np.asarray(-cost / max(float(fits[width].dispersion[blur]), 1.0))
 
     def more_noise(self, curve: Array, channel: int, assumed: float) -> tuple[float, float, float]:
         """Return the most likely noise of 2 to 8 times the stated variance, and its gains in log-likelihood.
@@ -208,9 +226,9 @@ class BlurSpectrum:
         each = np.arange(len(masks)), masked.cost.argmin(axis=1)
         return float((gains[each] / np.maximum(masked.dispersion[each], 1.0)).max())
 
-    def _shapes(self, curves: Array) -> Array:
+    def _shapes(self, curves: Array, slopes: Array = _SLOPES) -> Array:
         """Return the expected power of textures of power 1, (blurs, slopes, rings)."""
-        power = np.square(curves)[:, None] * FREQUENCIES ** -_SLOPES[:, None]
+        power = np.square(curves)[:, None] * FREQUENCIES ** -slopes[:, None]
         # Averages of a ring, and over a narrow window in two dimensions, add half of a variance times derivatives.
         bent = (power[..., 2:] - 2.0 * power[..., 1:-1] + power[..., :-2]) / _WIDTH**2
         slope = (power[..., 2:] - power[..., :-2]) / (2.0 * _WIDTH * FREQUENCIES[1:-1])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 import scipy
@@ -32,6 +32,9 @@ _ERROR_FACTOR = 1.3  # standard error of ln(diameter) / that of the likelihood
 _SOFTNESS = 1.4  # softness of scenes, pixels: an error of the diameter, added in quadrature
 _MOST_ERROR = 0.08  # largest standard error of ln(diameter) of a known blur
 _VALLEY = 5.0  # log-likelihood by which another diameter must be less likely
+# The same where scenes may be soft: what softness gains less _CHANCE_GAIN, and at most _SOFT_GAIN, from which a scene
+# is soft.
+_CHANCE_GAIN, _SOFT_GAIN = 2.0, 10.0
 
 
 Blurs = Callable[[Array], Array]
@@ -81,6 +84,11 @@ class BlurVerdict(NamedTuple):
         """True if the photograph has a floor that no texture behind the stated blur has: more noise than stated."""
         return self.noise_gain > _MIN_GAIN and not self.doubtful
 
+    @property
+    def bound(self) -> str:
+        """Words where the factor is the smallest or the largest that was compared."""
+        return {min(_SCALES): " or less", max(_SCALES): " or more"}.get(self.factor, "")
+
     def applied(self, pupil: Pupil, defocus: float) -> Pupil:
         """Return the preferred pupil, given the stated one and its defocus C_d (rad)."""
         return changed(pupil, (self.factor - 1.0) * defocus, self.waves)
@@ -122,8 +130,7 @@ class BlurEstimate(NamedTuple):
     """Most likely blur: its parameter, the relative standard error of it, and the diameter of the blur (pixels).
 
     `known` is False if the error is too large or another diameter is about as likely; `sign_known` is False if the
-    parameter of the other sign has the same blur. `sharpening` is the gain in log-likelihood of an unsharp mask, and
-    `slope` the exponent of the texture behind the blur.
+    parameter of the other sign has the same blur. `sharpening` is the gain in log-likelihood of an unsharp mask.
     """
 
     value: float
@@ -132,7 +139,6 @@ class BlurEstimate(NamedTuple):
     known: bool
     sign_known: bool
     sharpening: float
-    slope: float
 
 
 def defocused(focused: Pupil, spectrum: Spectrum, pixel: float) -> Blurs:
@@ -148,10 +154,10 @@ def defocused(focused: Pupil, spectrum: Spectrum, pixel: float) -> Blurs:
     return curves_of
 
 
-def disc_or_gaussian(diameter: float | Array, f: Array) -> Array:
-    """Return the transfer function of a disc or, for negative diameters, of the Gaussian of equal variance."""
-    x = np.pi * np.abs(diameter) * np.maximum(f, 1e-12)
-    return np.where(np.asarray(diameter) > 0.0, 2.0 * scipy.special.j1(x) / x, np.exp(-np.square(x) / 8.0))
+def disc(diameter: float | Array, f: Array) -> Array:
+    """Return the transfer function of a disc."""
+    x = np.pi * diameter * np.maximum(f, 1e-12)
+    return np.asarray(2.0 * scipy.special.j1(x) / x)
 
 
 def estimate_blur(curves_of: Blurs, symmetric: bool, unit: float, plane: Array, variance: Array) -> BlurEstimate:
@@ -164,29 +170,48 @@ def estimate_blur(curves_of: Blurs, symmetric: bool, unit: float, plane: Array, 
     stack = size if symmetric else np.concatenate([-size[::-1], size])
     rings = BlurSpectrum.windowed(plane[None], variance[None])
     curves = curves_of(stack)
-    likelihood = rings.likelihood(curves, 0, 1.0)
-    best = int(np.argmax(likelihood))
-    sharpening, slope = rings.sharpening(curves[[best]], 0, 1.0), rings.texture(curves[best], 0).slope
-    side = np.flatnonzero(np.sign(stack) == np.sign(stack[best]))
-    near = side[np.abs(side - best) <= 2]
-    x = np.log(np.abs(stack))
-    curvature, shift = _peak(x[near] - x[best], likelihood[near])
-    if curvature <= 0.0 or best in (side[0], side[-1]):
-        return BlurEstimate(float(stack[best]), math.inf, math.exp(x[best]) * unit, False, False, sharpening, slope)
+    plain, with_soft = rings.soft_likelihood(curves, 0)
+    softness = float(with_soft.max() - plain.max())
+    likelihood = with_soft if softness > _SOFT_GAIN else plain
+    summit, soft_summit = _Summit.of(stack, likelihood), _Summit.of(stack, with_soft)
+    best = summit.place
+    sharpening = rings.sharpening(curves[[best]], 0, 1.0)
+    if not summit.curvature:
+        return BlurEstimate(float(stack[best]), math.inf, abs(float(stack[best])) * unit, False, False, sharpening)
     # The likelihood falls more steeply towards larger blurs.
-    finer = _REFINED + shift
-    likelihoods = rings.likelihood(curves_of(stack[best] * np.exp(finer)), 0, 1.0)
+    finer = _REFINED + summit.shift
+    likelihoods = rings.soft_likelihood(curves_of(stack[best] * np.exp(finer)), 0)[int(likelihood is with_soft)]
     top = int(np.argmax(likelihoods))
     near = np.arange(max(top - 4, 0), min(top + 5, len(finer)))
     value = float(stack[best]) * math.exp(finer[top] + _peak(finer[near] - finer[top], likelihoods[near])[1])
     diameter = abs(value) * unit
-    error = math.hypot(_ERROR_FACTOR / math.sqrt(2.0 * curvature), 0.5 * (_SOFTNESS / diameter) ** 2)
-    # Other valleys are farther than the error; the other sign has another blur if there is spherical aberration.
-    other = np.abs(x - math.log(abs(value))) > max(4.0 / math.sqrt(2.0 * curvature), _MOST_ERROR)
-    alone = bool(likelihood[other].max(initial=-math.inf) < likelihood[best] - _VALLEY)
+    error = math.hypot(_ERROR_FACTOR / math.sqrt(2.0 * summit.curvature), 0.5 * (_SOFTNESS / diameter) ** 2)
+    alone = summit.valley > _VALLEY and soft_summit.valley > min(softness - _CHANCE_GAIN, _SOFT_GAIN)
     opposite = np.sign(stack) != np.sign(value)
     sign_known = not symmetric and bool(likelihood[opposite].max() < likelihood[best] - _VALLEY)
-    return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known, sharpening, slope)
+    return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known, sharpening)
+
+
+class _Summit(NamedTuple):
+    """Highest likelihood of a stack of blurs: its place, curvature (0 at an end), shift, and the valley around it."""
+
+    place: int
+    curvature: float
+    shift: float
+    valley: float
+
+    @classmethod
+    def of(cls, stack: Array, likelihood: Array) -> Self:
+        """Return the summit, by ln of the parameters; one of the other sign is no valley."""
+        best, x = int(np.argmax(likelihood)), np.log(np.abs(stack))
+        side = np.flatnonzero(np.sign(stack) == np.sign(stack[best]))
+        near = side[np.abs(side - best) <= 2]
+        curvature, shift = _peak(x[near] - x[best], likelihood[near])
+        if curvature <= 0.0 or best in (side[0], side[-1]):
+            return cls(best, 0.0, 0.0, 0.0)
+        # Other valleys are farther than the error; the other sign has another blur if there is spherical aberration.
+        other = np.abs(x - x[best]) > max(4.0 / math.sqrt(2.0 * curvature), _MOST_ERROR)
+        return cls(best, curvature, shift, float(likelihood[best] - likelihood[other].max(initial=-math.inf)))
 
 
 def _peak(x: Array, likelihood: Array) -> tuple[float, float]:

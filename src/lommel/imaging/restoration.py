@@ -32,6 +32,7 @@ from lommel.base.units import format_length
 from lommel.deconvolve.algorithms import (
     MISFIT,
     STEPS,
+    UNDETERMINED,
     ProgressCallback,
     Restoration,
     RichardsonLucy,
@@ -321,7 +322,7 @@ def restore(
         result, share, stopped = _without_ringing(observed, (result, share, stopped), progress or silent)
     verdict = None
     if estimate is not None:
-        share, stopped = (share, stopped) if estimate.known else (1.0, MISFIT)
+        share, stopped = (share, stopped) if estimate.known else (1.0, UNDETERMINED)
     elif uniform is not None:
         verdict = uniform.verdict(observed, result.light)
     if (
@@ -347,13 +348,14 @@ def restore(
     values, clipped = encode_light(restored, encoding, image.dtype)
     findings = _findings(stopped, share, discrepancy, 1.0 + observed.slack, verdict is not None)
     if estimate is not None:
-        findings = _estimate_findings(estimate, findings)
+        findings = _estimate_findings(estimate, lens is None, findings)
     if isinstance(blur, MeasuredBlur):
         findings = [*blur.findings, *findings]
     return Restoration(
         values, restored, discrepancy, tuple(map(float, after)), before, result.steps,
         stopped, result.strength, 1.0 - float(observed.known.sum()) / light.size, clipped, photograph=share,
-        distances=estimate.distances if estimate else (), distance_errors=estimate.errors if estimate else (),
+        distances=estimate.distances if estimate and estimate.known else (),
+        distance_errors=estimate.errors if estimate and estimate.known else (),
         blocks=estimate.blocks if estimate else (),
         findings=Findings(
             [
@@ -457,39 +459,38 @@ def _findings(stopped: str, share: float, discrepancy: float, limit: float, blur
         return [Finding("not_settled", "error" if discrepancy > limit else "doubt", text, numbers)]
     findings = [untested_finding(_UNTESTED_BESIDES if blur_compared else _UNTESTED, {})]
     if discrepancy > _MAX_RINGING:
-        text = f"the result rings in dark areas (discrepancy {discrepancy:.3g}); RichardsonLucy() does not"
+        text = f"the result rings in dark areas (discrepancy {discrepancy:.3g}); method=RichardsonLucy() does not"
         findings = [Finding("misfit", "doubt", text, numbers), *findings]
     return findings
 
 
-def _estimate_findings(estimate: SceneEstimate, findings: list[Finding]) -> list[Finding]:
-    """Return the findings of a photograph of unknown distance or blur, given those of its restoration."""
+def _estimate_findings(estimate: SceneEstimate, alone: bool, findings: list[Finding]) -> list[Finding]:
+    """Return the findings of a photograph of unknown distance, or `alone`, given those of its restoration."""
     blur, numbers = estimate.blur, dict[str, Any](blur=estimate.blur.diameter)
-    if estimate.shape:
-        disc = estimate.shape == "disc"
-        what, size = ("a disc of diameter", 1.0) if disc else ("a Gaussian of rms width", 0.25)
-        size *= blur.diameter  # that of the disc of the same variance
-        text = f"blur estimated without a lens: {what} {size:.3g} +- {size * blur.error:.2g} pixels"
-        text += "" if disc else ", restored by the lower end"
-        code, hint, numbers = "blur_shape", "lens and distance", numbers | {"size": size, "error": size * blur.error}
-    else:
-        sides = " or ".join(
-            f"{format_length(d)} +- {format_length(e, like=d)}"
-            for d, e in zip(estimate.distances, estimate.errors, strict=True)
+    if not estimate.known:
+        hint = "state lens and distance, or a measured PSF, if it is not sharp" if alone else "state the distance"
+        text = (
+            "the photograph does not determine its blur, and is returned unchanged: it is sharp, a soft scene, "
+            f"blurred by motion, or too noisy; {hint}"
         )
-        text = f"distance estimated: {sides}, a blur of {blur.diameter:.3g} pixels"
-        if estimate.blocks:
-            blurs = [block["blur_pixels"] for block in estimate.blocks if block["distances"]]
-            text = (
-                f"depth varies: distances estimated in {len(blurs)} of {len(estimate.blocks)} blocks, blurs of "
-                f"{min(blurs):.3g} to {max(blurs):.3g} pixels; the other blocks are only denoised"
-            )
-        numbers |= {"distances": estimate.distances, "errors": estimate.errors}
-        code, hint = "distance_estimated", "the distance"
-    if estimate.known:
-        return [*findings, Finding(code, "note", text, numbers)]
-    text = f"the photograph does not determine its blur, and is returned unchanged: state {hint}"
-    return [Finding("undetermined", "error", text, numbers)]
+        return [Finding("undetermined", "error", text, numbers)]
+    if alone:
+        error = blur.diameter * blur.error
+        text = f"blur estimated without a lens: a disc of diameter {blur.diameter:.3g} +- {error:.2g} pixels"
+        return [*findings, Finding("blur_shape", "note", text, numbers | {"error": error})]
+    sides = " or ".join(
+        f"{format_length(d)} +- {format_length(e, like=d)}"
+        for d, e in zip(estimate.distances, estimate.errors, strict=True)
+    )
+    text = f"distance estimated: {sides} by the noise, for the stated lens, a blur of {blur.diameter:.3g} pixels"
+    if estimate.blocks:
+        blurs = [block["blur_pixels"] for block in estimate.blocks if block["distances"]]
+        text = (
+            f"depth varies: distances estimated in {len(blurs)} of {len(estimate.blocks)} blocks, blurs of "
+            f"{min(blurs):.3g} to {max(blurs):.3g} pixels; the other blocks are only denoised"
+        )
+    numbers |= {"distances": estimate.distances, "errors": estimate.errors}
+    return [*findings, Finding("distance_estimated", "note", text, numbers)]
 
 
 def _sharpened(compared: BlurEstimate | BlurVerdict | None) -> list[Finding]:
@@ -508,7 +509,7 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
     if verdict is None:
         return []
     numbers = {"factor": verdict.factor, "waves": verdict.waves, "gain": verdict.gain}
-    better = f"{verdict.factor:g} times the stated diameter"
+    better = f"{verdict.factor:g} times the stated diameter{verdict.bound}"
     if verdict.waves:
         better = f"{verdict.waves:+g} waves of spherical aberration"
     gain = f"(log-likelihood {verdict.gain:.2g} higher)"
@@ -528,6 +529,9 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
         numbers |= {"noise": verdict.noise, "noise_gain": verdict.noise_gain}
         return [Finding("misfit", "doubt", text, numbers)]
     if verdict.softer:
-        text = f"the photograph is softer than stated, as by a blur of {better} {gain}, or the scene is soft"
+        text = (
+            f"the photograph is softer than stated, as by a blur of {better} {gain}, or the scene is soft; it is "
+            "restored by the stated blur, also with accept=True"
+        )
         return [Finding("blur_compared", "note", text, numbers)]
     return [Finding("blur_compared", "note", "other blurs were compared: none of them agrees better", numbers)]

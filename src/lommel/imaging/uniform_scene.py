@@ -26,7 +26,7 @@ from lommel.imaging.blur_verdict import (
     changed,
     compare_blurs,
     defocused,
-    disc_or_gaussian,
+    disc,
     estimate_blur,
 )
 from lommel.imaging.measured_blur import MeasuredBlur
@@ -36,10 +36,8 @@ from lommel.optics.pupil import Pupil
 from lommel.recorded.noise import Noise
 
 _VARIANCE_RMS = 2.0  # pixels: rms width of the Gaussian that smooths the light of which the noise is computed
-_SOFT_GAUSSIAN = 0.1  # relative error of the width of a Gaussian by the softness of scenes
 _BLOCK = 128  # stride and overlap (pixels) of the blocks of which distances are estimated
 _VARIES = 4.0  # mean squared deviation of the blurs of blocks / their variance, from which depth varies
-_LEAST_SLOPE = 1.0  # of textures behind a Gaussian: the power spectrum of scenes that are not soft falls as f^-2
 _ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
 
 
@@ -110,14 +108,13 @@ class MeasuredScene(NamedTuple):
 class SceneEstimate(NamedTuple):
     """Estimated blur, and the distances (metres) at which the lens has it, the likeliest first, with standard errors.
 
-    Without a lens `shape` is that of the blur, "disc" or "Gaussian", and there are no distances. Where depth varies,
+    Without a lens the blur is a disc, and there are no distances. Where depth varies,
     `blocks` has the centre of each block (pixels), its blur (None if it is not known), distances and errors.
     """
 
     blur: BlurEstimate
     distances: tuple[float, ...] = ()
     errors: tuple[float, ...] = ()
-    shape: str = ""
     blocks: tuple[Mapping[str, Any], ...] = ()
 
     @property
@@ -129,7 +126,7 @@ class SceneEstimate(NamedTuple):
 def estimate_scene(
     photo: Array, lens: tuple[Lens, float] | None, spectra: Sequence[Spectrum], noise: Noise, limit: float
 ) -> tuple[UniformBlur | TiledBlur, SceneEstimate]:
-    """Return the blur that the light of a photograph shows, and the distance, or without a lens the shape, behind it.
+    """Return the blur that the light of a photograph shows, and the distance behind it, or without a lens a disc.
 
     Where depth varies, blur and distance are those of overlapping blocks. `lens` has its pixel pitch beside it. Light
     of `limit` and above is saturated.
@@ -140,7 +137,7 @@ def estimate_scene(
     search = None if lens is None else _Search.of(*lens, spectra)
     while True:
         plane, variance = _middle(observed, first)
-        blur, estimate = (search.whole if search else _estimated_shape)(blur, plane, variance)
+        blur, estimate = (search.whole if search else _estimated_disc)(blur, plane, variance)
         if observed.full is None or first is not None:
             return (search and search.blocks(blur, estimate, plane, variance)) or (blur, estimate)
         # Saturated pixels, which make the photograph sharper, are raised by a first restoration.
@@ -148,17 +145,11 @@ def estimate_scene(
         first = blur.forward(Blend().solve(observed, silent).light)
 
 
-def _estimated_shape(blur: UniformBlur, plane: Array, variance: Array) -> tuple[UniformBlur, SceneEstimate]:
-    """Return the likeliest disc, or Gaussian less a standard error, by the light and noise variance of a channel."""
-    found = estimate_blur(lambda d: disc_or_gaussian(d[:, None], FREQUENCIES), False, 1.0, plane, variance)
-    shape, size = "disc", found.value
-    if size < 0.0:
-        # A soft scene widens a Gaussian, which has no zeros to show its width, and a width too large does harm.
-        known = found.known and found.slope >= _LEAST_SLOPE
-        found = found._replace(error=math.hypot(found.error, _SOFT_GAUSSIAN), known=known)
-        shape, size = "Gaussian", size * max(1.0 - found.error, 0.5)
-    undone = UniformBlur(blur.shape, lambda f: np.stack([disc_or_gaussian(size, f)] * blur.channels), 0.5 * abs(size))
-    return undone, SceneEstimate(found, shape=shape)
+def _estimated_disc(blur: UniformBlur, plane: Array, variance: Array) -> tuple[UniformBlur, SceneEstimate]:
+    """Return the likeliest disc by the light and noise variance of a channel; other blurs resemble soft scenes."""
+    found = estimate_blur(lambda d: disc(d[:, None], FREQUENCIES), True, 1.0, plane, variance)
+    undone = UniformBlur(blur.shape, lambda f: np.stack([disc(found.value, f)] * blur.channels), 0.5 * found.value)
+    return undone, SceneEstimate(found)
 
 
 class _Search(NamedTuple):

@@ -61,6 +61,7 @@ _VISIBLE_CONTRAST, _VISIBLE = (
     0.3,
     9.0,
 )  # a frequency is visible if its sine of this contrast drops log-likelihood by more
+_SAMPLED = 13  # number of candidates for which the variance of products is computed; it is interpolated between them
 _LEAKING = 90.0  # percentile over visible frequencies whose median over candidates is the leak
 _MAX_BINNING_LOSS = 1.25  # largest factor by which binning may increase standard errors
 # Designs in the order tried: taps, degree, discarded fraction of the norm of all filters, and the largest accepted
@@ -132,7 +133,8 @@ class FocalTables:
     curvature_variance : ndarray, shape (c,)
         Variance of kappa due to noise alone, times the pixels of a window.
     concentration : ndarray, shape (c,)
-        Concentration of the model's texture with noise: tr(P^2) / (tr P)^2 of the covariance P of the basis images.
+        Concentration of the model's texture with noise in a window: tr(P^2) / (tr P)^2 of the mean products P of the
+        basis images, with the variance of P.
     leak : ndarray, shape (c,)
         Energy at the true candidate / mean energy of all candidates, of single frequencies without noise.
     bias, errors, bound : ndarray, shape (c,)
@@ -367,7 +369,7 @@ def _tables(
     basis = basis.reshape(-1, frames, degree + 1)
     fitted = np.einsum("cpr,rim,mf->cpif", mixes, basis, terms, optimize=True)
     statistics = _Statistics.of(model, fitted, overlap)
-    basis, mixes, concentration = _uncorrelated(model, basis, terms, mixes)
+    basis, mixes, concentration = _uncorrelated(model, basis, terms, mixes, overlap)
     return FocalTables(
         model.vergence,
         binning,
@@ -390,22 +392,40 @@ def _tables(
     )
 
 
-def _uncorrelated(model: FocalModel, basis: Array, terms: Array, mixes: Array) -> tuple[Array, Array, Array]:
+def _uncorrelated(
+    model: FocalModel, basis: Array, terms: Array, mixes: Array, overlap: Array
+) -> tuple[Array, Array, Array]:
     """Return the basis and mixes of uncorrelated basis images, and the concentration of the texture, shape (c,).
 
     The covariances of texture and noise in these basis images have the identity as their mean over candidates.
     """
-    filters, power = basis @ terms, model.band.share * model.texture
+    share, count = model.band.share, len(model.transfer)
 
     def covariances(filters: Array) -> Array:
         texture = np.einsum("rif,cif->crf", filters, model.transfer, optimize=True)
-        noise = np.einsum("rif,sif,i,f->rs", filters, filters, model.white, model.band.share, optimize=True)
-        return np.asarray((texture * power) @ texture.swapaxes(1, 2) + noise)
+        noise = np.einsum("rif,sif,i,f->rs", filters, filters, model.white, share, optimize=True)
+        return np.asarray((texture * share * model.texture) @ texture.swapaxes(1, 2) + noise)
 
-    root = np.linalg.cholesky(covariances(filters).mean(axis=0))
+    root = np.linalg.cholesky(covariances(basis @ terms).mean(axis=0))
     even = np.asarray(np.einsum("rs,sim->rim", np.linalg.inv(root), basis))
-    each = covariances(even @ terms)
-    return even, mixes @ root, (each**2).sum(axis=(1, 2)) / np.trace(each, axis1=1, axis2=2) ** 2
+    filters = even @ terms
+    each = covariances(filters)
+    squares, squared = (each**2).sum(axis=(1, 2)), np.trace(each, axis1=1, axis2=2) ** 2
+    # P is a mean over a window: by spectra S of images, the variance of P_kl is (S_kk S_ll + S_kl S_lk) / pixels.
+    correlated, pixels = _WindowVariance(model.band, overlap), (2.0 * overlap.sum() - 1.0) ** 2
+    sampled, (k, l) = np.unique(np.linspace(0, count - 1, _SAMPLED).astype(int)), np.triu_indices(len(filters))
+    noise = np.einsum("pif,pif,i->pf", filters[k], filters[l], model.white)
+    times = np.where(k == l, 1.0, 2.0)[:, None]
+    variances = np.empty((2, len(sampled)))
+    for place, c in enumerate(sampled):
+        texture = np.einsum("rif,if->rf", filters, model.transfer[c])
+        spectra = model.texture * texture[k] * texture[l] + noise
+        total = spectra[k == l].sum(axis=0)
+        variances[:, place] = correlated(times * spectra, spectra), correlated(total, total)
+    crossed, own = (
+        np.interp(np.arange(count), sampled, variance / (pixels * squared[sampled])) for variance in variances
+    )
+    return even, mixes @ root, (squares / squared + own + crossed) / (1.0 + 2.0 * crossed)
 
 
 def _leak(model: FocalModel, filters: Array, light: FocalLight, overlap: Array) -> Array:

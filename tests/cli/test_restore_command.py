@@ -182,6 +182,7 @@ def test_a_measured_psf_needs_no_lens(call_lommel, folder):
     arguments = ("restore", "grey.tif", *GIVEN, "--psf", "star.tif", "-o", "sharp.tif")
     facts = json.loads(ran(call_lommel(*arguments, "--json", folder=folder)))
     assert (facts["stopped"], "focal_length" in facts) == ("one pass", False)
+    assert facts["psf_read"].startswith("float values, assumed linear")
     inner, sharp = np.s_[6:-6, 6:-6], tifffile.imread(folder / "sharp.tif")
     assert np.std((sharp - scene)[inner]) < 0.75 * np.std((photo - scene)[inner])
     Image.fromarray((255 * star / star.max()).astype(np.uint8)).save(folder / "full.png")
@@ -194,3 +195,5 @@ def test_a_measured_psf_needs_no_lens(call_lommel, folder):
     assert "a lens cannot be combined with --psf" in call_lommel(*given, folder=folder).stderr
     given = "restore", "grey.tif", *GIVEN, "--psf", "full.png", "-o", "a.tif"
     assert "--psf must not be saturated" in call_lommel(*given, folder=folder).stderr
+    given = "restore", "grey.tif", *GIVEN, "--psf", "grey.tif", "-o", "a.tif"
+    assert "--psf grey.tif must show a peak" in call_lommel(*given, folder=folder).stderr

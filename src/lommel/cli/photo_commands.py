@@ -369,7 +369,8 @@ def restore(
         with a section [field]. The axis is in the middle of the photo.
     psf
         Measured PSF in place of DEPTH and LENS: the photo of one point of light, such as a star or a pinhole, by the
-        same camera, focus and distance, with the channels of PHOTO or grey; not saturated.
+        same camera, focus and distance, with the channels of PHOTO or grey; not saturated. --encoding states that
+        of both photos; integers of 16 bits, too, are sRGB without it.
     algorithm
         Blend mixes Wiener filters and total variation for one distance, and is the default there. For depth maps,
         Richardson-Lucy, the default, maximises the likelihood; total variation also preserves edges, but is ten to
@@ -412,8 +413,10 @@ def restore(
 
         chosen = replace(restoring, method=_METHODS[algorithm]() if algorithm else None)
         place: tuple[Any, ...] = "unknown", None, None
+        read: Facts = {}
         if psf is not None:
-            place = None, _measured_psfs(psf, encoding), None
+            star = imaging.read_photo(psf, encoding)
+            place, read = (None, _measured_psfs(psf, star), None), {"psf_read": _read_as(star)}
         elif field is not None:
             place = None, _field_blur(field, job), None
             chosen = replace(chosen, saturation=chosen.saturation or 1.0)
@@ -429,20 +432,25 @@ def restore(
         )
         seconds = time.perf_counter() - start
         clipped = job.write(np.asarray(result.light))
-    facts = {"seconds": seconds, "method": algorithm or "default"} | result.to_dict() | {"clipped": clipped}
+    facts = read | {"seconds": seconds, "method": algorithm or "default"} | result.to_dict() | {"clipped": clipped}
     findings = [Wrapped(with_options(found.text)) for found in result.findings.printed]
     hidden = {"blocks": facts.pop("blocks")} if len(result.blocks) > _MOST_BLOCKS else {}
     return job.report(facts) + Report(hidden, findings, result.converged)
 
 
-def _measured_psfs(path: Path, encoding: Encoding | None) -> list[MeasuredPSF]:
+def _measured_psfs(path: Path, photograph: imaging.Photograph) -> list[MeasuredPSF]:
     """Return the PSFs of the channels of the photo of a point, in units of pixels."""
-    photograph = imaging.read_photo(path, encoding)
     light = photograph.light()
     if (full := float(light.max())) >= 1.0 and photograph.values.dtype.kind == "u":
         raise ValueError(f"--psf must not be saturated, got {path.name} with pixels at {full:g} of white")
     planes = np.moveaxis(light.reshape(*light.shape[:2], -1), 2, 0)
-    return [PSF.measured(plane, _UNIT_PIXEL) for plane in planes]
+    try:
+        return [PSF.measured(plane, _UNIT_PIXEL) for plane in planes]
+    except ValueError as error:
+        reason = str(error).removeprefix("array ")
+        raise ValueError(
+            f"--psf {path.name} {reason}; the point must be whole, with dark pixels around it"
+        ) from error
 
 
 def _field_blur(path: Path, job: Job) -> imaging.FieldBlur:

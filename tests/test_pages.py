@@ -104,6 +104,7 @@ COPIES = {
     "camera-field.toml": "camera.toml",
     "zeiss-63x-1.4-oil.toml": "objective.toml",
     "fitted.toml": "objective.toml",
+    "embryo.ome.tif": "stack.ome.tif",
     "zeiss-63x-astigmatic.toml": "examples/objectives/zeiss-63x-astigmatic.toml",
     "nikon-60x-1.2-water.toml": "examples/objectives/nikon-60x-1.2-water.toml",
 }

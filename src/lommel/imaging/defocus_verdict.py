@@ -36,6 +36,8 @@ _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
 # and above which it is not noise: up to 3 in right pairs, as smoothed by 0.8 pixels, 13 or more in pairs shifted by a
 # pixel. JPEG removes finest details: up to 25 in right pairs of quality 75, 15 to 88 in those shifted by a pixel.
 _DOUBTFUL_EXCESS, _WRONG_EXCESS, _WRONG_EXCESS_OF_JPEG = 5.0, 10.0, 30.0
+# Shift that is an error, pixels, from phases of frequencies up to this many cycles per pixel, in a square of pixels.
+_SHIFT, _SHIFT_FREQUENCY, _SHIFT_SIDE = 0.5, 0.12, 1024
 _EXCHANGED_RATIO = 1.15  # misfit / that of exchanged lenses, from which these are named if they agree
 _MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
 _BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
@@ -136,6 +138,7 @@ class DefocusVerdict(FitReport):
         excess: float = 1.0,
         exchanged: bool = False,
         compressed: bool = False,
+        shift: Sequence[float] = (),
     ) -> Self:
         """Return the verdict for a misfit and a scale.
 
@@ -155,6 +158,8 @@ class DefocusVerdict(FitReport):
             Whether the frames agree with their lenses exchanged.
         compressed
             Whether the frames are compressed, so that the scale is not tested.
+        shift
+            Pixels, down and right, by which a frame is shifted; empty if none was found.
 
         Returns
         -------
@@ -179,7 +184,11 @@ class DefocusVerdict(FitReport):
         elif noise is not None:
             findings.append(noise_finding(noise))
             wrong = _WRONG_EXCESS_OF_JPEG if compressed else _WRONG_EXCESS
-            if (total := excess * misfit) > (wrong if compressed else _DOUBTFUL_EXCESS):
+            total = excess * misfit
+            if len(shift):
+                text = "a frame is shifted by {:.1f} pixels down and {:.1f} right: register the images".format(*shift)
+                add("misfit", "error", text, {"excess": total, "shift": tuple(shift)})
+            elif total > (wrong if compressed else _DOUBTFUL_EXCESS):
                 text = (
                     f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted, "
                     "something moved, the lens or its foci are wrong, or they were denoised; noise and errors of "
@@ -344,6 +353,7 @@ def judge_frames(
         included=included,
         noise=noise,
         excess=excess,
+        shift=_shift(images[brightest], valid, engine.task.blur) if noise else (),
         exchanged=noise is None and median > _DOUBTFUL_MISFIT and _exchanged_agree(engine, brightest, tiles),
     )
     if any(map(is_compressed, images[brightest])):
@@ -355,6 +365,38 @@ def judge_frames(
     if best.error >= max(_MAX_SCALE_ERROR, abs(best.scale - 1.0) / _WRONG_DEVIATION):
         return make_verdict()
     return make_verdict(best.scale, best.error, tuple(minimum.scale for minimum in others))
+
+
+def _shift(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[float, ...]:
+    """Return the shift of a frame relative to frame 0, pixels; empty if none is certain and over half a pixel.
+
+    Symmetric blurs leave the phases of the cross-spectrum 0 or pi; a shift makes them proportional to the frequency.
+    The window moves a single blurred edge by (its slope) * (difference of the variances of blur).
+    """
+    middle = tuple(slice(max(0, side - _SHIFT_SIDE) // 2, (side + _SHIFT_SIDE) // 2) for side in valid.shape)
+    inside = valid[middle]
+    window = np.outer(*(np.hanning(side) for side in inside.shape)) * inside
+    first, *others = (
+        scipy.fft.rfft2((one - np.average(one, weights=inside)) * window)
+        for one in np.where(inside, frames[(slice(None), *middle)], 0.0)
+    )
+    height, width = inside.shape
+    f = np.array(np.broadcast_arrays(scipy.fft.fftfreq(height)[:, None], scipy.fft.rfftfreq(width)))
+    used = (np.hypot(*f) < _SHIFT_FREQUENCY) & (np.hypot(*f) * min(inside.shape) > 2.5)
+    slopes = -2.0 * math.pi * f[:, used]
+    for other in others:
+        cross = (other * first.conj())[used]
+        weighted = slopes * np.abs(cross)
+        phases, inverse = 0.5 * np.angle(cross**2), np.linalg.pinv(weighted @ slopes.T)
+        shift = inverse @ weighted @ phases
+        gradients = inverse @ (weighted * (phases - shift @ slopes))
+        size = float(np.hypot(*shift))
+        if size > max(
+            _SHIFT + 2.0 * math.pi / min(inside.shape) * (0.25 * blur) ** 2,
+            5.0 * np.linalg.norm(shift @ gradients) / max(size, 1e-12),
+        ):
+            return tuple(shift.tolist())
+    return ()
 
 
 def _exchanged_agree(engine: FocalEngine, channel: int, tiles: list[_Tile]) -> bool:

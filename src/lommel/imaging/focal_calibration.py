@@ -51,10 +51,12 @@ _LEAST = 0.01  # least vergence / range of vergences, at which transfer function
 _SCANNED = 128  # number of tiles of a plane in this search
 _UNLIKELY_START = 50.0  # -log(likelihood) above that of the best start, from which no lens is refined
 _EVIDENCE = 9.0  # chi2 above that of the likeliest lens, above which another one is excluded
+_PLAUSIBLE = 25.0  # chi2 below which the other order of photographs is told
 _FAR = 0.01  # relative change of a focus above which another answer is told, and not only part of the errors
 _STARTS = 6  # largest number of minima from which lenses are refined
 _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
 _SAME = 0.3  # difference of parameters below which lenses are the same, in these units
+_TWIN = 0.5  # difference above which a lens of the same blur is another start
 _COARSE = 0.1  # last step of the search by coarse details, in these units
 _MAX_STEPS, _GAIN_STEPS = 12, 8  # steps of the search, and of the gain
 # Metres: standard error of an origin that is held. Entrance pupils lie 0 to 4 cm behind the front rim of lenses of up
@@ -499,15 +501,20 @@ class _Search:
         for start in starts:
             at = self.likeliest(start, _EXCESS)
             at = self.likeliest(at, self._excess) if self._excess < _EXCESS else at
-            starts.extend(twin for twin in self._twins(at) if all(np.abs(twin - s).max() > 1.0 for s in starts))
+            starts.extend(twin for twin in self._twins(at) if all(np.abs(twin - s).max() > _TWIN for s in starts))
             for steady in (False, True):
                 try:
                     one = self._solution(at, steady)
                 except ValueError as failure:
                     error = error or failure
                     continue
+                # At the minimum, and not at a saddle: not less likely, or less by part of the errors. Print of high
+                # contrast tells the f-number, which one plane holds, by diffraction.
                 lost = self._cost(one.at, [at]) - self._cost(at, [at])
-                if 2.0 * lost / one.scale < _EVIDENCE:  # at the minimum, and not at a saddle
+                less, step = 2.0 * lost / one.scale >= _EVIDENCE, one.at - at
+                if not less or step @ np.linalg.solve(one.covariance, step) < _EVIDENCE:
+                    if less:  # errors contain both
+                        one = one._replace(covariance=one.covariance + np.outer(step, step))
                     if all(np.abs(one.at - other.at).max() > _SAME for other in found):
                         found.append(one._replace(minimum=at))
                     break
@@ -875,9 +882,9 @@ def calibrate_focus(
     try:
         solutions = search.best()
     except ValueError as error:
-        if _contradiction(other()) < math.inf:
+        if _contradiction(other()) < _PLAUSIBLE:
             raise ValueError(
-                f"{error}; in the other order they agree: exchange the photographs of each pair"
+                f"{error}; in the other order they agree: check the order of the photographs of each pair"
             ) from None
         rest = range(len(planes) if len(planes) > 2 else 0)
         found = [_contradiction(_Search(lenses, [*planes[:k], *planes[k + 1 :]], *more[1:])) for k in rest]
@@ -895,6 +902,8 @@ def calibrate_focus(
         covariance = covariance + max(math.exp(-0.5 * chi2) / total, 1.0 / 9.0) * np.outer(change, change)
     ratios = dict(zip(search.basis, (np.sqrt(np.diag(covariance)) / search.stated).tolist(), strict=True))
     moved = search.moved(at)
+    if moved > _limit(len(planes)):  # errors contain the stated lens, too: two standard errors
+        covariance = covariance + np.outer(at, at) / 4.0
     at, covariance = at @ search.rows, search.rows.T @ covariance @ search.rows
     findings = [
         *_findings(ratios, moved, seen, covariance, noise is not None),
@@ -950,6 +959,11 @@ def _other_answers(search: _Search, at: Array, others: Sequence[tuple[Array, flo
     )
 
 
+def _limit(planes: int) -> float:
+    """Return the deviation from the stated lens, standard errors, that is a doubt for a number of planes."""
+    return _UNLIKELY if planes == 1 else _UNLIKELY_PAIR
+
+
 def _findings(
     ratios: Mapping[str, float], moved: float, planes: Sequence[CalibratedPlane], covariance: Array, stated: bool
 ) -> Iterator[Finding]:
@@ -957,12 +971,12 @@ def _findings(
 
     `ratios` are standard errors of parameters after calibration / before, `moved` as of :meth:`_Search.moved`.
     """
-    limit, decide = (_UNLIKELY, "a second plane") if len(planes) == 1 else (_UNLIKELY_PAIR, "three planes")
+    limit, decide = _limit(len(planes)), "a second plane" if len(planes) == 1 else "three planes"
     if moved > limit:
         text = (
             f"the lens is {moved:.2g} standard errors from the stated one ({percent(UNMEASURED[0])} of the f-number, "
             f"{percent(UNMEASURED[1])} of each focus), farther than {len(planes)} plane{'s' * (len(planes) > 1)} can "
-            f"show: check lens file, pixel and distances, or use {decide}"
+            f"show; standard errors contain both: check lens file, pixel and distances, or use {decide}"
         )
         yield Finding("contradiction", "doubt", text, {"deviation": moved, "limit": limit})
     for plane in planes:

@@ -123,11 +123,26 @@ def test_one_plane_near_a_focus_does_not_put_the_focus_on_the_plane(noise):
         assert lens.focus_distance == pytest.approx(exact.focus_distance, rel=0.02)
 
 
-def test_one_plane_by_which_the_stated_foci_are_far_off_is_a_doubt(pairs):
+def test_print_at_a_small_aperture_whose_diffraction_tells_the_f_number_is_not_refused():
+    true, stated = (
+        [lm.Lens(focal_length=35e-3, f_number=number, focus_distance=f, wavelength=540e-9) for f in foci]
+        for number, foci in ((8.0, (1.35, 1.8)), (8.4, (1.323, 1.764)))
+    )
+    pair = shoot(printed(0, side=192), 1.2, true, seed=0)
+    found = lm.imaging.calibrate_focus([pair], [1.2], stated, PIXEL, **OPTIONS, origin=0.0)
+    assert found.reliable
+    for lens, exact in zip(found.lenses, true, strict=True):
+        assert abs(1.0 / lens.focus_distance - 1.0 / exact.focus_distance) < 3.0 * found.focus_error
+
+
+def test_one_plane_by_which_the_stated_foci_are_far_off_is_a_doubt_with_errors_that_contain_them(pairs):
     stated = [TRUE[0], TRUE[0].focused(1.55)]
     found = lm.imaging.calibrate_focus(pairs[:1], DISTANCES[:1], stated, PIXEL, **OPTIONS, origin=0.0)
     assert not found.reliable
-    assert found.findings.get("contradiction").severity == "doubt"
+    finding = found.findings.get("contradiction")
+    assert finding.severity == "doubt"
+    assert "standard errors contain both" in finding.text
+    assert (np.abs(found.focus_shifts) < 2.0 * np.sqrt(np.diag(found.covariance))[1:3]).all()
 
 
 def test_one_plane_at_a_focus_has_two_answers_and_errors_that_contain_both():

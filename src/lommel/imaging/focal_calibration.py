@@ -50,13 +50,13 @@ _PRIORS = 4.0  # shifts that are searched / standard errors of what is stated
 _LEAST = 0.01  # least vergence / range of vergences, at which transfer functions are computed
 _SCANNED = 128  # number of tiles of a plane in this search
 _UNLIKELY_START = 50.0  # -log(likelihood) above that of the best start, from which no lens is refined
-_EVIDENCE = 9.0  # chi2 above that of the likeliest lens, above which another one is excluded
-_PLAUSIBLE = 25.0  # chi2 below which the other order of photographs is told
+# chi2 above that of the likeliest lens, above which another one is excluded; and below which the other order is told.
+_EVIDENCE, _PLAUSIBLE = 9.0, 25.0
 _FAR = 0.01  # relative change of a focus above which another answer is told, and not only part of the errors
 _STARTS = 6  # largest number of minima from which lenses are refined
 _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
-_SAME = 0.3  # difference of parameters below which lenses are the same, in these units
-_TWIN = 0.5  # difference above which a lens of the same blur is another start
+# Difference of parameters, in these units, below which lenses are the same; and above which a twin is a start.
+_SAME, _TWIN = 0.3, 0.5
 _COARSE = 0.1  # last step of the search by coarse details, in these units
 _MAX_STEPS, _GAIN_STEPS = 12, 8  # steps of the search, and of the gain
 # Metres: standard error of an origin that is held. Entrance pupils lie 0 to 4 cm behind the front rim of lenses of up
@@ -71,7 +71,7 @@ _MAX_ERROR = 4.0  # units: standard error of the shift of foci above which plane
 _PART, _HELD = 0.5, 0.9
 _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
 # Deviation of the lens of one plane, and of two, from the stated one, standard errors, that is a doubt.
-_UNLIKELY, _UNLIKELY_PAIR = 3.0, 5.0
+_UNLIKELY = 3.0, 5.0
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
 _MAX_MISFIT, _WRONG_MISFIT = 1.8, 6.0  # misfits above which the photographs do not follow the noise, and the lens
@@ -513,8 +513,8 @@ class _Search:
                 lost = self._cost(one.at, [at]) - self._cost(at, [at])
                 less, step = 2.0 * lost / one.scale >= _EVIDENCE, one.at - at
                 if not less or step @ np.linalg.solve(one.covariance, step) < _EVIDENCE:
-                    if less:  # errors contain both
-                        one = one._replace(covariance=one.covariance + np.outer(step, step))
+                    # Errors contain both.
+                    one = one._replace(covariance=one.covariance + float(less) * np.outer(step, step))
                     if all(np.abs(one.at - other.at).max() > _SAME for other in found):
                         found.append(one._replace(minimum=at))
                     break
@@ -883,9 +883,7 @@ def calibrate_focus(
         solutions = search.best()
     except ValueError as error:
         if _contradiction(other()) < _PLAUSIBLE:
-            raise ValueError(
-                f"{error}; in the other order they agree: check the order of the photographs of each pair"
-            ) from None
+            raise ValueError(f"{error}; in the other order they agree: check the order of photographs") from None
         rest = range(len(planes) if len(planes) > 2 else 0)
         found = [_contradiction(_Search(lenses, [*planes[:k], *planes[k + 1 :]], *more[1:])) for k in rest]
         if found and min(found) < math.inf:
@@ -902,8 +900,8 @@ def calibrate_focus(
         covariance = covariance + max(math.exp(-0.5 * chi2) / total, 1.0 / 9.0) * np.outer(change, change)
     ratios = dict(zip(search.basis, (np.sqrt(np.diag(covariance)) / search.stated).tolist(), strict=True))
     moved = search.moved(at)
-    if moved > _limit(len(planes)):  # errors contain the stated lens, too: two standard errors
-        covariance = covariance + np.outer(at, at) / 4.0
+    # The errors of a doubtful lens contain the stated one: two standard errors.
+    covariance = covariance + float(moved > _UNLIKELY[len(planes) > 1]) * np.outer(at, at) / 4.0
     at, covariance = at @ search.rows, search.rows.T @ covariance @ search.rows
     findings = [
         *_findings(ratios, moved, seen, covariance, noise is not None),
@@ -959,11 +957,6 @@ def _other_answers(search: _Search, at: Array, others: Sequence[tuple[Array, flo
     )
 
 
-def _limit(planes: int) -> float:
-    """Return the deviation from the stated lens, standard errors, that is a doubt for a number of planes."""
-    return _UNLIKELY if planes == 1 else _UNLIKELY_PAIR
-
-
 def _findings(
     ratios: Mapping[str, float], moved: float, planes: Sequence[CalibratedPlane], covariance: Array, stated: bool
 ) -> Iterator[Finding]:
@@ -971,7 +964,7 @@ def _findings(
 
     `ratios` are standard errors of parameters after calibration / before, `moved` as of :meth:`_Search.moved`.
     """
-    limit, decide = _limit(len(planes)), "a second plane" if len(planes) == 1 else "three planes"
+    limit, decide = _UNLIKELY[len(planes) > 1], "a second plane" if len(planes) == 1 else "three planes"
     if moved > limit:
         text = (
             f"the lens is {moved:.2g} standard errors from the stated one ({percent(UNMEASURED[0])} of the f-number, "

@@ -263,7 +263,7 @@ def test_what_is_too_large_is_told_with_what_fits():
 
 def test_what_no_certified_method_takes_is_told_with_one_that_computes_it():
     pupil = lm.Pupil(lm.Wavefront(750.0, nonradial={(2, 2): 2.0}))
-    with pytest.raises(ValueError, match=r"; method=lommel\.paper\.Fraunhofer\(samples=(\d+)\) computes them") as caught:
+    with pytest.raises(ValueError, match=r"; method=lommel\.paper\.Fraunhofer\(samples=(\d+)\) ") as caught:
         lm.psf(pupil, 64, 32.0)
     samples = int(re.findall(r"samples=(\d+)", str(caught.value))[0])
     assert lm.psf(pupil, 64, 32.0, method=Fraunhofer(samples=samples)).values.sum() == pytest.approx(1.0, abs=0.01)

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 5120f81e1535065cf6debb422afcfef6ebd3a1b5f70bcf519855b601eaf2be1c
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: c2965949d151ed5d96192490176b0b6e75b7e8e533000aefad1285cb66cf9545
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

@@ -215,7 +215,7 @@ def restore(
     depth : float, array_like of shape (height, width), "unknown" or None
         Distance of the scene, or of each point, from the lens along the axis, metres; may be infinite. "unknown"
         estimates it from the photograph: one distance, or those of blocks of 256 pixels if they differ; without
-        `lens`, the diameter of a disc or the width of a Gaussian, whichever is likelier. None for an operator or PSF.
+        `lens`, the diameter of a disc. None for a blur operator or a PSF.
     lens : Lens, LinearBlur or MeasuredPSF, optional
         A lens with radially symmetric aberrations; a blur operator, such as :class:`lommel.imaging.FieldBlur` or a
         subclass of your own, whose matrix must not have negative elements; or the PSF of :meth:`lommel.PSF.measured`

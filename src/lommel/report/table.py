@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from lommel.base.quantities import LENGTHS
 from lommel.base.units import format_length, number, per_mm, percent, with_error
 from lommel.report import Facts, Parts, Report, Wrapped, list_of, table_of
 
@@ -193,11 +194,10 @@ def records_of(name: str, records: Sequence[Facts], keys: Iterable[str] = ()) ->
 
 def _estimate(value: float, error: float, unit: str) -> tuple[str, str, str]:
     """Return a value, its standard error and their unit as texts; lengths in nm, um or mm."""
-    factor, unit = next(((f, u) for f, u in _LENGTHS if unit == "m" and abs(value) * f < 1e3), (1.0, unit))
-    return (*with_error(factor * value, factor * error), unit)
-
-
-_LENGTHS = (1e9, "nm"), (1e6, "um"), (1e3, "mm")
+    if unit != "m":
+        return (*with_error(value, error), unit)
+    unit = next((name for name in ("nm", "um", "mm") if abs(value) < 1e3 * LENGTHS[name]), unit)
+    return (*with_error(value / LENGTHS[unit], error / LENGTHS[unit]), unit)
 
 
 def _is_number(*values: object) -> bool:

@@ -175,7 +175,8 @@ def processor() -> str:
     if "model name" not in known:
         return platform.processor() or platform.machine()
     which = ", ".join(f"{name.split()[-1]} {known[name]}" for name in ("cpu family", "model") if name in known)
-    return f"{known['model name']} ({which})" if which else known["model name"]
+    name = known["model name"].replace("(R)", "").replace("(TM)", "").removesuffix(" Processor")
+    return f"{name} ({which})" if which else name
 
 
 def _processors() -> int:

@@ -268,9 +268,7 @@ def _short(results: dict[str, Any], second: dict[str, Any]) -> str:
         ["–" if value is None else f"{value:.3g}" for value in column] for column in map(in_short, (results, second))
     ]
     rows = [f"| {q[0]} | {q[1]} | {a} | {b} |" for q, a, b in zip(IN_SHORT, *cells, strict=True)]
-    text = "\n".join(
-        ["| task | against | Xeon, AVX-512 | EPYC of 2021, AVX2 |", "|---|---|---:|---:|", *rows]
-    )
+    text = "\n".join(["| task | against | Xeon, AVX-512 | EPYC of 2021, AVX2 |", "|---|---|---:|---:|", *rows])
     # Cells are narrow on phones, and lines break at hyphens.
     return text.replace("1e-4", "10⁻⁴").replace("1e-6", "10⁻⁶")
 

@@ -48,6 +48,17 @@ def test_a_plane_is_found_as_well_as_can_be_with_the_deviation_told(distance):
     assert np.median(found.errors[known]) == pytest.approx(bound, rel=0.3)
 
 
+@pytest.mark.quick
+def test_pixels_between_blocks_have_the_deviations_of_their_wider_windows(whole):
+    block = np.exp(-0.5 * (np.arange(-3.0, 4.0) * 4.0) ** 2 / (4.0**2 - 4.0**2 / 12.0)) * (
+        np.abs(np.arange(-3, 4)) < 3
+    )
+    squares = [(((1.0 - part) * block + part * np.roll(block, 1)) ** 2).sum() for part in (0.125, 0.375)]
+    within, between = whole.errors[1::4, 1::4], whole.errors[::4, ::4]  # an eighth and three of a block from centres
+    known = np.isfinite(within) & np.isfinite(between)
+    assert np.median(between[known] / within[known]) == pytest.approx(squares[1] / squares[0], rel=0.01)
+
+
 @pytest.fixture(scope="module")
 def near_focus():
     """A plane at 2.4 m by 50 mm f/1.8 at 2.3 m and 3.6 m, and what depth of it is asked for."""

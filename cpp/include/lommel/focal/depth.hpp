@@ -75,10 +75,10 @@ class FocalSearch {
 
     // Estimate the depths of up to one vector of blocks. sums[product * pitch + block]: products of residual images, averaged
     // over the window and divided by the noise variance. trust[block]: fraction of the window's pixels that are trusted (known,
-    // and far from unknown pixels and from the border).
+    // and far from unknown pixels and from the border). wider[block] * more: effective pixels of this window / of one of a block.
     template <class I>
-    LOMMEL_INLINE void operator()(I, const float* sums, std::size_t pitch, const float* trust, std::size_t blocks,
-                                  Scratch& scratch, FocalPlace* out) const {
+    LOMMEL_INLINE void operator()(I, const float* sums, std::size_t pitch, const float* trust, const float* wider, float more,
+                                  std::size_t blocks, Scratch& scratch, FocalPlace* out) const {
         using V = typename I::floats;
         constexpr std::size_t lanes = 2 * I::lanes;
         const std::size_t count = roughs();
@@ -118,8 +118,9 @@ class FocalSearch {
                 }
             };
             const auto rough = [&](std::size_t c) { return energies[c * lanes + l] - noise_[rough_step * c]; };
-            out[l] = trust[l] >= least_trust ? place(energy, rough, given_.pixels * trust[l], scratch.concentration[l])
-                                             : FocalPlace{unknown, infinite, unknown, unknown};
+            out[l] = trust[l] >= least_trust
+                         ? place(energy, rough, given_.pixels * more * wider[l] * trust[l], scratch.concentration[l])
+                         : FocalPlace{unknown, infinite, unknown, unknown};
         }
     }
 

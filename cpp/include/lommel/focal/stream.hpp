@@ -52,6 +52,9 @@ class FocalStream {
             kept_ = 2 * neighbours() + 2;
             places_.resize(down() * across());
             filled_.resize(down() * across());
+            for (std::size_t x = 0; x < across(); ++x) {
+                wider_.push_back(wider(x, across_));
+            }
             for (std::size_t h = down(), w = across(); h * w > 1; h = (h + 1) / 2, w = (w + 1) / 2) {
                 levels_.push_back({h, w, std::vector<float>(h * w), std::vector<float>(h * w)});
             }
@@ -329,9 +332,23 @@ class FocalStream {
             sums = between;
         }
         for (std::size_t x = 0; x < width; x += lanes) {
-            (*search_)(isa, sums + x, pitch, sums + trust * pitch + x, width - x, *strip.scratch,
-                       places_.data() + y * width + x);
+            (*search_)(isa, sums + x, pitch, sums + trust * pitch + x, wider_.data() + x, wider(y, down_), width - x,
+                       *strip.scratch, places_.data() + y * width + x);
         }
+    }
+
+    // Effective pixels, along one axis of `blocks` blocks, of the window around depth x / of that around a block: depths between
+    // blocks are of averages that are interpolated.
+    float wider(std::size_t x, std::size_t blocks) const {
+        const std::vector<float>& weights = plan_.window.weights;
+        const float place = (static_cast<float>(x) + 0.5f) / static_cast<float>(plan_.fine) - 0.5f;
+        const float within = std::min(std::max(place, 0.0f), static_cast<float>(blocks - 1)),
+                    part = within - std::floor(within);
+        float squares = weights[0] * weights[0], products = 0.0f;
+        for (std::size_t k = 1; k < weights.size(); ++k) {
+            squares += 2.0f * weights[k] * weights[k], products += 2.0f * weights[k] * weights[k - 1];
+        }
+        return 1.0f / (1.0f - 2.0f * part * (1.0f - part) * (1.0f - products / squares));
     }
 
     // Averages over the window around each block of row `block`: products of residual images divided by (noise variance * trust),
@@ -650,7 +667,7 @@ class FocalStream {
     std::unique_ptr<FocalSearch> search_;
     Floats images_;
     std::vector<FocalPlace> places_;
-    std::vector<float> filled_;
+    std::vector<float> filled_, wider_;
     std::vector<Level> levels_;
     std::vector<std::unique_ptr<Strip>> strips_;
 };

@@ -240,10 +240,11 @@ def depth_from_defocus(
     curvature of the energy at its minimum, the noise and the size of the window. It grows with the misfit, with the
     slope of the depth map and near depth edges; compare :func:`lommel.depth_precision`. It includes the stated errors
     of the lenses, which shift whole surfaces. Depth is NaN where its standard error exceeds 17 % of the range in 1 /
-    distance (3.4 % in JPEG whose noise is estimated), where another candidate has almost the same energy, which is
-    frequent with periodic textures, where it is outside of `between`, and where half of a window or more is within
-    the blur of the border or of unknown pixels. It is that of the texture within 16 pixels: a plain area beside an
-    object has the depth of the object, or none, up to 16 pixels beyond its blurred edge.
+    distance (3.4 % in JPEG whose noise is estimated; 4 % where less than half of the depths within 16 pixels are
+    known), where another candidate has almost the same energy, which is frequent with periodic textures, where it is
+    outside of `between`, and where half of a window or more is within the blur of the border or of unknown pixels. It
+    is that of the texture within 16 pixels: a plain area beside an object has the depth of the object, or none, up to
+    16 pixels beyond its blurred edge.
 
     Examples
     --------

@@ -333,7 +333,8 @@ class FocalEngine:
         """Radius, in pixels, of the neighbourhood in the frames that determines the depth of a pixel."""
         tables = self.channels[0]
         filters = tables.degree * (len(tables.taps.values) - 1) * tables.binning
-        return filters + math.ceil(self.task.blur) + (len(self._weights) + 1) * BLOCK
+        # A window, and the depths around, up to two windows away, that decide whether one is known.
+        return filters + math.ceil(self.task.blur) + (3 * len(self._weights) - 1) * BLOCK
 
     @property
     def design_error(self) -> float:

@@ -304,9 +304,10 @@ class LiveDepth:
     follows from the curvature of the energy, the noise and the window; it grows with the misfit, with the slope of
     the depth map and near depth edges. Depth is unknown where another depth has almost the same energy, which is
     frequent with periodic textures, where it is outside of `between`, where the standard error exceeds 17 % of the
-    range in 1 / distance, and where half of a window or more is within the blur of the border or of unknown pixels.
-    The depth of a block is that of the texture within 16 pixels: a plain area beside an object has the depth of the
-    object, or none, up to 16 pixels beyond its blurred edge.
+    range in 1 / distance (4 % where less than half of the blocks within 16 pixels are known), and where half of a
+    window or more is within the blur of the border or of unknown pixels. The depth of a block is that of the texture
+    within 16 pixels: a plain area beside an object has the depth of the object, or none, up to 16 pixels beyond its
+    blurred edge.
 
     :meth:`verdict` tests registration, noise and the size of blur. It cannot detect exchanged frames, or an error
     that both focus distances share.

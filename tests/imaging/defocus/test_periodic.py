@@ -72,6 +72,13 @@ def test_a_valley_of_one_frequency_that_is_too_wide_has_no_depth(live):
     assert known.mean() < 0.1
 
 
+@pytest.mark.parametrize("distance", [0.447, 1.4])
+def test_depths_that_noise_chose_among_unknown_ones_are_not_known(live, distance):
+    down, right = 2.0 * np.pi * np.mgrid[: SIDE * POINTS, : SIDE * POINTS] / (SIDE * POINTS)
+    waves = np.sin(3.0 * (down + right)) + np.sin(2.0 * (down + right) + 1.0)  # longer than a window
+    assert inner(live, 1.0 + 0.42 * waves, distance)[1].mean() < 0.04  # of noise alone it would be a fifth
+
+
 @pytest.mark.parametrize("kind", ["pink", "leaves"])
 def test_textures_of_many_frequencies_have_depth(live, kind):
     z, known = inner(live, texture(kind, SIDE), 0.667)

@@ -52,6 +52,7 @@ class FocalStream {
             kept_ = 2 * neighbours() + 2;
             places_.resize(down() * across());
             filled_.resize(down() * across());
+            columns_.resize(across());
             for (std::size_t x = 0; x < across(); ++x) {
                 wider_.push_back(wider(x, across_));
             }
@@ -96,6 +97,7 @@ class FocalStream {
     // Correct standard errors in places(), mark uncertain depths as unknown, and write filled(), in which no depth is unknown.
     void search() {
         doubt();
+        leave_chosen();
         fill();
     }
 
@@ -452,6 +454,40 @@ class FocalStream {
             }
         }
     }
+    // Mark depths with more than `rarely_alone` of the largest error as unknown where less than half of those around are known: noise
+    // chose them, and errors follow for none that was chosen.
+    void leave_chosen() {
+        const std::size_t width = across(), height = down();
+        const std::size_t reach = 2 * plan_.fine * (plan_.window.weights.size() - 1);
+        // (Known) - (unknown) depths, of those whose windows are trusted, in the rows of a square.
+        const auto count = [&](std::size_t i) {
+            return std::isnan(places_[i].texture) ? 0.0f : std::isfinite(places_[i].error) ? 1.0f : -1.0f;
+        };
+        std::fill(columns_.begin(), columns_.end(), 0.0f);
+        for (std::size_t y = 0; y < height; ++y) {
+            float sum = 0.0f;
+            for (std::size_t x = 0; x < width + reach; ++x) {
+                sum += x < width ? count(y * width + x) : 0.0f;
+                sum -= x > 2 * reach ? count(y * width + x - 2 * reach - 1) : 0.0f;
+                if (x >= reach) {
+                    filled_[y * width + x - reach] = sum;
+                }
+            }
+        }
+        for (std::size_t y = 0; y < height + reach; ++y) {
+            for (std::size_t x = 0; x < width; ++x) {
+                columns_[x] += y < height ? filled_[y * width + x] : 0.0f;
+                columns_[x] -= y > 2 * reach ? filled_[(y - 2 * reach - 1) * width + x] : 0.0f;
+                if (y >= reach && columns_[x] < 0.0f) {
+                    FocalPlace& here = places_[(y - reach) * width + x];
+                    if (here.error > rarely_alone * search_->candidates().largest) {
+                        here.error = std::numeric_limits<float>::infinity();
+                        here.position = std::numeric_limits<float>::quiet_NaN();
+                    }
+                }
+            }
+        }
+    }
     // Variance to add to that of the depth at (y, x): from the slope of the depth map, and from its deviation from a plane if the
     // frames do not fit a single depth (misfit) or the texture is on one side, so that the depth may be of what is there. Infinite
     // if it is more than two blocks away and nothing on the other side has a depth by texture of its own, or if two windows away
@@ -536,6 +572,7 @@ class FocalStream {
     using Index = std::ptrdiff_t;
     static constexpr float slope_share = 0.06f, mixed_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
     static constexpr float beside_share = 0.25f, rarely_aside = 0.3f, least_aside = 0.5f, surely_aside = 0.7f, falling = 4.5f;
+    static constexpr float rarely_alone = 0.25f;
     static constexpr Index flat_reach = 6;  // number of windows on the other side that must have no depth of their own
     static constexpr float spread =
         200.0f;  // energy of texture / energy that filters and window leave two windows away, at least
@@ -667,7 +704,7 @@ class FocalStream {
     std::unique_ptr<FocalSearch> search_;
     Floats images_;
     std::vector<FocalPlace> places_;
-    std::vector<float> filled_, wider_;
+    std::vector<float> filled_, wider_, columns_;
     std::vector<Level> levels_;
     std::vector<std::unique_ptr<Strip>> strips_;
 };

@@ -339,11 +339,14 @@ class _Search:
                     hessian[i, j] = hessian[j, i] = both - ahead[i] - ahead[j] + _LOG
             return np.subtract(ahead, behind) / (2.0 * _STEP), hessian / _STEP**2
 
-    def starts(self) -> list[Array]:
-        """Return parameters of the likeliest minima of a search by coarse details, best first; ValueError if none."""
+    def starts(self) -> tuple[list[Array], float]:
+        """Return the likeliest minima of a search by coarse details, best first, and the scatter of its tiles.
+
+        Minima are parameters, the scatter is as of :func:`_scatter`; ValueError if there are none.
+        """
         self.weigh(np.zeros(4), _EXCESS)
         vergences = np.array([1.0 / (plane.distance + self._origin) for plane in self.planes])
-        tables, spans = [], 0.0
+        tables, scatters, spans = [], [], 0.0
         for plane, vergence in zip(self.planes, vergences, strict=True):
             ends = vergence + self.unit * self.reach * np.array([-1.0, 1.0])
             places = [f + self.unit * _spread((ends - f) / self.unit, _SCAN) for f in self.foci]
@@ -354,10 +357,8 @@ class _Search:
             means = np.exp(tiles.sum(axis=2) / count)
             spans += float(np.log(np.ptp(means) / means.min() + 1.0))
             spline = scipy.interpolate.RectBivariateSpline(*shifts, means)
-            tables.append((spline, [some[[0, -1]] for some in shifts], 0.5 * means.min(), count / _scatter(tiles)))
-        self._scatter = float(
-            np.mean([_LOG * len(p.places) / t[3] for p, t in zip(self.planes, tables, strict=True)])
-        )
+            scatters.append(_scatter(tiles))
+            tables.append((spline, [some[[0, -1]] for some in shifts], 0.5 * means.min(), count / scatters[-1]))
         if spans < _MIN_CHANGE * len(self.planes):
             raise ValueError(_UNDETERMINED)
 
@@ -401,7 +402,8 @@ class _Search:
         # Parameters from changes of log f-number and foci; the origin is held.
         inverse = np.linalg.pinv(self.rows[[name != "origin" for name in self.basis]])
         changes = [np.array([at[2], self.unit * at[0], self.unit * at[1], 0.0]) @ inverse for at in kept[:_STARTS]]
-        return [np.append(change, np.zeros(len(self.rows) - len(change))) for change in changes]
+        starts = [np.append(change, np.zeros(len(self.rows) - len(change))) for change in changes]
+        return starts, float(np.mean(scatters))
 
     def stated_cost(self, first: ArrayLike, second: ArrayLike, log_scale: ArrayLike) -> Array:
         """Return half the squares of changes of foci (1/m) and log(f-number) over their variances as stated."""
@@ -434,28 +436,31 @@ class _Search:
             variance = scatter @ scatter.T * (tiles.shape[1] / (tiles.shape[1] - 1.0))
             yield _Score(tiles, curvatures, tiles.sum(axis=1), slopes, scales, variance)
 
-    def likeliest(self, at: Array, excess: float) -> Array:
-        """Return parameters near a greatest likelihood; valleys of coarse details (large `excess`) are wide."""
+    def likeliest(self, at: Array, excess: float, scatter: float) -> Array:
+        """Return parameters near a greatest likelihood; valleys of coarse details (large `excess`) are wide.
+
+        `scatter` is the variance of gradients of tiles / curvature, by which what is stated weighs.
+        """
         for _ in range(_MAX_STEPS):
             self.weigh(at @ self.rows, excess)
             gradients, hessians = self.derivatives(at @ self.rows)
             if not np.isfinite(hessians).all():
                 break
-            gradient = gradients.sum(axis=1) + self._scatter * at / self.stated**2
-            values, axes = np.linalg.eigh(hessians.sum(axis=2) + self._scatter * np.diag(self.stated**-2.0))
+            gradient = gradients.sum(axis=1) + scatter * at / self.stated**2
+            values, axes = np.linalg.eigh(hessians.sum(axis=2) + scatter * np.diag(self.stated**-2.0))
             step = -axes @ (axes.T @ gradient / np.maximum(np.abs(values), 1.0))
             step *= min(1.0, _MAX_STEP / float(np.abs(step).max()))
-            cost = self._posterior(at)
-            while self._posterior(at + step) > cost and np.abs(step).max() > _COARSE:
+            cost = self._posterior(at, scatter)
+            while self._posterior(at + step, scatter) > cost and np.abs(step).max() > _COARSE:
                 step *= 0.5
             at = at + step
             if np.abs(step).max() <= _COARSE:
                 break
         return at
 
-    def _posterior(self, at: Array) -> float:
+    def _posterior(self, at: Array, scatter: float) -> float:
         """Return -log(likelihood) of all tiles and of the changes of what is stated."""
-        return float(self.costs(at @ self.rows).sum() + 0.5 * self._scatter * np.square(at / self.stated).sum())
+        return float(self.costs(at @ self.rows).sum() + 0.5 * scatter * np.square(at / self.stated).sum())
 
     def minimum(self, at: Array, floors: Array, steady: bool = False) -> tuple[Array, list[_Score], Array, Array]:
         """Return parameters, scores of planes, the weight of gradients, and the precision; ValueError if none.
@@ -497,10 +502,10 @@ class _Search:
     def best(self) -> list[_Solution]:
         """Return lenses that explain the planes, the likeliest first; ValueError if planes do not determine one."""
         found, contrary, error = list[_Solution](), list[_Solution](), None
-        starts = self.starts()
+        starts, scatter = self.starts()
         for start in starts:
-            at = self.likeliest(start, _EXCESS)
-            at = self.likeliest(at, self._excess) if self._excess < _EXCESS else at
+            at = self.likeliest(start, _EXCESS, scatter)
+            at = self.likeliest(at, self._excess, scatter) if self._excess < _EXCESS else at
             starts.extend(twin for twin in self._twins(at) if all(np.abs(twin - s).max() > _TWIN for s in starts))
             for steady in (False, True):
                 try:

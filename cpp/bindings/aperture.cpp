@@ -6,6 +6,7 @@
 
 #include "lommel/aperture/moments.hpp"
 #include "lommel/aperture/row_images.hpp"
+#include "lommel/zernike/pupil_growth.hpp"
 
 #include "pupils.hpp"
 
@@ -85,6 +86,17 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
     });
 }
 
+double stack_growth(In<std::int32_t, 2> terms, In<double, 2> edge, std::size_t curve, std::pair<double, double> reach,
+                    int threads) {
+    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+    require_terms(list);
+    require(curve < lommel::ChordCurves::count && reach.first >= 0.0 && reach.second >= 0.0 && threads >= 0,
+            "no such curve, or reach or threads below 0");
+    const std::size_t pupils = pupils_of(edge);
+    return released(
+        [&] { return lommel::growth_of_stack(list, edge.data(), pupils, curve, {reach.first, reach.second}, threads); });
+}
+
 void require_basis(std::size_t degree) { require(degree <= 2000, "degree must be 2000 at most"); }
 
 Out<complex, 2> moments(std::size_t degree, In<double, 1> y, In<std::int64_t, 1> counts, In<double, 1> t,
@@ -126,6 +138,9 @@ void bindings::define_aperture(nb::module_& m) {
     m.def("row_images", &images, "rules"_a, "phases"_a, "stack"_a, "window"_a, "precision"_a, "threads"_a,
           "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "losses"_a.noconvert(),
           "Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.");
+    m.def("stack_growth", &stack_growth, "terms"_a, "edge"_a, "curve"_a, "reach"_a, "threads"_a,
+          "Bound on the logarithm of the mean of |exp(i Phi - i v.rho)| on the chords of a curve, |v| up to `reach` along x "
+          "and y.");
     m.def("moments", &moments, "degree"_a, "y"_a, "counts"_a, "t"_a, "weights"_a,
           "Sums of an orthonormal basis of the unit disc, [k][m], over nodes in rows at y, at x = t sqrt(1 - y^2).");
     m.def("moment_values", &moment_values, "degree"_a, "moments"_a, "y"_a, "t"_a,

@@ -79,8 +79,8 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
         };
         const double down = reach(question.rows.places, window.height, window.row, window.step),
                      across = reach(question.columns.places, window.width, window.column, window.step);
-        const auto made = nb::cast<Weights>(rule(std::hypot(down, across), question.tol, question.single,
-                                                 question.rows.places.size(), question.columns.places.size()));
+        const auto made = nb::cast<Weights>(
+            rule(down, across, question.tol, question.single, question.rows.places.size(), question.columns.places.size()));
         if (!made) {
             throw lommel::ToleranceNotMet(1e300);
         }
@@ -145,9 +145,10 @@ void bindings::define_averages(nb::module_& m) {
             "aperture_averages", &aperture_averages<T>, "terms"_a, "edge"_a, "window"_a, "request"_a, "strehl"_a,
             "transmission"_a, "rule"_a, "images"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(),
             "bounds"_a.noconvert(),
-            "The same of an aperture, by weights of the nodes of the disk: rule(reach, tol, single, rows, columns) gives those "
-            "of a quadrant, [chord][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im], what fields are off by within the "
-            "reach, and whether sums may be in single precision, or None. Rows and columns are numbers of nodes.");
+            "The same of an aperture, by weights of the nodes of the disk: rule(down, across, tol, single, rows, columns) "
+            "gives those "
+            "of a quadrant, [chord][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im], what fields are off by within these "
+            "distances, and whether sums may be in single precision, or None. Rows and columns are numbers of nodes.");
     });
     for_both([&](auto pixel) {
         m.def("aperture_images", &aperture_images<decltype(pixel)>, "terms"_a, "edge"_a, "window"_a, "weights"_a, "threads"_a,

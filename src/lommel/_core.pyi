@@ -142,6 +142,11 @@ def row_images(rules: Sequence[RowRule], phases: Annotated[NDArray[numpy.float64
     Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.
     """
 
+def stack_growth(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], curve: int, reach: tuple[float, float], threads: int) -> float:
+    """
+    Bound on the logarithm of the mean of |exp(i Phi - i v.rho)| on the chords of a curve, |v| up to `reach` along x and y.
+    """
+
 def moments(degree: int, y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], counts: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.complex128], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')]:
     """
     Sums of an orthonormal basis of the unit disc, [k][m], over nodes in rows at y, at x = t sqrt(1 - y^2).
@@ -239,7 +244,7 @@ def aperture_averages(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, N
 @overload
 def aperture_averages(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], window: tuple[tuple[int, int], tuple[float, float] | Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], float], request: tuple[float, int, float], strehl: float, transmission: float, rule: object, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], numbers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')], factors: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], slopes: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None, None), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> bool:
     """
-    The same of an aperture, by weights of the nodes of the disk: rule(reach, tol, single, rows, columns) gives those of a quadrant, [chord][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im], what fields are off by within the reach, and whether sums may be in single precision, or None. Rows and columns are numbers of nodes.
+    The same of an aperture, by weights of the nodes of the disk: rule(down, across, tol, single, rows, columns) gives those of a quadrant, [chord][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im], what fields are off by within these distances, and whether sums may be in single precision, or None. Rows and columns are numbers of nodes.
     """
 
 @overload

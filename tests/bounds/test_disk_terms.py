@@ -370,3 +370,34 @@ def test_no_transform_exceeds_what_is_taken_for_its_size():
     assert np.all(2 * (n + 1) * np.abs(jv(n + 1, v)) / v <= 1.0 + 1e-12)
     share = np.abs(jv(n, v)) * np.cbrt(v) / 0.7858
     assert 0.99 < share.max() < 1.0
+
+
+@pytest.mark.parametrize("curve", [30, 42])
+@pytest.mark.parametrize("scale", [0.0, 0.3, 3.0])
+def test_growth_with_the_waves_of_a_window_is_that_at_its_worst_corner(curve, scale):
+    rng, b, reach = np.random.default_rng(curve), float(CURVES[curve]), np.array([9.0, 4.0])
+    stack = scale * rng.normal(size=(2, len(LIST)))
+    found = _core.stack_growth(TERMS.astype(np.int32), stack, curve, tuple(reach), 1)
+    a, tau = (np.arange(40) + 0.5) * math.pi / 20, (np.arange(20) + 0.5) * math.pi / 20
+    turn = np.append(math.pi / 16 * np.arange(32), rng.uniform(0, 2 * math.pi, 4))
+    x, y = (np.cos(a + 1j * b).imag[:, None] + 0 * tau), (np.sin(a + 1j * b).imag[:, None] * np.cos(tau))
+    c, s = np.cos(turn)[:, None, None], np.sin(turn)[:, None, None]
+    places = [(i, j) for i in (-1, 1) for j in (-1, 1)] + [tuple(v) for v in rng.uniform(-1, 1, (2, 2))]
+    logs = []
+    for pupil in stack:
+        h = on_chords(list(pupil), b, turn, a, tau)
+        for v in places:
+            grown = h + v[0] * reach[0] * (c * x - s * y) + v[1] * reach[1] * (s * x + c * y)
+            top = grown.max()
+            means = (np.exp(grown - top).mean(axis=1) * np.sin(tau)).sum(axis=1) / np.sin(tau).sum()
+            logs.append(top + math.log(means.max()))
+    wave = np.hypot(*reach) * math.sinh(b)
+    bends = np.zeros(2)
+    for pupil in stack:
+        each = [(float(w) * math.sinh(n * b), n, m) for w, n, m in amplitudes(list(pupil))]
+        bends = np.maximum(bends, [wave + sum(w * k[i] ** 2 for w, *k in each) for i in (0, 1)])
+    step, around = math.pi / (6 * 9), math.pi / 32
+    assert max(logs) <= found
+    assert found <= max(logs) + math.log(4 * 1.07) + step**2 / 4 * bends[0] + around**2 / 8 * bends[1] + 0.3
+    with pytest.raises(ValueError, match="no such curve"):
+        _core.stack_growth(TERMS.astype(np.int32), stack, 64, tuple(reach), 1)

@@ -185,6 +185,22 @@ def test_the_degree_to_which_a_rule_over_any_aperture_must_be_exact(terms, v, li
     assert degree <= 5 or bound(degree - 1) >= 0.9 * error
 
 
+@pytest.mark.parametrize("light", [lm.Apodization(), lm.Apodization.gaussian(1.0)])
+def test_a_mean_on_one_curve_may_take_the_place_of_the_largest_value(light):
+    b, logarithm, error = 0.6, 25.0, 1e-8
+    terms = [(2, 3.0), (5, 4.0)]
+    degree = degree_needed(terms, 20.0, light, error, mean=(b, logarithm))
+
+    def bound(e: int) -> float:
+        ratio = math.exp(-b) * ((e + 3) / (e + 2)) ** 1.5
+        grown = logarithm + light.growth(np.array([math.cosh(2 * b)]))[0] - (e + 1) * b
+        return 2 * (1 + math.exp(-2 * b)) * math.exp(grown) * (e + 2) ** 1.5 / (1 - ratio)
+
+    assert bound(degree) <= error < bound(degree - 1)
+    assert degree < degree_needed(terms, 20.0, light, error)
+    assert degree_needed(terms, 20.0, light, error, mean=(b, 1e3)) == degree_needed(terms, 20.0, light, error)
+
+
 def test_a_spectrum_adds_the_errors_of_its_parts_by_their_weight():
     class Known(lm.methods.NijboerZernike):
         def profile(self, pupil, v):

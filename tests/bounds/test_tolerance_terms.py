@@ -516,7 +516,7 @@ def test_averages_of_any_aperture_are_off_by_polynomials_and_roundings_of_which_
         roundings=lambda *_, single_precision=False: room * tol if single_precision else 1e-9,
     )
     assert nonuniform_fft.averaged_apertures(pupil, Grid(5, 1.0, integrate=True), tol, Wanted(1.0)) is None
-    _, error, taken = asked[0](3.0, tol, single, 5, 5)
+    _, error, taken = asked[0](3.0, 2.0, tol, single, 5, 5)
     a = 0.15 * tol
     assert asked[1] == pytest.approx(a, rel=1e-12)
     assert taken == (single and room < 0.5)

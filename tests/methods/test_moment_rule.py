@@ -12,6 +12,7 @@ from lommel.core.answers import Wanted
 from lommel.core.engine import Window
 from lommel.methods import nonuniform_fft
 from lommel.methods.nijboer_zernike import disk_stack
+from lommel.optics.grid import Grid
 from lommel.special import zernike
 
 TERMS = tuple(zernike.term(4 + k, "noll") for k in range(15))
@@ -179,3 +180,23 @@ def test_moments_are_chosen_where_they_are_cheaper(monkeypatch, stop, count, nam
     monkeypatch.setattr(nonuniform_fft, "_moment_images", lambda *of, **how: made.append(how) or whole(*of, **how))
     lm.psf(lm.Pupil(lm.Wavefront(defocus=np.linspace(0.0, 1.0, count)), stop=stop), side, 0.5, derivatives=names)
     assert bool(made) == expected
+
+
+def test_the_growth_of_a_stack_lowers_the_degree_where_that_pays(monkeypatch):
+    rng = np.random.default_rng(5)
+    terms = [(2, 0), (2, 2), (3, 1), (3, -3), (4, 0)]
+    wavefront = lm.Wavefront.zernike({t: rng.normal(0, 0.4, 8) for t in terms}, normalization="rms")
+    pupil = lm.Pupil(wavefront, stop=SEGMENTS.phased(0.5))
+    sizes = [(n, w) for (n, _), w in wavefront.each_amplitude().items()]
+    apart = nonuniform_fft.degree_needed(sizes, math.hypot(26.0, 20.0), pupil.illumination, 1e-7)
+    found, _, _ = nonuniform_fft.degrees_and_error(pupil, (26.0, 20.0), 1e-7, (33, 33), 1)
+    assert found < apart - 12
+    # A rule of that degree is as good as it says: against one of the other degree.
+    grid, values = Grid((9, 11), 1.5), []
+    for degree in (found, apart):
+        rule = nonuniform_fft.moment_rule(pupil.opening, degree, degree + 32, 1e-7)
+        wanted = Wanted(dtype=np.float64, threads=1)
+        values.append(nonuniform_fft._moment_images(rule, pupil, grid, wanted, single_precision=False)[0])
+    assert np.abs(values[0] - values[1]).max() <= 1e-6
+    monkeypatch.setattr(nonuniform_fft, "_SAMPLES_SHARE", 0.0)
+    assert nonuniform_fft.degrees_and_error(pupil, (26.0, 20.0), 1e-7, (33, 33), 1)[0] == apart

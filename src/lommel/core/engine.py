@@ -229,12 +229,13 @@ def disk_averages(
     return images if compute(stack, window, (tol, wanted.threads, scale), if_cheaper, *outputs) else None
 
 
-ApertureRule = Callable[[float, float, bool, int, int], tuple[Array, float, bool] | None]
+ApertureRule = Callable[[float, float, float, bool, int, int], tuple[Array, float, bool] | None]
 """Function that computes the weights of a quadrature rule for an aperture.
 
-Arguments: largest distance from the axis in v, allowed error of U up to this distance, True for sums in single
-precision, numbers of nodes along y and along x. Results: weights of a quadrant, error of U with these weights, and
-True if this error includes the error of sums in single precision. None instead if no rule meets the allowed error.
+Arguments: largest distances from the axis in v along y and along x, allowed error of U up to these distances, True
+for sums in single precision, numbers of nodes along y and along x. Results: weights of a quadrant, error of U with
+these weights, and True if this error includes the error of sums in single precision. None instead if no rule meets
+the allowed error.
 """
 
 
@@ -256,6 +257,20 @@ def aperture_averages(
     compute: Callable[..., bool] = _core.aperture_averages
     arguments = (stack.terms, stack.edge, window, (tol, wanted.threads, scale), strehl, transmission, rule)
     return images if compute(*arguments, *outputs) else None
+
+
+def growth_curves() -> Array:
+    """Return the heights b of the complex curves of :func:`stack_growth`."""
+    return 2e-3 * 2000.0 ** (np.arange(64) / 63.0)
+
+
+def stack_growth(stack: DiskStack, curve: int, reach: tuple[float, float], threads: int) -> float:
+    """Return a bound on log(mean of ``|exp(i Phi - i v.rho)|``) of all pupils, for v up to `reach` along x and y.
+
+    The mean is over the points of the chords of one direction at the height ``growth_curves()[curve]``; the bound
+    holds for all directions.
+    """
+    return _core.stack_growth(stack.terms, stack.edge, curve, reach, threads)
 
 
 def aperture_images(stack: DiskStack, window: Window, weights: Array, wanted: Wanted) -> tuple[Pixels, Pixels]:

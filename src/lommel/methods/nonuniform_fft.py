@@ -42,6 +42,8 @@ _MOMENT_SINGLE_SHARE = 1.0  # sums in single precision are tried up to this erro
 _MIN_FIELD_ERROR = 3e-12  # relative error of the field below which rounding errors dominate
 _MAX_WAVES = 2**24  # largest number of tabulated cosines and sines of the nodes
 _MAX_DEGREE = 400  # largest degree of a moment rule
+_SAMPLES_SHARE = 0.25  # fraction of the time of sums for sampling the growth of pupil functions
+_USUAL_GROWTH = 0.4  # typical logarithm of the mean growth over the bound by the maxima of all terms
 _STEPS = 8  # assumed number of stacks or steps of a fit with the same rule
 _RULE_COST = 1.0  # factor of the time of a rule
 _DEGREE_STEP = 8  # degrees are rounded up to multiples of this
@@ -118,20 +120,52 @@ def moment_rule(opening: Opening, degree: int, rule_degree: int, error: float) -
     return _moment_rule(opening, *_round_up_degrees(degree, rule_degree, error))
 
 
-def degrees_and_error(pupil: Pupil, reach: float, allowed: float) -> tuple[int, int, float]:
-    """Return `degree` and `rule_degree` of :func:`moment_rule` for v up to `reach`, and the resulting error of U.
+def degrees_and_error(
+    pupil: Pupil, reach: tuple[float, float], allowed: float, shape: tuple[int, int], threads: int
+) -> tuple[int, int, float]:
+    """Return `degree` and `rule_degree` of :func:`moment_rule`, and the resulting error of U.
 
-    Each polynomial approximation has an error of at most `allowed`. For the derivative by a Zernike term, add the
-    degree of the term to both degrees.
+    The error holds for v up to `reach` along x and y. Each polynomial approximation has an error of at most
+    `allowed`. For the derivative by a Zernike term, add the degree of the term to both degrees. `shape`: numbers of
+    pixels or nodes along x and y, for the time that a lower degree saves.
     """
     terms = [(n, w) for (n, _), w in pupil.wavefront.each_amplitude().items()]
     phases = pupil.opening.phases
     steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
-    degree = degree_needed(terms, reach, pupil.illumination, allowed)
+    degree = degree_needed(terms, math.hypot(*reach), pupil.illumination, allowed)
+    if _samples_pay(pupil, degree, shape):
+        mean = _sampled_growth(pupil, reach, allowed, threads)
+        degree = min(degree, degree_needed(terms, math.hypot(*reach), pupil.illumination, allowed, mean=mean))
     # A polynomial approximates the phase factor of a segment; its degree adds to the degree of the pupil function.
     rule_degree = degree + (degree_needed([], steepest, pupil.illumination, allowed, power=0.0) if steepest else 0)
+    return degree, rule_degree, polynomial_error(pupil, allowed)
+
+
+def polynomial_error(pupil: Pupil, allowed: float) -> float:
+    """Bound the error of U by a rule for polynomials that are within ``allowed / 2`` of the pupil function."""
     # Section 18, "A polynomial": a (1 + W) / 2 + (1 + a / 2) a, with a = `allowed` and W <= 1 + a.
-    return degree, rule_degree, 1.1 * allowed + (1.0 + allowed) * allowed + phase_roundings(pupil)
+    return 1.1 * allowed + (1.0 + allowed) * allowed + phase_roundings(pupil)
+
+
+def _samples_pay(pupil: Pupil, degree: int, shape: tuple[int, int]) -> bool:
+    """Return whether sampling the growth of pupil functions takes little time beside the sums that it shortens."""
+    terms = pupil.wavefront.terms
+    highest, order = max(n for n, _ in terms), max(1, *(abs(m) for _, m in terms))
+    # Vector operations for each pupil: of sampled_growth() in the core, and of the sums by this degree.
+    samples = (3.0 * highest + 1.0) ** 2 * math.ceil(5.0 * order / 16.0) * (2.0 * len(terms) + 40.0)
+    sums = (degree**2 * (shape[0] + 40.0) + degree * shape[0] * shape[1]) / 16.0
+    return highest > 1 and samples < _SAMPLES_SHARE * sums
+
+
+def _sampled_growth(pupil: Pupil, reach: tuple[float, float], error: float, threads: int) -> tuple[float, float]:
+    """Return the height b of one complex curve and the logarithm of the mean growth on it, of all pupils."""
+    b = engine.growth_curves()
+    b = b[max(n for n, _ in pupil.wavefront.terms) * b < 15.0]
+    phases = [np.multiply.outer(w, np.sinh(n * b)) for (n, _), w in pupil.wavefront.each_amplitude().items()]
+    # The curve of the lowest degree if the mean is the usual part of what all terms add up to.
+    likely = _USUAL_GROWTH * np.sum(phases, axis=0).reshape(-1, b.size).max(axis=0) + math.hypot(*reach) * np.sinh(b)
+    curve = int(np.argmin((likely + 10.0 - math.log(error)) / b))
+    return float(b[curve]), engine.stack_growth(disk_stack(pupil), curve, reach, threads)
 
 
 def phase_roundings(pupil: Pupil) -> float:
@@ -235,15 +269,20 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         return None
     stack, window = disk_stack(pupil), window_of(pupil, grid)
 
-    def rule(reach: float, tol: float, float32: bool, rows: int, columns: int) -> tuple[Array, float, bool] | None:
+    def rule(
+        down: float, across: float, tol: float, float32: bool, rows: int, columns: int
+    ) -> tuple[Array, float, bool] | None:
         allowed = 0.15 * tol
         if allowed < _MIN_NODE_ERROR:
             return None
-        degree, rule_degree, approximation_error = degrees_and_error(pupil, reach, allowed)
+        degree, rule_degree, approximation_error = degrees_and_error(
+            pupil, (down, across), allowed, (rows, columns), wanted.threads
+        )
         sums = _SUM_COST * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
         if degree + highest > _MAX_DEGREE or not _nodes_are_faster(fields, degree + highest + 20.0, sums, window):
             return None
         moments = moment_rule(pupil.opening, degree + highest, rule_degree + highest, allowed)
+        reach = math.hypot(down, across)
         rounding = roundings(moments, pupil, reach, single_precision=True)
         float32 = float32 and rounding < _SINGLE_SHARE * tol
         error = approximation_error + 1.1 * allowed + (rounding if float32 else roundings(moments, pupil, reach))
@@ -479,7 +518,8 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
         values, slopes, field_bounds, slope_bounds = _sums(pupil, half, error, wanted)
         return _mirror_half(values, half, grid), slopes, field_bounds, slope_bounds
     step, amplitude = grid.step(pupil), pupil.amplitude
-    reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
+    sides = tuple(step / grid.side * float(np.abs(part).max()) for part in (grid.x, grid.y))
+    reach = math.hypot(*sides)
     highest = max((n for n, _ in wanted.terms), default=0)
     phases = pupil.opening.phases.copy()
     if pupil.mask is None:
@@ -488,7 +528,9 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
         terms = [(n, w) for (n, _), w in pupil.wavefront.each_amplitude().items()]
         steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
         allowed = _MOMENT_SHARE * error * amplitude
-        degree, rule_degree, approximation_error = degrees_and_error(pupil, reach, allowed)
+        degree, rule_degree, approximation_error = degrees_and_error(
+            pupil, (sides[0], sides[1]), allowed, grid.shape[::-1], wanted.threads
+        )
         degree, rule_degree = degree + highest, rule_degree + highest
         if moment_rule_is_faster(pupil, grid, wanted.terms, degree, rule_degree, allowed):
             rule = moment_rule(pupil.opening, degree, rule_degree, allowed)
@@ -502,7 +544,7 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
             slope_bound = field_bound + 6.0 * _UNIT * (1 + highest**2) + (7.0 * 2.0**-24 if single else 0.0)
             return values, slopes, *np.tile(np.array([[field_bound], [slope_bound]]), len(values))
         allowed = 0.3 * error * amplitude
-        _, _, approximation_error = degrees_and_error(pupil, reach, allowed)
+        approximation_error = polynomial_error(pupil, allowed)
         degree = degree_needed(terms, reach + steepest, pupil.illumination, allowed) + highest
         rules = pupil.opening.rows(degree, allowed)
     else:

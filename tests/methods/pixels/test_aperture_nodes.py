@@ -81,7 +81,7 @@ def test_sums_are_those_of_the_disk_where_weights_are(tol):
 
     def rule(*given):
         asked.append(given)
-        return weights, 0.5 * given[1], given[2]
+        return weights, 0.5 * given[2], given[3]
 
     for swap in (False, True):
         by = (transposed(stack), window._replace(shape=(7, 4), center=(3.2, 1.7))) if swap else (stack, window)
@@ -89,10 +89,11 @@ def test_sums_are_those_of_the_disk_where_weights_are(tol):
         values = made.values.swapaxes(1, 2) if swap else made.values
         np.testing.assert_allclose(values, exact.values, atol=1e-5 if tol > 1e-6 else 1e-9)
         np.testing.assert_allclose(made.peak, values.max(axis=(1, 2)), rtol=1e-12)
-        reach, _, single, rows, columns = asked[-1]
+        down, across, _, single, rows, columns = asked[-1]
         assert single == (tol > 1e-6)
         # From the axis to nodes at the corners of the window.
-        assert 0.9 < reach / (1.1 * np.pi * math.hypot(2.2, 3.7)) <= 1.0
+        for reach, pixels in zip((across, down) if swap else (down, across), (2.2, 3.7), strict=True):
+            assert 0.9 < reach / (1.1 * np.pi * pixels) <= 1.0
         assert (rows > columns) == swap
     assert aperture_averages(stack, window, 0.8, 1.0, tol, Wanted(threads=1), lambda *_: None) is None
 

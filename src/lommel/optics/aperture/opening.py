@@ -70,6 +70,7 @@ def degree_needed(
     *,
     power: float = 1.0,
     radius: float = 1.0,
+    mean: tuple[float, float] | None = None,
 ) -> int:
     r"""Return the total degree to which a rule must be exact for a proven error of U below `error`.
 
@@ -96,6 +97,9 @@ def degree_needed(
         Power of the amplitude.
     radius : float, default 1
         Radius of the disc around the axis of the amplitude that contains the unit disc of the integrand.
+    mean : (float, float), optional
+        Another b, and a bound on the logarithm of the mean of ``|exp(i Phi - i v.rho)|`` over chords, which may take
+        the place of its largest value in M(b).
 
     Returns
     -------
@@ -109,7 +113,7 @@ def degree_needed(
     v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
     # M(b) of certificate, sections 7 and 18; a larger radius makes |x|^2 + |y|^2, and so cosh 2b, larger.
-    growth = v * np.sinh(_B) + power * light.growth(radius**2 * (1.0 + np.cosh(2.0 * _B)) - 1.0)
+    b, growth = _B, v * np.sinh(_B)
     if not isinstance(terms, Iterable):
         raise TypeError(f"terms must be pairs (n, amplitude), got {validation.shown(terms)}")
     sizes: dict[int, float | Array] = {}
@@ -120,12 +124,16 @@ def degree_needed(
             each = np.stack([np.ravel(size) for size in sizes.values()], axis=-1)
             growth = growth + (each @ np.sinh(np.minimum(np.multiply.outer(list(sizes), _B), 700.0))).max(axis=0)
 
+    if mean is not None:
+        b, growth = np.append(b, mean[0]), np.append(growth, mean[1])
+    growth = growth + power * light.growth(radius**2 * (1.0 + np.cosh(2.0 * b)) - 1.0)
+
     def suffices(degree: int) -> bool:
         # Sum of (n + 1)^(3/2) exp(-n b) from degree + 1 on: a geometric series with this ratio bounds it.
-        ratio = (1.0 + 1.0 / (degree + 2)) ** 1.5 * np.exp(-_B)
+        ratio = (1.0 + 1.0 / (degree + 2)) ** 1.5 * np.exp(-b)
         with np.errstate(divide="ignore", invalid="ignore"):
-            tail = np.where(ratio < 1.0, 1.5 * math.log(degree + 2) - (degree + 1) * _B - np.log1p(-ratio), np.inf)
-        bound = math.log(2.0) + np.log1p(np.exp(-2.0 * _B)) + growth + tail
+            tail = np.where(ratio < 1.0, 1.5 * math.log(degree + 2) - (degree + 1) * b - np.log1p(-ratio), np.inf)
+        bound = math.log(2.0) + np.log1p(np.exp(-2.0 * b)) + growth + tail
         return bool(bound.min() <= math.log(error))
 
     # Powers of two first, then bisection: the bound falls with the degree.

@@ -1,6 +1,7 @@
 // Pixel averages: for circular pupils, and for any aperture by a rule that the caller provides.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -86,14 +87,16 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
         }
         const auto& [weights, off, single] = *made;
         const std::size_t size = 2 * weights.shape(0);
-        std::fill(of_pupils.error.begin(), of_pupils.error.end(), off);
+        for (const std::size_t p : question.pupils) {
+            of_pupils.error[p] = off;
+        }
         const lommel::ApertureRule of_aperture{size, weights.data()};
         const auto ask = [&](auto real) {
             using Real = decltype(real);
             const lommel::ChordalDerivatives<Real> more{request.factors, nullptr, of_pupils.slope_error.data(), to.slopes,
                                                         of_pupils.steepest.data()};
             lommel::ApertureSums<Real>(stack, of_aperture, nodes.rows, nodes.columns, 1.0, nullptr, &nodes,
-                                       of_pupils.brightest.data(), more, off)
+                                       of_pupils.brightest.data(), more, off, question.pupils, of_pupils.moduli.data())
                 .run(threads);
         };
         const bool in_single = single;
@@ -101,7 +104,7 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
     };
     return lommel::averaged_images(
         request, pupils.count, into, slopes.data(), bounds.data(), [&](const lommel::AverageAnswer& answer) {
-            return lommel::average_at_nodes(request, {strehl, transmission}, pupils.count, answer, sample);
+            return lommel::average_at_nodes(request, {strehl, transmission}, pupils.count, answer, sample, true);
         });
 }
 
@@ -117,11 +120,13 @@ void aperture_images(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFields
     require(weights.shape(0) == weights.shape(1) && weights.shape(2) == 8, "weights of a quadrant must be (chords, chords, 8)");
     const std::vector<lommel::ZernikeTerm> by = factors.shape(0) > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>();
     std::vector<double> brightest(edge.shape(0)), bounds(by.size() * edge.shape(0));  // bounds are left to the caller
+    std::vector<std::size_t> all(edge.shape(0));
+    std::iota(all.begin(), all.end(), std::size_t{0});
     released([&] {
         const lommel::DiskStack stack(list, edge.data(), edge.shape(0), 0.0, lommel::Amplitude());
         lommel::ApertureSums<T>(stack, {2 * weights.shape(0), weights.data()}, {window.height, window.row},
                                 {window.width, window.column}, window.step, images.data(), nullptr, brightest.data(),
-                                {by, slopes.data(), bounds.data()}, 0.0)
+                                {by, slopes.data(), bounds.data()}, 0.0, all, nullptr)
             .run(threads);
     });
 }

@@ -13,9 +13,9 @@ Functions, Academic Press (1975), 435.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import cache, lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -85,6 +85,7 @@ class MomentRule(NamedTuple):
 
     weight: Complexes
     total: float  # sum of the moduli of the weights
+    steps: float  # roundings of sums in single precision, in units of 2^-24: moduli times numbers of steps
     edge_error: float  # error of U due to edges that rounding displaces
 
     @property
@@ -121,7 +122,7 @@ def moment_rule(opening: Opening, degree: int, rule_degree: int, error: float) -
 
 
 def degrees_and_error(
-    pupil: Pupil, reach: tuple[float, float], allowed: float, shape: tuple[int, int], threads: int
+    pupil: Pupil, reach: tuple[float, float], allowed: float, shape: tuple[int, int], growth: Growth
 ) -> tuple[int, int, float]:
     """Return `degree` and `rule_degree` of :func:`moment_rule`, and the resulting error of U.
 
@@ -134,7 +135,7 @@ def degrees_and_error(
     steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
     degree = degree_needed(terms, math.hypot(*reach), pupil.illumination, allowed)
     if _samples_pay(pupil, degree, shape):
-        mean = _sampled_growth(pupil, reach, allowed, threads)
+        mean = _sampled_growth(pupil, reach, allowed, growth)
         degree = min(degree, degree_needed(terms, math.hypot(*reach), pupil.illumination, allowed, mean=mean))
     # A polynomial approximates the phase factor of a segment; its degree adds to the degree of the pupil function.
     rule_degree = degree + (degree_needed([], steepest, pupil.illumination, allowed, power=0.0) if steepest else 0)
@@ -157,7 +158,15 @@ def _samples_pay(pupil: Pupil, degree: int, shape: tuple[int, int]) -> bool:
     return highest > 1 and samples < _SAMPLES_SHARE * sums
 
 
-def _sampled_growth(pupil: Pupil, reach: tuple[float, float], error: float, threads: int) -> tuple[float, float]:
+Growth = Callable[[int, tuple[float, float]], float]
+
+
+def _growth_of(stack: DiskStack, threads: int) -> Growth:
+    """Return :func:`engine.stack_growth` of a stack, computed once for each curve and window."""
+    return cache(lambda curve, reach: engine.stack_growth(stack, curve, reach, threads))
+
+
+def _sampled_growth(pupil: Pupil, reach: tuple[float, float], error: float, growth: Growth) -> tuple[float, float]:
     """Return the height b of one complex curve and the logarithm of the mean growth on it, of all pupils."""
     b = engine.growth_curves()
     b = b[max(n for n, _ in pupil.wavefront.terms) * b < 15.0]
@@ -165,7 +174,7 @@ def _sampled_growth(pupil: Pupil, reach: tuple[float, float], error: float, thre
     # The curve of the lowest degree if the mean is the usual part of what all terms add up to.
     likely = _USUAL_GROWTH * np.sum(phases, axis=0).reshape(-1, b.size).max(axis=0) + math.hypot(*reach) * np.sinh(b)
     curve = int(np.argmin((likely + 10.0 - math.log(error)) / b))
-    return float(b[curve]), engine.stack_growth(disk_stack(pupil), curve, reach, threads)
+    return float(b[curve]), growth(curve, reach)
 
 
 def phase_roundings(pupil: Pupil) -> float:
@@ -194,7 +203,26 @@ def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) ->
     disc = nodes(degree + 2)
     weight = engine.moment_values(moments, degree, disc.y, disc.t) * (math.pi * disc.weight)
     weight.flags.writeable = False
-    return MomentRule(weight, float(np.abs(weight).sum()), edge_error)
+    modulus, steps = np.abs(weight), _steps(degree + 2)
+    return MomentRule(
+        weight,
+        float(modulus.sum()),
+        float((modulus @ (2.0 * steps) + 1.5 * steps * modulus.sum(1)).sum()),
+        edge_error,
+    )
+
+
+def _steps(rows: int) -> Array:
+    """Return how often each node, and its mirror image, is rounded in a sum of the core in single precision."""
+    half = rows // 2
+    at = np.arange(half)
+    left = half - at
+    if half >= 2 * _SUM_BLOCK:
+        block = at // _SUM_BLOCK
+        left = (
+            np.minimum(_SUM_BLOCK, half - _SUM_BLOCK * block) - at % _SUM_BLOCK - block + math.ceil(half / _SUM_BLOCK)
+        )
+    return np.concatenate([left, left[::-1]]).astype(np.float64)
 
 
 @lru_cache(maxsize=8)
@@ -243,17 +271,16 @@ def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single_precision:
     per_term = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
     units = float((np.abs(edge) @ per_term).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
     # Sums over mirrored chords and nodes, and phases in multiples of 2^-32 turns: section 8, "In single precision".
-    half = rule.rows // 2
-    steps = half if half < 2 * _SUM_BLOCK else _SUM_BLOCK + math.ceil(half / _SUM_BLOCK)
-    extra = 2.0**-24 * (36.0 + 3.5 * steps) + 7.4e-10 * (len(edge[0]) + 6) if single_precision else 0.0
-    return (_UNIT * units + extra) * rule.total + rule.edge_error
+    extra = 2.0**-24 * 36.0 + 7.4e-10 * (len(edge[0]) + 6) if single_precision else 0.0
+    sums = 2.0**-24 * rule.steps if single_precision else 0.0
+    return (_UNIT * units + extra) * rule.total + sums + rule.edge_error
 
 
 _SUM_BLOCK = 16  # number of terms that the core adds up at a time in single precision
 _MIN_IMAGES = 4  # number of images and derivatives that fill vector lanes
 _SUM_COST = 5.5e-8  # ms per product in the sums over nodes
 _SAMPLE_COST = 1.15e-4  # ms per filtered sample
-_SINGLE_SHARE = 0.5  # fraction of the tolerance that sums in single precision may use
+_SINGLE_SHARE = 8.0  # sums in single precision are tried up to this error over the requested one
 _MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors dominate
 
 
@@ -268,6 +295,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
     if pupil.mask is not None or wanted.powers or fields < _MIN_IMAGES:
         return None
     stack, window = disk_stack(pupil), window_of(pupil, grid)
+    growth = _growth_of(stack, wanted.threads)
 
     def rule(
         down: float, across: float, tol: float, float32: bool, rows: int, columns: int
@@ -276,7 +304,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         if allowed < _MIN_NODE_ERROR:
             return None
         degree, rule_degree, approximation_error = degrees_and_error(
-            pupil, (down, across), allowed, (rows, columns), wanted.threads
+            pupil, (down, across), allowed, (rows, columns), growth
         )
         sums = _SUM_COST * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
         if degree + highest > _MAX_DEGREE or not _nodes_are_faster(fields, degree + highest + 20.0, sums, window):
@@ -529,7 +557,7 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
         steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
         allowed = _MOMENT_SHARE * error * amplitude
         degree, rule_degree, approximation_error = degrees_and_error(
-            pupil, (sides[0], sides[1]), allowed, grid.shape[::-1], wanted.threads
+            pupil, (sides[0], sides[1]), allowed, grid.shape[::-1], _growth_of(disk_stack(pupil), wanted.threads)
         )
         degree, rule_degree = degree + highest, rule_degree + highest
         if moment_rule_is_faster(pupil, grid, wanted.terms, degree, rule_degree, allowed):

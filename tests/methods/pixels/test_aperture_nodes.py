@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from core_tests import _core_tests
 from lommel.core.answers import Wanted
-from lommel.core.engine import aperture_averages, disk_averages
+from lommel.core.engine import Window, aperture_averages, disk_averages
 from lommel.methods import nonuniform_fft
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.nonuniform_fft import averaged_apertures, transposed
 from lommel.optics.grid import Grid
+from lommel.special import zernike
 from pixel_samples import averages_of_samples
 
 VANES = lm.Spider.equal(4, 0.03, first=0.17)
@@ -134,3 +136,40 @@ def test_a_rule_is_made_where_enough_pupils_take_it(monkeypatch):
     wanted, grid = Wanted(dtype=np.float64, threads=1), Grid(15, 2.0, integrate=True)
     monkeypatch.setattr(nonuniform_fft, "_RULE_COST", 1e5)
     assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), grid, 1e-4, wanted) is None
+
+
+def test_errors_of_fields_count_as_much_as_weights_and_fields_at_the_nodes():
+    """By blocks of samples: at least as the sums over all nodes say, and less than twice that."""
+    rng = np.random.default_rng(6)
+    step, asked, size, off = 0.8 * np.pi, [], 48, 1e-4
+    edge = rng.normal(size=(21, 3)) * 0.5
+    stack = disk_stack(lm.Pupil(lm.Wavefront.zernike({j + 5: edge[:, j] for j in range(3)}, order="noll")))
+    t, w = np.polynomial.legendre.leggauss(size)
+    angle = np.pi * np.arange(1, size + 1) / (size + 1)
+    weights = np.zeros((size // 2, size // 2, 8))
+    weights[:, :, ::2] = np.outer(np.sin(angle[: size // 2]) ** 2 / (size + 1), w[size // 2 :][::-1])[:, :, None]
+
+    def rule(*given):
+        asked.append(given)
+        return weights, off, given[3]
+
+    window = Window((9, 9), (4.0, 4.0), step)
+    made = aperture_averages(stack, window, 0.8, 1.0, 0.1, Wanted(threads=1), rule)
+    assert len(asked) == 1
+    nodes = next(n for n in (_core_tests.window_nodes(step, 9, e) for e in np.geomspace(1e-5, 1, 200))
+                 if n is not None and len(n["places"]) == asked[0][4])  # fmt: skip
+    v, c = np.array(nodes["places"]), np.abs(np.array(nodes["weights"]))
+    x, y = np.cos(angle)[:, None] + 0 * t, np.sin(angle)[:, None] * t
+    each = (np.sin(angle)[:, None] ** 2 / (size + 1) * w).ravel()
+    phase = sum(
+        stack.edge[:, [j]] * zernike.polynomial(n, m, np.hypot(x, y).ravel(), np.arctan2(y, x).ravel())
+        for j, (n, m) in enumerate(stack.terms)
+    )
+    waves = [np.exp(-1j * np.outer(v, part.ravel())) for part in (y, x)]
+    field = np.einsum("pn,vn,un->pvu", each * np.exp(1j * phase), *waves, optimize=True)
+    moduli = np.einsum("jv,iu,pvu->pji", c, c, np.abs(field), optimize=True).max(axis=(1, 2))
+    gain = nodes["gain"] ** 2
+    own = (2 + nodes["error"]) * nodes["error"] + 24 * 2.0**-24 * gain
+    lower, upper = (off * (2 * k * moduli + gain * off) / made.peak for k in (1.0, 2.0))
+    assert (made.error >= lower).all()
+    assert (made.error <= upper + own / made.peak).all()

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include "lommel/averages/window_nodes.hpp"
@@ -49,22 +51,25 @@ struct PupilLight {
     double transmission;  // integral of the squared amplitude, relative to that of a clear aperture
 };
 
-// Request for the field U at nodes along rows and columns. tol: allowed error of U; single: single precision suffices.
+// Request for the field U at nodes along rows and columns. tol: allowed error of U; single: single precision suffices, or may;
+// pupils: those whose averages are not known yet.
 struct NodeQuestion {
     const WindowNodes &rows, &columns;
     double tol;
     bool single;
+    const std::vector<std::size_t>& pupils;
 };
 
 // Numbers of each pupil, from which the error bounds of its averages follow.
 struct NodeNumbers {
-    // [pupil]. error, brightest: error of the field and largest intensity at nodes; largest, together: maximum and sum of averages.
-    std::vector<double> error, brightest, largest, together;
+    // [pupil]. error, brightest: error of the field and largest intensity at nodes; largest, together: maximum and sum of averages;
+    // moduli: bound on the sum of |weight| * |U| in a pixel, if known.
+    std::vector<double> error, brightest, largest, together, moduli;
     // [term][pupil]. slope_error, steepest: error and largest modulus of the derivatives of the intensity at nodes.
     std::vector<double> slope_error, steepest;
     NodeNumbers(std::size_t pupils, std::size_t terms)
-        : error(pupils), brightest(pupils), largest(pupils), together(pupils), slope_error(pupils * terms),
-          steepest(pupils * terms) {}
+        : error(pupils), brightest(pupils), largest(pupils), together(pupils),
+          moduli(pupils, std::numeric_limits<double>::infinity()), slope_error(pupils * terms), steepest(pupils * terms) {}
 };
 
 // Function that computes fields at nodes, and averages and derivatives from them; it throws ToleranceNotMet if fields miss tol.
@@ -95,9 +100,10 @@ bool averaged_images(const AverageRequest& asked, std::size_t pupils, const Answ
     return true;
 }
 
-// Compute the averages of `pupils` pupils; returns false if no nodes suit the window, or if averages miss the tolerance.
+// Compute the averages of `pupils` pupils; returns false if no nodes suit the window, or if averages miss the tolerance. `apart`:
+// sample() computes the pupils of a question only; a first attempt may then miss the tolerance of some.
 inline bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils,
-                             const AverageAnswer& answer, const NodeSample& sample) {
+                             const AverageAnswer& answer, const NodeSample& sample, bool apart = false) {
     constexpr double of_samples = 0.8;  // fraction of the tolerance for errors of samples
     // Factors on the estimated Strehl ratio: `sharp` above 0.6, `dim` for lower ratios, whose estimates are often too high.
     constexpr double sharp = 0.87, dim = 0.1;
@@ -115,8 +121,12 @@ inline bool average_at_nodes(const AverageRequest& asked, const PupilLight& ligh
     double err_samples = of_samples * room * most * guess / (most + guess);
     // The factor easier * strehl is rounded down to a power of 2, so that pupils with similar peaks share cached nodes.
     double err_response = of_response * room * lowest * std::exp2(std::floor(std::log2(easier * light.strehl)));
+    // Largest sample likely where the largest average is as estimated.
+    const double bright = apart ? std::min(1.0, most * guess / ((most + guess) * lowest)) : 1.0;
     NodeNumbers made(pupils, asked.factors.size());
-    for (int attempt = 0; attempt < 3; ++attempt) {
+    std::vector<std::size_t> rest(pupils);
+    std::iota(rest.begin(), rest.end(), std::size_t{0});
+    for (int attempt = 0; attempt < (apart ? 4 : 3); ++attempt) {
         const auto rows = window_nodes(step, asked.height, err_response),
                    columns = window_nodes(step, asked.width, err_response);
         if (rows == nullptr || columns == nullptr) {
@@ -125,11 +135,11 @@ inline bool average_at_nodes(const AverageRequest& asked, const PupilLight& ligh
         const double gain = rows->gain * columns->gain, spread = rows->spread * columns->spread;
         // The intensity of a clear aperture integrates to 4 pi over the plane (Parseval); a pixel has the area step^2.
         const double all = spread * 4.0 * pi * light.transmission / (step * step);
-        const double size = std::sqrt(gain * std::min(gain, all));
+        const double size = std::sqrt(gain * std::min(gain * bright, all));
         const double err_field = err_samples / (size + std::sqrt(size * size + gain * err_samples));
-        const bool single = err_field >= in_single;
+        const bool single = err_field >= in_single && (attempt == 0 || !apart);
         try {
-            sample({*rows, *columns, err_field, single}, answer, made);
+            sample({*rows, *columns, err_field, single, rest}, answer, made);
         } catch (const ToleranceNotMet&) {
             return false;
         }
@@ -138,8 +148,9 @@ inline bool average_at_nodes(const AverageRequest& asked, const PupilLight& ligh
         const double longest = static_cast<double>(std::max(rows->places.size(), columns->places.size()));
         const double rounding =
             (single ? (2.0 * static_cast<double>(node_block) + 8.0) * 0x1p-24 : 0.0) + (2.0 * longest + 11.0) * unit_roundoff;
-        double worst = 0.0, worst_given = 0.0, worst_own = 0.0;
-        for (std::size_t p = 0; p < pupils; ++p) {
+        double worst_given = 0.0, worst_own = 0.0;
+        std::vector<std::size_t> missing;
+        for (const std::size_t p : rest) {
             const double off = intensity_error(std::sqrt(made.brightest[p]), made.error[p]);
             const double peak =
                 asked.divides() ? made.largest[p] : std::max(made.largest[p], lowest * (made.brightest[p] - off));
@@ -149,23 +160,31 @@ inline bool average_at_nodes(const AverageRequest& asked, const PupilLight& ligh
             // Sum of |weight| * sample (A in certificate, section 10): at most gain * (largest sample), and at most spread * (sum
             // of all averages), with a factor 1.01 for the rounding of that sum.
             const double weighed = std::min(gain * made.brightest[p], 1.01 * spread * made.together[p]);
-            const double given = made.error[p] * (2.0 * std::sqrt(gain * weighed) + gain * made.error[p]) / peak,
-                         own = (missed + rounding * weighed) / peak;
+            const double moduli = std::min(std::sqrt(gain * weighed), made.moduli[p]);
+            const auto of_fields = [&](double error) { return error * (2.0 * moduli + gain * error) / peak; };
+            const double own = (missed + rounding * weighed) / peak;
             answer.peaks[p] = peak;
-            answer.errors[p] = asked.once_stored(given + own);
-            worst = std::max(worst, answer.errors[p] <= asked.tol ? answer.errors[p] : 1e300);
-            worst_given = std::max(worst_given, given);
-            worst_own = std::max(worst_own, own);
-        }
-        if (worst <= asked.tol) {
-            for (std::size_t i = 0; i < made.steepest.size(); ++i) {
+            answer.errors[p] = asked.once_stored(of_fields(made.error[p]) + own);
+            for (std::size_t i = p; i < made.steepest.size(); i += pupils) {
                 // The transfer function of a derivative is at most twice that of a clear disk (certificate, section 8).
-                answer.slope_errors[i] =
-                    (gain * (made.slope_error[i] + rounding * made.steepest[i]) + 2.0 * missed) / answer.peaks[i % pupils];
+                answer.slope_errors[i] = (gain * (made.slope_error[i] + rounding * made.steepest[i]) + 2.0 * missed) / peak;
             }
+            if (!(answer.errors[p] <= asked.tol)) {
+                missing.push_back(p);
+            }
+            if (!apart || (!missing.empty() && missing.back() == p)) {
+                // Apart, sums in single precision may have missed what was asked; they will be in double precision.
+                worst_given = std::max(worst_given, of_fields(apart ? std::min(made.error[p], err_field) : made.error[p]));
+                worst_own = std::max(worst_own, own);
+            }
+        }
+        if (missing.empty()) {
             return true;
         }
-        err_samples /= std::max(2.0, 2.0 * worst_given / room);
+        if (apart) {
+            rest = missing;
+        }
+        err_samples /= std::max(apart && single ? 1.0 : 2.0, 2.0 * worst_given / room);
         err_response *= std::min(1.0, 0.2 * room / worst_own);
     }
     return false;

@@ -51,36 +51,94 @@ class ApertureSums {
 
     // rows, columns: pixels of pitch `step`, or sampling nodes (step 1); images: receives the intensities, [pupil][row][column];
     // nodes: if not null, averages over pixels are computed instead; brightest[pupil]: receives the largest sampled intensity; more:
-    // Zernike terms, possibly none, to differentiate with respect to; off: error bound of the complex amplitude.
+    // Zernike terms, possibly none, to differentiate with respect to; off: error bound of the complex amplitude; pupils: those of the
+    // stack to compute; moduli[pupil]: receives a bound on the sum of |weight| |U| in a pixel, of averages.
     ApertureSums(const DiskStack& stack, const ApertureRule& rule, const WindowAxis& rows, const WindowAxis& columns,
-                 double step, Real* images, const PixelNodes* nodes, double* brightest, const More& more, double off)
+                 double step, Real* images, const PixelNodes* nodes, double* brightest, const More& more, double off,
+                 const std::vector<std::size_t>& pupils, double* moduli)
         : stack_(stack), nodes_(nodes), more_(more), off_(off), level_(processor_level()),
-          lone_(more.terms.empty() && Kernels::lone(level_, stack.count)), images_(images), brightest_(brightest) {
+          lone_(more.terms.empty() && Kernels::lone(level_, pupils.size())), images_(images), brightest_(brightest),
+          pupils_(pupils), moduli_(moduli) {
         const ChordLanes in = Kernels::chord_lanes(level_, lone_);
         const ChordCount count{rule.size, rule.size};
         disks_[0] = {cache<ApertureTable>.get(rule, stack.terms, in),
                      cache<KernelTable<Real>>.get(count, rows, columns, step, in),
                      more.terms.empty() ? nullptr : cache<FactorTable>.get(count, more.terms, 1.0)};
-        weights_ = nodes == nullptr ? nullptr : std::make_shared<const NodeWeights<Real>>(*nodes, in);
+        if (nodes != nullptr) {
+            weights_ = std::make_shared<const NodeWeights<Real>>(*nodes, in);
+            const std::vector<double> down = blocks(nodes->down, nodes->height, nodes->rows.count),
+                                      across = blocks(nodes->across, nodes->width, nodes->columns.count);
+            const WindowAxis block_rows(down.size() / nodes->height, 0.0), block_columns(across.size() / nodes->width, 0.0);
+            const PixelNodes of_blocks{block_rows,    block_columns, nodes->height, nodes->width, down.data(),
+                                       across.data(), nullptr,       nullptr,       nullptr};
+            block_weights_ = std::make_shared<const NodeWeights<Real>>(of_blocks, in);
+        }
     }
 
     void run(int threads) const {
-        const std::size_t side = lone_ ? 1 : Kernels::lanes(level_), batches = (stack_.count + side - 1) / side;
-        std::vector<std::size_t> pupils(stack_.count);
-        std::iota(pupils.begin(), pupils.end(), std::size_t{0});
+        const std::size_t side = lone_ ? 1 : Kernels::lanes(level_), batches = (pupils_.size() + side - 1) / side;
         const double size = static_cast<double>(disks_[0].terms->count.chords);
-        const double work = 2e-4 * size * size * size * static_cast<double>(stack_.count);
+        const double work = 2e-4 * size * size * size * static_cast<double>(pupils_.size());
         parallel_for(batches, worthwhile_threads(threads, work), [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<Real> scratch;
-            const std::size_t first = b * side, here = std::min(side, stack_.count - first);
-            run_batch({level_, stack_, pupils.data() + first, here, 0.0, disks_, scratch});
+            thread_local typename ChordalScratch<Real>::Values brightest;
+            const std::size_t first = b * side, here = std::min(side, pupils_.size() - first);
+            run_batch({level_, stack_, pupils_.data() + first, here, 0.0, disks_, scratch}, brightest);
         });
     }
 
    private:
     using Kernels = ChordKernels<Real>;
 
-    void run_batch(const ChordalBatch<Real>& batch) const {
+    // Samples of a block are bounded by the brightest of them.
+    static constexpr std::size_t block = 2;
+
+    // Sums of the moduli of the weights [pixel][node] over the nodes of each block.
+    static std::vector<double> blocks(const double* weights, std::size_t pixels, std::size_t nodes) {
+        const std::size_t count = (nodes + block - 1) / block;
+        std::vector<double> sums(pixels * count, 0.0);
+        for (std::size_t i = 0; i < pixels * nodes; ++i) {
+            sums[i / nodes * count + i % nodes / block] += std::abs(weights[i]);
+        }
+        return sums;
+    }
+
+    // brightest[block of rows][block of columns][lane]: include the samples of row y.
+    void include_row(const ChordalBatch<Real>& batch, std::size_t y, const Real* row,
+                     typename ChordalScratch<Real>::Values& brightest) const {
+        const std::size_t stride = batch.lone() ? 1 : batch.lanes();
+        Real* const line = brightest.data() + y / block * block_weights_->columns * stride;
+        for (std::size_t x = 0; x < batch.columns(); ++x) {
+            Real* const to = line + x / block * stride;
+            for (std::size_t lane = 0; lane < stride; ++lane) {
+                to[lane] = std::max(to[lane], row[x * stride + lane]);
+            }
+        }
+    }
+
+    // Bound the sums of |weight| |U| in pixels, from the brightest samples of all blocks, whose roots are taken in place.
+    void find_moduli(const ChordalBatch<Real>& batch, typename ChordalScratch<Real>::Values& brightest) const {
+        constexpr double rounding = 1.001;  // of roots, weights and sums
+        const std::size_t lanes = batch.lanes(), line = brightest.size() / block_weights_->rows;
+        for (Real& each : brightest) {
+            each = std::sqrt(each);
+        }
+        begin_averages(batch, *block_weights_);
+        for (std::size_t y = 0; y < block_weights_->rows; ++y) {
+            add_averages(batch, *block_weights_, y, brightest.data() + y * line);
+        }
+        const double* const sums = batch.scratch.sums.data() + block_weights_->vectors * lanes;
+        const std::size_t count = block_weights_->height * block_weights_->vectors * lanes;
+        for (std::size_t lane = 0; lane < batch.here; ++lane) {
+            double most = 0.0;
+            for (std::size_t i = batch.lone() ? 0 : lane; i < count; i += batch.lone() ? 1 : lanes) {
+                most = std::max(most, sums[i]);
+            }
+            moduli_[batch.pupils[lane]] = rounding * most;
+        }
+    }
+
+    void run_batch(const ChordalBatch<Real>& batch, typename ChordalScratch<Real>::Values& brightest) const {
         const std::size_t lanes = batch.lanes(), vectors = batch.vectors();
         batch.scratch.intensity.resize(vectors * lanes);
         alignas(64) Real peaks[most_pupils] = {};
@@ -88,6 +146,7 @@ class ApertureSums {
         std::fill_n(ones, most_pupils, 1.0);
         if (nodes_ != nullptr) {
             begin_averages(batch, *weights_);
+            brightest.assign(block_weights_->rows * block_weights_->columns * (lone_ ? 1 : lanes), Real(0));
         }
         const bool follow = !more_.terms.empty();
         const std::size_t line = 2 * batch.columns() * lanes;
@@ -99,6 +158,7 @@ class ApertureSums {
             const Real* const row = batch.scratch.intensity.data();
             Kernels::intensities(batch.level, u, vectors, batch.scratch.intensity.data(), peaks);
             if (nodes_ != nullptr) {
+                include_row(batch, y, row, brightest);
                 return add_averages(batch, *weights_, y, row);
             }
             Real* to[most_pupils];
@@ -110,6 +170,7 @@ class ApertureSums {
         });
         if (nodes_ != nullptr) {
             store_averages(batch, *weights_, *nodes_);
+            find_moduli(batch, brightest);
         }
         for (std::size_t lane = 0; lane < batch.here; ++lane) {
             const Real* const own = batch.lone() ? std::max_element(peaks, peaks + lanes) : peaks + lane;
@@ -133,7 +194,9 @@ class ApertureSums {
     Real* images_;
     double* brightest_;
     std::array<ChordalTables<Real>, 2> disks_;
-    std::shared_ptr<const NodeWeights<Real>> weights_;
+    const std::vector<std::size_t>& pupils_;
+    double* moduli_;
+    std::shared_ptr<const NodeWeights<Real>> weights_, block_weights_;
 };
 
 }  // namespace lommel

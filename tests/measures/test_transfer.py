@@ -15,6 +15,7 @@ from scipy.special import jv
 
 import lommel as lm
 from lommel.measures.overlap import autocorrelation
+from lommel.measures.transfer import disc_transfer
 from lommel.methods import Hankel, NijboerZernike, Polychromatic, ToleranceError
 from pupil_overlap import overlap
 from window_transform import window_transform
@@ -310,3 +311,10 @@ def test_the_tolerance_of_focus_ends_where_the_mtf_of_a_moved_sensor_falls_to_th
 def test_a_tolerance_of_focus_that_there_is_not_is_refused(pupil, given, message):
     with pytest.raises(ValueError, match=message):
         lm.focus_tolerance(pupil, **{"frequency": 72e3} | given)
+
+
+def test_transfer_function_of_a_disc_is_that_of_its_chords():
+    f, (node, weight) = np.array([0.0, 1e-9, 0.1, 0.4, 1.3]), np.polynomial.legendre.leggauss(60)
+    place = np.sin(0.5 * np.pi * node)  # the chord at this place is cos(pi node / 2) times the diameter
+    chords = np.cos(np.pi * 3.0 * f[:, None] * place) @ (weight * np.cos(0.5 * np.pi * node) ** 2)
+    np.testing.assert_allclose(disc_transfer(3.0, f), chords, atol=1e-12)

@@ -35,6 +35,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
 from lommel.blur.mixtures import BlurProfile
 from lommel.estimation.field_signs import highest_degree, monomials
+from lommel.measures.transfer import disc_transfer
 
 _STEP = 0.45  # largest distance between samples of PSFs, lambda*N
 _OBJECT_STEP = 0.285  # largest distance between samples of objects, lambda*N
@@ -108,9 +109,7 @@ class TargetReadout:
         shift = np.exp(2j * math.pi * self.step * (f_row * corner[0] + f_column * corner[1]))
         transfer = in_band * pixel_transfer * shift
         if target.kind == "pinhole":
-            x = math.pi * target.size * pixel * np.sqrt(f_squared)
-            # The spectrum of a uniform disc of unit light: 2 J1(x) / x.
-            disc = np.where(x > 1e-6, 2.0 * scipy.special.j1(x) / np.maximum(x, 1e-6), 1.0)
+            disc = disc_transfer(target.size * pixel, np.sqrt(f_squared))
             self._transfer: Values = (transfer * disc * self._samples_per_pixel**2).astype(np.complex64)
             return
         self._object_samples = math.ceil(self.step / _OBJECT_STEP)  # number per PSF sample, along each axis

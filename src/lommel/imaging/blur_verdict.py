@@ -154,12 +154,6 @@ def defocused(focused: Pupil, spectrum: Spectrum, pixel: float) -> Blurs:
     return curves_of
 
 
-def disc(diameter: float | Array, f: Array) -> Array:
-    """Return the transfer function of a disc."""
-    x = np.pi * diameter * np.maximum(f, 1e-12)
-    return np.asarray(2.0 * scipy.special.j1(x) / x)
-
-
 def estimate_blur(curves_of: Blurs, symmetric: bool, unit: float, plane: Array, variance: Array) -> BlurEstimate:
     """Return the most likely blur of one channel of a photograph.
 

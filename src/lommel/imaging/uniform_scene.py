@@ -26,11 +26,11 @@ from lommel.imaging.blur_verdict import (
     changed,
     compare_blurs,
     defocused,
-    disc,
     estimate_blur,
 )
 from lommel.imaging.measured_blur import MeasuredBlur
 from lommel.imaging.one_pass import fill_unknown
+from lommel.measures.transfer import disc_transfer
 from lommel.optics.lens import Lens, require_round
 from lommel.optics.pupil import Pupil
 from lommel.recorded.noise import Noise
@@ -147,8 +147,10 @@ def estimate_scene(
 
 def _estimated_disc(blur: UniformBlur, plane: Array, variance: Array) -> tuple[UniformBlur, SceneEstimate]:
     """Return the likeliest disc by the light and noise variance of a channel; other blurs resemble soft scenes."""
-    found = estimate_blur(lambda d: disc(d[:, None], FREQUENCIES), True, 1.0, plane, variance)
-    undone = UniformBlur(blur.shape, lambda f: np.stack([disc(found.value, f)] * blur.channels), 0.5 * found.value)
+    found = estimate_blur(lambda d: disc_transfer(d[:, None], FREQUENCIES), True, 1.0, plane, variance)
+    undone = UniformBlur(
+        blur.shape, lambda f: np.stack([disc_transfer(found.value, f)] * blur.channels), 0.5 * found.value
+    )
     return undone, SceneEstimate(found)
 
 

@@ -182,6 +182,12 @@ def _pixel_transfer(pupil: Pupil, x_f: Array, y_f: Array, pixel: Pitch | None, f
     return np.asarray(np.sinc(x_f * width) * np.sinc(y_f * height))
 
 
+def disc_transfer(diameter: float | Array, f: Array) -> Array:
+    """Return the transfer function of a uniform disc, ``2 J1(x) / x`` with ``x = pi * diameter * f``."""
+    x = np.maximum(math.pi * diameter * f, 1e-6)
+    return np.asarray(2.0 * scipy.special.j1(x) / x)
+
+
 def mtf(
     pupil: Pupil | Measurable,
     fx: ArrayLike,

@@ -14,8 +14,8 @@ maximised over c and s for each blur. Gains in likelihood are divided by the dis
 from __future__ import annotations
 
 import itertools
-from functools import cache
-from typing import Any, NamedTuple, Self
+from functools import cache, lru_cache
+from typing import NamedTuple, Self
 
 import numpy as np
 import scipy
@@ -28,14 +28,16 @@ _WIDTH = np.sqrt(0.5) / _RINGS  # width of a ring, cycles per pixel
 _LARGEST = 1.6  # largest alias frequency, cycles per pixel
 _GRID = 128  # frequencies along each axis of a quadrant, of which the shares of rings are computed
 _SLOPES = np.arange(0.0, 4.01, 0.25)  # exponents s of the texture
-# Soft scenes behind an unknown blur: rms widths (pixels) of their Gaussians, those above 0 for every second exponent.
-_SOFT = np.array([0.0, 0.35, 0.5, 0.7, 0.9, 1.2, 1.6, 2.2, 3.0, 4.0])
+# Soft scenes behind an unknown blur: rms widths (pixels) of their Gaussians, each for every second exponent.
+_SOFT = np.array([0.35, 0.5, 0.7, 0.9, 1.2, 1.6, 2.2, 3.0, 4.0])
 _MIN_PERIODS = 2.5  # smallest frequency that is compared, periods per side of the photograph
 _NOISES = np.geomspace(0.5, 2.0, 13)  # noise variance in units of the stated variance
 _MORE_NOISES = 2.0, 2.8, 4.0, 5.7, 8.0  # the same, of noise that is stated too low
 _MIN_NOISE_GAIN = 5.0  # gain in log-likelihood that another noise variance than the stated one needs
 _JOINED = 8  # rings whose mean power limits the noise
-_TINY = 1e-300
+_TINY, _TINY_SINGLE = 1e-300, 1e-30
+# Steps of the fit of the power, the longest of its logarithm, and the least excess over noise from which it starts.
+_SCORINGS, _LONGEST, _LEAST_EXCESS = 5, 2.0, 1e-3
 # Unsharp masks, amounts and rms widths (pixels) of their Gaussians, that are compared with none.
 _AMOUNTS, _MASKS = (0.4, 0.8, 1.5), (0.7, 1.0, 1.5, 2.5)
 _OPAQUE_POWER = 1e-2  # transmitted power below which more noise is distinguishable from texture
@@ -81,6 +83,23 @@ def _shares() -> Array:
 
 def _ring_of(f: Array) -> NDArray[np.intp]:
     return np.asarray(np.minimum((f / _WIDTH).astype(np.intp), _RINGS - 1))
+
+
+def _expected(curves: Array, slopes: Array, spread: float) -> Array:
+    """Return the expected power of textures of power 1 in a window, (..., blurs, slopes, rings)."""
+    power = np.square(curves)[..., None, :] * FREQUENCIES ** -slopes[:, None]
+    # Averages of a ring, and over a narrow window in two dimensions, add half of a variance times derivatives.
+    bent = (power[..., 2:] - 2.0 * power[..., 1:-1] + power[..., :-2]) / _WIDTH**2
+    slope = (power[..., 2:] - power[..., :-2]) / (2.0 * _WIDTH * FREQUENCIES[1:-1])
+    power[..., 1:-1] += 0.5 * ((spread + _WIDTH**2 / 12.0) * bent + spread * slope)
+    return np.asarray(np.maximum(power, 0.0) @ _shares().T)
+
+
+@lru_cache(maxsize=4)
+def _soft_expected(curves: bytes, blurs: int, spread: float) -> Array:
+    """Return the same for textures that also fall as Gaussians; all parts of a photograph have the first stack."""
+    falls = np.exp(-0.5 * np.square(2.0 * np.pi * _SOFT[:, None, None] * FREQUENCIES))
+    return _expected(np.frombuffer(curves).reshape(blurs, -1) * falls, _SLOPES[::2], spread)
 
 
 class BlurSpectrum:
@@ -154,7 +173,7 @@ class BlurSpectrum:
             fit = self._fit(shapes, channel, noise)
             if fit.cost[0] < least:
                 least, best, texture_noise = fit.cost[0], fit, float(noise)
-        return best.texture(0, texture_noise)
+        return best.texture(texture_noise)
 
     def residual(self, curve: Array, texture: Texture) -> float:
         """Return the residual power expected of the Wiener filter, in units of the stated noise variance."""
@@ -174,24 +193,20 @@ class BlurSpectrum:
 
         It is divided by the dispersion of the best blur, if that is above 1.
         """
-        return np.asarray(self._likelihoods(curves, channel, noise, np.zeros(1))[0])
+        fit = self._fit(self._shapes(curves), channel, noise)
+        return np.asarray(-fit.cost / max(float(fit.dispersion[fit.cost.argmin()]), 1.0))
 
-    def soft_likelihood(self, curves: Array, channel: int) -> tuple[Array, Array]:
-        """Return the log-likelihood of blurs, and that where the texture may also fall as a Gaussian.
+    def soft_likelihood(self, curves: Array, channel: int) -> tuple[Array, Array, Array]:
+        """Return the log-likelihood of blurs, that where the texture may also fall as a Gaussian, and its exponents.
 
-        Only zeros of the transfer functions tell blurs from soft scenes.
+        Only zeros of the transfer functions tell blurs from soft scenes. The exponents are those without a Gaussian.
         """
-        plain, *soft = self._likelihoods(curves, channel, 1.0, _SOFT)
-        return plain, np.maximum(plain, np.max(soft, axis=0))
-
-    def _likelihoods(self, curves: Array, channel: int, noise: float, softness: Array) -> Array:
-        """Return the log-likelihoods of blurs (softness, blurs), divided by the dispersion of the best if above 1."""
-        falls = np.exp(-0.5 * np.square(2.0 * np.pi * softness[:, None] * FREQUENCIES))
-        slopes = (_SLOPES[::2] if width else _SLOPES for width in softness)
-        fits = [self._fit(self._shapes(curves * f, s), channel, noise) for f, s in zip(falls, slopes, strict=True)]
-        cost = np.array([fit.cost for fit in fits])
-        width, blur = np.unravel_index(int(cost.argmin()), cost.shape)
-        return np.asarray(-cost / max(float(fits[width].dispersion[blur]), 1.0))
+        plain = self._fit(self._shapes(curves), channel, 1.0)
+        stack = self._soft_shapes(curves)
+        soft = _Fit.of(self._power[channel], self._counts, stack, _SLOPES[::2], 1.0)
+        costs, scatters = (np.concatenate([x[None], y]) for x, y in zip(plain[::3], soft[::3], strict=True))
+        scale = max(float(scatters.ravel()[costs.argmin()]), 1.0)
+        return -plain.cost / scale, -costs.min(axis=0) / scale, plain.slope
 
     def more_noise(self, curve: Array, channel: int, assumed: float) -> tuple[float, float, float]:
         """Return the most likely noise of 2 to 8 times the stated variance, and its gains in log-likelihood.
@@ -221,27 +236,26 @@ class BlurSpectrum:
             for amount, rms in itertools.product(_AMOUNTS, _MASKS)
         ]
         raised = np.square(masks)
-        masked = _Fit.of(power / raised, self._counts, shapes[[0, best] if best else [0]], 1.0)
+        first = shapes[[0, best] if best else [0]]
+        masked = _Fit.of((power / raised)[:, None, None], self._counts, first, _SLOPES, 1.0)
         gains = fit.cost[best] - masked.cost - (np.log(raised) @ self._counts)[:, None]
         each = np.arange(len(masks)), masked.cost.argmin(axis=1)
         return float((gains[each] / np.maximum(masked.dispersion[each], 1.0)).max())
 
-    def _shapes(self, curves: Array, slopes: Array = _SLOPES) -> Array:
+    def _shapes(self, curves: Array) -> Array:
         """Return the expected power of textures of power 1, (blurs, slopes, rings)."""
-        power = np.square(curves)[:, None] * FREQUENCIES ** -slopes[:, None]
-        # Averages of a ring, and over a narrow window in two dimensions, add half of a variance times derivatives.
-        bent = (power[..., 2:] - 2.0 * power[..., 1:-1] + power[..., :-2]) / _WIDTH**2
-        slope = (power[..., 2:] - power[..., :-2]) / (2.0 * _WIDTH * FREQUENCIES[1:-1])
-        averaged = power.copy()
-        averaged[..., 1:-1] += 0.5 * ((self._spread + _WIDTH**2 / 12.0) * bent + self._spread * slope)
-        return np.asarray(np.maximum(averaged, 0.0) @ _shares()[self._known].T)
+        return _expected(curves, _SLOPES, self._spread)[..., self._known]
+
+    def _soft_shapes(self, curves: Array) -> Array:
+        """Return the same for soft textures, (widths, blurs, slopes, rings)."""
+        return _soft_expected(curves.tobytes(), len(curves), self._spread)[..., self._known]
 
     def _fit(self, shapes: Array, channel: int, noise: float) -> _Fit:
-        return _Fit.of(self._power[channel], self._counts, shapes, noise)
+        return _Fit.of(self._power[channel], self._counts, shapes, _SLOPES, noise)
 
 
 class _Fit(NamedTuple):
-    """Most likely textures for several blurs: minus log-likelihood, power, slope and dispersion of each."""
+    """Most likely textures for several blurs: minus log-likelihood, power, exponent and dispersion of each."""
 
     cost: Array
     power: Array
@@ -249,40 +263,28 @@ class _Fit(NamedTuple):
     dispersion: Array
 
     @classmethod
-    def of(cls, power: Array, counts: Array, shapes: Array, noise: float) -> Self:
-        """Return the fits of shapes (blurs, slopes, rings) to the measured `power` (..., rings), (..., blurs)."""
-        peaks = np.maximum(shapes.max(axis=2), 1e-300)
-        unit = shapes / peaks[:, :, None]
-        weighted = (counts * power)[..., None, None, :, None]
-
-        def costs(log_power: Array, of: Array) -> Array:
-            model = np.exp(log_power)[..., None] * of[..., None, :] + noise
-            return np.asarray(np.log(model) @ counts + (np.reciprocal(model) @ weighted)[..., 0])
-
-        start = np.log(1e-2) + np.arange(20.0)
-        cost = costs(np.broadcast_to(start, (*peaks.shape, start.size)), unit)
-        # The three best slopes are refined.
-        order = np.argsort(cost.min(axis=-1), axis=-1)[..., :3]
-        row = np.arange(len(peaks))
-        of, level, step = unit[row[:, None], order], start[_along(cost.argmin(axis=-1), order)], 1.0
-        for _ in range(3):
-            tried = level[..., None] + step * np.linspace(-1.0, 1.0, 7)
-            cost = costs(tried, of)
-            level = _along(tried, cost.argmin(axis=-1)[..., None])[..., 0]
-            step /= 3.0
-        cost = cost.min(axis=-1)
+    def of(cls, power: Array, counts: Array, shapes: Array, slopes: Array, noise: float) -> Self:
+        """Return the fits of shapes (..., slopes, rings) to the measured `power`, which has as many axes, or one."""
+        peaks = np.maximum(shapes.max(axis=-1), _TINY)
+        unit = shapes / peaks[..., None]
+        excess = np.maximum((power - noise) @ counts, _LEAST_EXCESS * counts.sum())
+        level = np.log(excess / np.maximum(unit @ counts, _LEAST_EXCESS))
+        short, brief, weights = (np.asarray(values, np.float32) for values in (unit, power, counts))
+        for _ in range(_SCORINGS):  # Fisher's: the derivative by the level, divided by the information
+            signal = np.exp(level)[..., None].astype(np.float32) * short
+            model = signal + np.float32(noise)
+            share = signal / model
+            slope, information = (share * (brief / model - 1.0)) @ weights, np.square(share) @ weights
+            level = level + np.clip(slope / np.maximum(information, _TINY_SINGLE), -_LONGEST, _LONGEST)
+        model = np.exp(level)[..., None] * unit + noise
+        ratio = power / model
+        cost = (np.log(model) + ratio) @ counts
+        dispersion = np.square(ratio - 1.0) @ counts / max(power.shape[-1] - 3, 1)
         best = cost.argmin(axis=-1)[..., None]
-        slope = _along(order, best)[..., 0]
-        factor = np.exp(_along(level, best))
-        model = factor * unit[row, slope] + noise
-        dispersion = np.square(power[..., None, :] / model - 1.0) @ counts / max(power.shape[-1] - 3, 1)
-        return cls(_along(cost, best)[..., 0], factor[..., 0] / peaks[row, slope], _SLOPES[slope], dispersion)
+        found = (np.take_along_axis(values, best, -1)[..., 0] for values in (cost, np.exp(level) / peaks, dispersion))
+        least, factor, scatter = found
+        return cls(least, factor, slopes[best[..., 0]], scatter)
 
-    def texture(self, blur: int, noise: float) -> Texture:
-        """Return the texture of one of the blurs."""
-        return Texture(float(self.power[blur]), float(self.slope[blur]), noise)
-
-
-def _along(values: NDArray[Any], place: NDArray[np.intp]) -> NDArray[Any]:
-    """Return the values at places along the last axis."""
-    return np.take_along_axis(values, place, -1)
+    def texture(self, noise: float) -> Texture:
+        """Return the texture of the first blur."""
+        return Texture(float(self.power[0]), float(self.slope[0]), noise)

@@ -32,9 +32,13 @@ _ERROR_FACTOR = 1.3  # standard error of ln(diameter) / that of the likelihood
 _SOFTNESS = 1.4  # softness of scenes, pixels: an error of the diameter, added in quadrature
 _MOST_ERROR = 0.08  # largest standard error of ln(diameter) of a known blur
 _VALLEY = 5.0  # log-likelihood by which another diameter must be less likely
+_BEYOND = 3.0  # standard errors by which it must differ
 # The same where scenes may be soft: what softness gains less _CHANCE_GAIN, and at most _SOFT_GAIN, from which a scene
 # is soft.
-_CHANCE_GAIN, _SOFT_GAIN = 2.0, 10.0
+_CHANCE_GAIN, _SOFT_GAIN = 3.0, 10.0
+# Exponent of textures from which they may be soft scenes, unless light beyond the first zero of the blur shows, by a
+# gain in log-likelihood above _LOBE_GAIN.
+_STEEP, _LOBE_GAIN = 3.0, 3.5
 
 
 Blurs = Callable[[Array], Array]
@@ -164,54 +168,65 @@ def estimate_blur(curves_of: Blurs, symmetric: bool, unit: float, plane: Array, 
     stack = size if symmetric else np.concatenate([-size[::-1], size])
     rings = BlurSpectrum.windowed(plane[None], variance[None])
     curves = curves_of(stack)
-    plain, with_soft = rings.soft_likelihood(curves, 0)
+    plain, with_soft, slopes = rings.soft_likelihood(curves, 0)
     softness = float(with_soft.max() - plain.max())
-    likelihood = with_soft if softness > _SOFT_GAIN else plain
-    summit, soft_summit = _Summit.of(stack, likelihood), _Summit.of(stack, with_soft)
+    soft = softness > _SOFT_GAIN
+    summit, soft_summit = (_Summit.of(stack * unit, each) for each in (with_soft if soft else plain, with_soft))
     best = summit.place
     sharpening = rings.sharpening(curves[[best]], 0, 1.0)
-    if not summit.curvature:
+    if math.isinf(summit.error):
         return BlurEstimate(float(stack[best]), math.inf, abs(float(stack[best])) * unit, False, False, sharpening)
     # The likelihood falls more steeply towards larger blurs.
     finer = _REFINED + summit.shift
-    likelihoods = rings.soft_likelihood(curves_of(stack[best] * np.exp(finer)), 0)[int(likelihood is with_soft)]
+    fine = curves_of(stack[best] * np.exp(finer))
+    likelihoods = rings.soft_likelihood(fine, 0)[1] if soft else rings.likelihood(fine, 0, 1.0)
     top = int(np.argmax(likelihoods))
     near = np.arange(max(top - 4, 0), min(top + 5, len(finer)))
     value = float(stack[best]) * math.exp(finer[top] + _peak(finer[near] - finer[top], likelihoods[near])[1])
-    diameter = abs(value) * unit
-    error = math.hypot(_ERROR_FACTOR / math.sqrt(2.0 * summit.curvature), 0.5 * (_SOFTNESS / diameter) ** 2)
     alone = summit.valley > _VALLEY and soft_summit.valley > min(softness - _CHANCE_GAIN, _SOFT_GAIN)
+    # Without light beyond the first zero, a disc looks like the Gaussian of a soft scene, and its texture is steep.
+    dark = np.logical_or.accumulate(curves[best] <= 0.0)
+    lobes = rings.soft_likelihood(np.stack([curves[best], np.where(dark, 0.0, curves[best])]), 0)[1]
+    distinct = slopes[best] < _STEEP or float(lobes[0] - lobes[1]) > _LOBE_GAIN
     opposite = np.sign(stack) != np.sign(value)
+    likelihood = with_soft if soft else plain
     sign_known = not symmetric and bool(likelihood[opposite].max() < likelihood[best] - _VALLEY)
-    return BlurEstimate(value, error, diameter, alone and error < _MOST_ERROR, sign_known, sharpening)
+    known = alone and bool(distinct) and summit.error < _MOST_ERROR
+    return BlurEstimate(value, summit.error, abs(value) * unit, known, sign_known, sharpening)
 
 
 class _Summit(NamedTuple):
-    """Highest likelihood of a stack of blurs: its place, curvature (0 at an end), shift, and the valley around it."""
+    """Highest likelihood of blurs: its place, shift, standard error (inf at an end), and the valley around it."""
 
     place: int
-    curvature: float
     shift: float
+    error: float
     valley: float
 
     @classmethod
-    def of(cls, stack: Array, likelihood: Array) -> Self:
-        """Return the summit, by ln of the parameters; one of the other sign is no valley."""
-        best, x = int(np.argmax(likelihood)), np.log(np.abs(stack))
-        side = np.flatnonzero(np.sign(stack) == np.sign(stack[best]))
+    def of(cls, diameters: Array, likelihood: Array) -> Self:
+        """Return the summit by ln of signed diameters; one of the other sign of defocus is no valley."""
+        best, x = int(np.argmax(likelihood)), np.log(np.abs(diameters))
+        side = np.flatnonzero(np.sign(diameters) == np.sign(diameters[best]))
         near = side[np.abs(side - best) <= 2]
-        curvature, shift = _peak(x[near] - x[best], likelihood[near])
+        curvature, shift, height = _peak(x[near] - x[best], likelihood[near])
         if curvature <= 0.0 or best in (side[0], side[-1]):
-            return cls(best, 0.0, 0.0, 0.0)
+            return cls(best, 0.0, math.inf, 0.0)
+        error = math.hypot(
+            _ERROR_FACTOR / math.sqrt(2.0 * curvature), 0.5 * (_SOFTNESS / diameters[best] * math.exp(-shift)) ** 2
+        )
         # Other valleys are farther than the error; the other sign has another blur if there is spherical aberration.
-        other = np.abs(x - x[best]) > max(4.0 / math.sqrt(2.0 * curvature), _MOST_ERROR)
-        return cls(best, curvature, shift, float(likelihood[best] - likelihood[other].max(initial=-math.inf)))
+        other = np.abs(x - x[best] - shift) > max(_BEYOND * error, _MOST_ERROR)
+        return cls(best, shift, error, height - float(likelihood[other].max(initial=-math.inf)))
 
 
-def _peak(x: Array, likelihood: Array) -> tuple[float, float]:
-    """Return half of minus the second derivative of a log-likelihood, and its maximum near x = 0."""
-    curvature, slope, _ = np.polyfit(x, -likelihood, 2)
-    return float(curvature), float(np.clip(-slope / (2.0 * curvature), -0.1, 0.1)) if curvature > 0.0 else 0.0
+def _peak(x: Array, likelihood: Array) -> tuple[float, float, float]:
+    """Return half of minus the second derivative of a log-likelihood, its maximum near x = 0, and its value there."""
+    curvature, slope, least = np.polyfit(x, -likelihood, 2)
+    if curvature <= 0.0:
+        return float(curvature), 0.0, float(likelihood.max())
+    shift = float(np.clip(-slope / (2.0 * curvature), -0.1, 0.1))
+    return float(curvature), shift, -float(least + shift * (slope + shift * curvature))
 
 
 def changed(pupil: Pupil, defocus: float | Array, waves: float | Array) -> Pupil:

@@ -8,6 +8,7 @@ import scipy
 from scipy.special import j1
 
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
+from lommel.imaging.blur_verdict import estimate_blur
 
 
 def disc(f: np.ndarray, diameter: np.ndarray | float) -> np.ndarray:
@@ -50,3 +51,18 @@ def test_sharpening_is_that_of_the_best_mask_alone():
     assert np.argmax(gains[:3]) == 1
     assert gains[1] > 100.0
     assert gains[3] == pytest.approx(max(gains[:3]))
+
+
+@pytest.mark.parametrize(("seed", "blur"), [(1, "Gaussian"), (4, "Gaussian"), (1, "disc"), (3, "disc")])
+def test_light_beyond_the_first_zero_tells_a_disc_from_a_steep_soft_scene(seed, blur):
+    draw, side, white = np.random.default_rng(seed), 96, 20000.0
+    f = np.hypot(np.fft.fftfreq(4 * side)[:, None], np.fft.rfftfreq(4 * side))
+    f[0, 0] = 1.0
+    fall = disc(f, 6.0) if blur == "disc" else np.exp(-0.5 * np.square(2.0 * np.pi * 1.5 * f))
+    spectrum = np.fft.rfft2(draw.normal(size=(4 * side, 4 * side))) * f**-1.5 * fall * (f < 0.5)
+    texture = np.fft.irfft2(spectrum)[:side, :side]
+    light = draw.poisson(white * (0.4 + 0.1 * (texture - texture.mean()) / texture.std())) / white
+    found = estimate_blur(lambda d: disc(FREQUENCIES, d[:, None]), True, 1.0, light, light / white)
+    assert found.known == (blur == "disc")
+    if found.known:
+        assert abs(np.log(found.diameter / 6.0)) < 3.0 * found.error

@@ -20,8 +20,11 @@ from lommel.optics.wavefront.wavefront import Wavefront
 # Factors of the defocus; the first is as stated.
 _SCALES = 1.0, 0.3, 0.45, 0.6, 0.7, 0.8, 0.9, 0.95, 1.05, 1.1, 1.2, 1.35
 _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are compared if another defocus is likelier
+# Exponents of textures behind the stated blur, below which a gain of _FLAT_GAIN is a doubt, and below which the
+# restoration has more fine detail than scenes.
+_FLAT, _FLAT_GAIN, _WHITE = 1.75, 3.0, 1.25
 _SHARPENED = 3.0  # gain in log-likelihood from which a photograph counts as sharpened
-_MIN_GAIN, _DECISIVE = 6.0, 20.0  # gains in log-likelihood from which another blur is preferred, and is tested
+_MIN_GAIN = 6.0  # gain in log-likelihood from which another blur is preferred
 _LOBES, _NODES = 12.0, 72  # OTFs with spherical aberration have _NODES frequencies up to _LOBES / diameter
 _TOL = 1e-4  # of these values
 _DIAMETERS = np.geomspace(0.6, 40.0, 105)  # pixels, from which an unknown blur is estimated
@@ -57,7 +60,7 @@ class BlurVerdict(NamedTuple):
     is that in log-likelihood, and `sharpness` the power that the blur transmits, divided by that of the stated blur.
     `sharpening` is the gain of an unsharp mask over these blurs. `noise` is the most likely variance of the noise
     above the stated one, by the stated blur, and `noise_gain` its gain. Of a mask and noise the less likely
-    explanation has a gain of 0.
+    explanation has a gain of 0. `slope` is the exponent of the texture behind the stated blur.
     """
 
     factor: float
@@ -67,16 +70,17 @@ class BlurVerdict(NamedTuple):
     sharpening: float
     noise: float
     noise_gain: float
+    slope: float
 
     @property
     def doubtful(self) -> bool:
         """True if the photograph is sharper than stated: its restoration may be farther from the scene than it is."""
-        return self.gain > _MIN_GAIN and self.sharpness > 1.0
+        return self.gain > (_FLAT_GAIN if self.slope < _FLAT else _MIN_GAIN) and self.sharpness > 1.0
 
     @property
-    def decisive(self) -> bool:
-        """True if the preferred blur may test the result by the stated one."""
-        return self.doubtful and self.gain > _DECISIVE
+    def implausible(self) -> bool:
+        """True if the stated blur leaves more fine detail than scenes have: any share of its result may harm."""
+        return self.doubtful and (self.slope < _WHITE or self.gain <= _MIN_GAIN)
 
     @property
     def softer(self) -> bool:
@@ -110,7 +114,8 @@ def compare_blurs(
     curves = curves_of(factors)
     waves = np.zeros_like(factors)
     rings = BlurSpectrum.windowed(plane[None], variance[None])
-    noise = rings.texture(curves[0], 0).noise
+    texture = rings.texture(curves[0], 0)
+    noise = texture.noise
     likelihood = rings.likelihood(curves, 0, noise)
     sharpening = rings.sharpening(curves[[0, int(np.argmax(likelihood))]], 0, noise)
     if spherical is not None and likelihood.max() - likelihood[0] > _MIN_GAIN:
@@ -127,7 +132,9 @@ def compare_blurs(
         noise_gain = 0.0  # an unsharp mask explains the noise, and better
     elif noise_gain > _MIN_GAIN:
         sharpening = 0.0
-    return BlurVerdict(float(factors[best]), float(waves[best]), gain, sharpness, sharpening, more, noise_gain)
+    return BlurVerdict(
+        float(factors[best]), float(waves[best]), gain, sharpness, sharpening, more, noise_gain, texture.slope
+    )
 
 
 class BlurEstimate(NamedTuple):
@@ -147,7 +154,7 @@ class BlurEstimate(NamedTuple):
 
 def defocused(focused: Pupil, spectrum: Spectrum, pixel: float) -> Blurs:
     """Return the transfer functions of a pupil by its defocus C_d (rad), given the pupil without it."""
-    computed: dict[bytes, Array] = {}  # the first stack is the same for all parts of a photograph
+    computed: dict[bytes, Array] = {}  # parts of a photograph have the same stacks
 
     def curves_of(stack: Array) -> Array:
         if (key := stack.tobytes()) not in computed:
@@ -177,12 +184,11 @@ def estimate_blur(curves_of: Blurs, symmetric: bool, unit: float, plane: Array, 
     if math.isinf(summit.error):
         return BlurEstimate(float(stack[best]), math.inf, abs(float(stack[best])) * unit, False, False, sharpening)
     # The likelihood falls more steeply towards larger blurs.
-    finer = _REFINED + summit.shift
-    fine = curves_of(stack[best] * np.exp(finer))
+    fine = curves_of(stack[best] * np.exp(_REFINED))
     likelihoods = rings.soft_likelihood(fine, 0)[1] if soft else rings.likelihood(fine, 0, 1.0)
     top = int(np.argmax(likelihoods))
-    near = np.arange(max(top - 4, 0), min(top + 5, len(finer)))
-    value = float(stack[best]) * math.exp(finer[top] + _peak(finer[near] - finer[top], likelihoods[near])[1])
+    near = slice(max(top - 4, 0), top + 5)
+    value = float(stack[best]) * math.exp(_REFINED[top] + _peak(_REFINED[near] - _REFINED[top], likelihoods[near])[1])
     alone = summit.valley > _VALLEY and soft_summit.valley > min(softness - _CHANCE_GAIN, _SOFT_GAIN)
     # Without light beyond the first zero, a disc looks like the Gaussian of a soft scene, and its texture is steep.
     dark = np.logical_or.accumulate(curves[best] <= 0.0)
@@ -196,10 +202,9 @@ def estimate_blur(curves_of: Blurs, symmetric: bool, unit: float, plane: Array, 
 
 
 class _Summit(NamedTuple):
-    """Highest likelihood of blurs: its place, shift, standard error (inf at an end), and the valley around it."""
+    """Highest likelihood of blurs: its place, standard error (inf at an end), and the valley around it."""
 
     place: int
-    shift: float
     error: float
     valley: float
 
@@ -211,13 +216,13 @@ class _Summit(NamedTuple):
         near = side[np.abs(side - best) <= 2]
         curvature, shift, height = _peak(x[near] - x[best], likelihood[near])
         if curvature <= 0.0 or best in (side[0], side[-1]):
-            return cls(best, 0.0, math.inf, 0.0)
+            return cls(best, math.inf, 0.0)
         error = math.hypot(
             _ERROR_FACTOR / math.sqrt(2.0 * curvature), 0.5 * (_SOFTNESS / diameters[best] * math.exp(-shift)) ** 2
         )
         # Other valleys are farther than the error; the other sign has another blur if there is spherical aberration.
         other = np.abs(x - x[best] - shift) > max(_BEYOND * error, _MOST_ERROR)
-        return cls(best, shift, error, height - float(likelihood[other].max(initial=-math.inf)))
+        return cls(best, error, height - float(likelihood[other].max(initial=-math.inf)))
 
 
 def _peak(x: Array, likelihood: Array) -> tuple[float, float, float]:

@@ -341,7 +341,8 @@ def restore(
             share = max(share, _milder(observed, result.light, blend(likelier, other.light, of_photograph)))
             images = blend(observed, result.light, share), observed.image
             fits = [likelier.mean(likelier.discrepancies_of(image)) for image in images]
-            share, stopped = (1.0, MISFIT) if share > _MOST_PHOTOGRAPH or fits[0] > fits[1] else (share, stopped)
+            if share > _MOST_PHOTOGRAPH or fits[0] > fits[1] or verdict.implausible:
+                share, stopped = 1.0, MISFIT
     restored = blend(observed, result.light, share)
     after = observed.discrepancies_of(restored)
     discrepancy = observed.mean(after)

@@ -63,6 +63,16 @@ def test_blur_that_is_stated_too_wide_is_a_doubt(method):
     assert decibels(accepted.light, truth) > decibels(found.light, truth) + 0.3
 
 
+@pytest.mark.parametrize(("pixels", "stated"), [(0.5, 2.0), (0.5, 3.0)])
+def test_nearly_sharp_photograph_is_returned(pixels, stated):
+    """What the stated blur would leave has more fine detail than scenes: no share of the result is mixed in."""
+    photo, _ = photograph("leaves", pixels)
+    found = restored(photo, distance_of(stated))
+    assert found.photograph == 1.0
+    assert found.findings.get("blur_doubtful").severity == "doubt"
+    np.testing.assert_allclose(found.light, photo, atol=1e-6)
+
+
 def test_blur_that_is_stated_too_small_is_a_note():
     photo, truth = photograph("pink", 6.0)
     found = restored(photo, distance_of(5.0))

@@ -38,6 +38,7 @@ _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
 _DOUBTFUL_EXCESS, _WRONG_EXCESS, _WRONG_EXCESS_OF_JPEG = 5.0, 10.0, 30.0
 # Shift that is an error, pixels, from phases of frequencies up to this many cycles per pixel, in a square of pixels.
 _SHIFT, _SHIFT_FREQUENCY, _SHIFT_SIDE = 0.5, 0.12, 1024
+_SHIFT_STEPS, _COHERENT = 6, 0.25  # Newton steps; least mean of phase factors after a shift, 1 without noise
 _EXCHANGED_RATIO = 1.15  # misfit / that of exchanged lenses, from which these are named if they agree
 _MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
 _BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
@@ -384,18 +385,25 @@ def _shift(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[float
     f = np.array(np.broadcast_arrays(scipy.fft.fftfreq(height)[:, None], scipy.fft.rfftfreq(width)))
     used = (np.hypot(*f) < _SHIFT_FREQUENCY) & (np.hypot(*f) * min(inside.shape) > 2.5)
     slopes = -2.0 * math.pi * f[:, used]
+    least = _SHIFT + 2.0 * math.pi / min(inside.shape) * (0.25 * blur) ** 2
     for other in others:
         cross = (other * first.conj())[used]
-        weighted = slopes * np.abs(cross)
-        phases, inverse = 0.5 * np.angle(cross**2), np.linalg.pinv(weighted @ slopes.T)
+        weights = np.abs(cross)
+        weighted, doubled, phases = slopes * weights, cross**2 / np.maximum(weights, 1e-300), 0.5 * np.angle(cross**2)
+        inverse = np.linalg.pinv(weighted @ slopes.T)
         shift = inverse @ weighted @ phases
-        gradients = inverse @ (weighted * (phases - shift @ slopes))
-        size = float(np.hypot(*shift))
-        if size > max(
-            _SHIFT + 2.0 * math.pi / min(inside.shape) * (0.25 * blur) ** 2,
-            5.0 * np.linalg.norm(shift @ gradients) / max(size, 1e-12),
-        ):
-            return tuple(shift.tolist())
+        fits = [(shift, inverse @ (weighted * (phases - shift @ slopes)))]
+        # Random phases, of noise, pull this fit of phases towards 0, but not the maximum of the sum of their factors.
+        for _ in range(_SHIFT_STEPS):
+            left = doubled * np.exp(-2j * (shift @ slopes))
+            gradients = np.linalg.pinv((slopes * left.real) @ slopes.T) @ (0.5 * slopes * left.imag)
+            shift = shift + gradients.sum(axis=1)
+        if left.real.sum() > _COHERENT * weights.sum() and np.hypot(*shift) < 0.5 / _SHIFT_FREQUENCY:
+            fits.insert(0, (shift, gradients))
+        for shift, gradients in fits:
+            size = float(np.hypot(*shift))
+            if size > max(least, 5.0 * np.linalg.norm(shift @ gradients) / max(size, 1e-12)):
+                return tuple(shift.tolist())
     return ()
 
 

@@ -100,6 +100,19 @@ def test_a_shift_is_told_in_jpeg(shift):
         np.testing.assert_allclose(told.numbers["shift"], shift, atol=0.1)
 
 
+@pytest.mark.quick
+def test_a_shift_of_fine_texture_in_noise_is_not_smaller():
+    random = np.random.default_rng(0)
+    scene = random.standard_normal((160, 160))
+    near, far = (
+        scipy.ndimage.gaussian_filter(scene, blur, mode="wrap") + 0.2 * random.standard_normal(scene.shape)
+        for blur in (2.5, 3.2)
+    )
+    for rows in (0, 1):
+        found = _shift(np.stack([near, np.roll(far, rows, axis=0)]), np.ones(scene.shape, dtype=bool), 5.0)
+        np.testing.assert_allclose(found, (1.0, 0.0) if rows else (), atol=0.2)
+
+
 def test_one_edge_that_is_blurred_more_in_one_frame_is_not_shifted():
     edge = np.where(np.arange(160 * 8) < 50 * 8, 0.5, 1.5) * np.ones((160 * 8, 1))
     thin = [ThinLens(35e-3, 4.0, focus, 540e-9, 4e-6) for focus in (1.35, 1.8)]

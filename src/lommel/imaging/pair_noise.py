@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from scipy.ndimage import correlate1d
 
 from lommel.base.arrays import Array, Values
 from lommel.recorded.camera_noise import image_noise
 
 _MIN_COMPRESSED = 6.0  # standard errors by which third differences differ at edges of JPEG blocks
+_MAX_VANISHED, _COSINES_SIDE = -0.25, 1024  # log of the size of the finest cosines of JPEG; in a square of pixels
 _MAX_DARK = 0.9  # largest fraction of the noise that is put down to read noise
 
 
@@ -36,10 +38,13 @@ def is_compressed(image: Values) -> bool:
     Quantised blocks have less noise inside than across their edges: third differences are larger at one of 8 phases
     than at the opposite one, along both axes. Lines at 4, 6 or 12 pixels look alike at opposite phases. If the edges
     do not start at the corner of the image, it may show a screen of 8 pixels: in blocks of an image that was cropped
-    all phases inside are alike, and the edges exceed each of them along either axis.
+    all phases inside are alike, and the edges exceed each of them along either axis. Fine quantisation, of high
+    quality, shows in cosines of the highest frequencies: it makes them vanish in blocks that start at the corner.
     """
     if min(image.shape) < 9 * 8:  # too few blocks
         return False
+    if _finest_cosines(image) < _MAX_VANISHED:
+        return True
     axes = []
     for values in (image, image.T):
         differences = np.abs(np.diff(values, 3, axis=1)[:, : (values.shape[1] - 3) // 8 * 8])
@@ -55,6 +60,22 @@ def is_compressed(image: Values) -> bool:
     if edges == (6, 6):  # differences of pixels 6 to 9 are across the middle of an edge
         return math.hypot(*opposite) > _MIN_COMPRESSED
     return math.hypot(*least) > _MIN_COMPRESSED and min(least) > 0.5 * _MIN_COMPRESSED
+
+
+def _finest_cosines(image: Values) -> float:
+    """Return log((cosines of the highest frequencies in blocks of 8 x 8) / (in blocks at the best other phase))."""
+    middle = tuple(slice(max(0, side - _COSINES_SIDE) // 16 * 8, None) for side in image.shape)
+    part = image[middle][:_COSINES_SIDE, :_COSINES_SIDE]
+    height, width = (side // 8 - 1 for side in part.shape)
+    logs = np.zeros((8, 8))
+    for down in (6, 7):
+        along = [np.cos(math.pi / 16.0 * (2 * np.arange(8) + 1) * k) for k in (down, 6, 7)]
+        rows = correlate1d(part, along[0], axis=0, origin=-4)  # of the pixels i to i + 7 at i
+        for right in along[1:]:
+            sizes = np.abs(correlate1d(rows, right, axis=1, origin=-4)[: 8 * height, : 8 * width])
+            medians = np.median(sizes.reshape(height, 8, width, 8), axis=(0, 2))
+            logs += 0.25 * np.log(np.maximum(medians, 1e-12))
+    return float(logs[0, 0] - np.min(logs.ravel()[1:]))
 
 
 def residual_variance(misfit: Values) -> float:

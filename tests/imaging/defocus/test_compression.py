@@ -32,6 +32,17 @@ def test_blocks_of_jpeg_are_found_and_only_these(quality):
     assert is_compressed((values[3:, 5:] / 255.0) ** 2.2) == (quality is not None)
 
 
+@pytest.mark.quick
+def test_jpeg_finer_than_the_noise_is_found_and_a_screen_of_eight_pixels_is_none():
+    rng = np.random.default_rng(5)
+    values = np.clip(np.round(rng.normal(128.0, 5.0, (160, 160))), 0, 255).astype(np.uint8)
+    file = io.BytesIO()
+    Image.fromarray(values).save(file, "JPEG", quality=95)
+    dots = 40.0 * np.kron(np.ones((20, 20)), np.pad(np.ones((3, 3)), (2, 3)))
+    for seen, compressed in ((np.asarray(Image.open(file)), True), (values, False), (values + dots, False)):
+        assert is_compressed(seen.astype(np.float32)) == compressed
+
+
 @pytest.mark.parametrize("period", [4, 6, 12])
 def test_printed_lines_are_not_compressed(period):
     rng = np.random.default_rng(5)

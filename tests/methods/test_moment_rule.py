@@ -168,9 +168,10 @@ def test_tables_are_those_of_the_weights():
 @pytest.mark.parametrize(
     ("stop", "count", "names", "side", "expected"),
     [
-        (lm.Polygon.regular(6, radius=0.98), 5, (), 65, False),  # few nodes: Fourier transforms
+        (lm.Polygon.regular(6, radius=0.98), 5, (), 65, True),
+        (lm.Polygon.regular(6, radius=0.98), 1, (), 129, False),  # few nodes, many pixels: Fourier transforms
         (lm.telescopes.hst(), 9, ((2, 0), (3, 1), (4, 0)), 33, True),
-        (lm.telescopes.hst(), 1, (), 33, False),
+        (lm.telescopes.hst(), 1, (), 33, True),
         (lm.telescopes.hst(), 1, ((3, 1), (14, 0)), 33, True),
     ],
 )

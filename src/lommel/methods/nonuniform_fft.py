@@ -76,7 +76,7 @@ def moment_rule_is_faster(
     rule = _RULE_COST * (0.5 * rows**2 + 0.0025 * nodes_in_rows * rows)
     batch = 1e-3 * (rows**2 * (6.0 + 0.6 * height) + (0.2 * rows + 18.0) * width * height)
     sums = 700.0 + batch * (1.0 + count * fields / 12)
-    transforms = 0.028 * count * ((fields + 0.3) * nodes_in_rows + fields * (0.8 * height * width + 1700.0))
+    transforms = 0.08 * count * ((fields + 0.3) * nodes_in_rows + fields * (0.8 * height * width + 1700.0))
     return rule + _STEPS * sums < _STEPS * transforms
 
 

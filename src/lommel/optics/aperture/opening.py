@@ -8,7 +8,6 @@ edges, converge geometrically (`cpp/include/lommel/aperture`). All weights are p
 from __future__ import annotations
 
 import math
-from bisect import bisect_left
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -128,22 +127,31 @@ def degree_needed(
         b, growth = np.append(b, mean[0]), np.append(growth, mean[1])
     growth = growth + power * light.growth(radius**2 * (1.0 + np.cosh(2.0 * b)) - 1.0)
 
-    def suffices(degree: int) -> bool:
-        # Sum of (n + 1)^(3/2) exp(-n b) from degree + 1 on: a geometric series with this ratio bounds it.
-        ratio = (1.0 + 1.0 / (degree + 2)) ** 1.5 * np.exp(-b)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            tail = np.where(ratio < 1.0, 1.5 * math.log(degree + 2) - (degree + 1) * b - np.log1p(-ratio), np.inf)
-        bound = math.log(2.0) + np.log1p(np.exp(-2.0 * b)) + growth + tail
-        return bool(bound.min() <= math.log(error))
+    excess = math.log(2.0) + np.log1p(np.exp(-2.0 * b)) + growth - math.log(error)
 
-    # Powers of two first, then bisection: the bound falls with the degree.
-    high = next((2**k for k in range(3, MAX_DEGREE.bit_length()) if suffices(2**k)), None)
-    if high is None:
+    def lacking(degree: float) -> Array:
+        """Return for each b how much the degree should be larger for the bound to be the error."""
+        # Sum of (n + 1)^(3/2) exp(-n b) from degree + 1 on: a geometric series with this ratio bounds it.
+        ratio = (1.0 + 1.0 / (degree + 2.0)) ** 1.5 * np.exp(-b)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            logarithm = np.where(ratio < 1.0, 1.5 * math.log(degree + 2.0) - np.log1p(-ratio), np.inf)
+        return (excess + logarithm) / b - (degree + 1.0)
+
+    # Degrees near the solution first, then steps: the bound falls with the degree.
+    degree, least = 64.0, 5
+    for _ in range(2):
+        degree = float(np.clip(degree + lacking(degree).min(), least, MAX_DEGREE))
+    found = math.ceil(degree)
+    while found > least and lacking(found - 1).min() <= 0.0:
+        found -= 1
+    while found <= MAX_DEGREE and lacking(found).min() > 0.0:
+        found += 1
+    if found > MAX_DEGREE:
         raise ValueError(
             f"{f'a window up to v = {v:.4g} and ' if v else ''}aberrations this large need polynomials of a degree "
             f"above {MAX_DEGREE}; use {'fewer or smaller pixels, or ' if v else ''}smaller aberrations"
         )
-    return bisect_left(range(high), True, lo=high // 2 + 1, key=suffices)
+    return found
 
 
 @dataclass(frozen=True)

@@ -107,13 +107,8 @@ class ApertureSums {
     void include_row(const ChordalBatch<Real>& batch, std::size_t y, const Real* row,
                      typename ChordalScratch<Real>::Values& brightest) const {
         const std::size_t stride = batch.lone() ? 1 : batch.lanes();
-        Real* const line = brightest.data() + y / block * block_weights_->columns * stride;
-        for (std::size_t x = 0; x < batch.columns(); ++x) {
-            Real* const to = line + x / block * stride;
-            for (std::size_t lane = 0; lane < stride; ++lane) {
-                to[lane] = std::max(to[lane], row[x * stride + lane]);
-            }
-        }
+        Kernels::include_largest(batch.level, row, batch.columns(), block, stride,
+                                 brightest.data() + y / block * block_weights_->columns * stride);
     }
 
     // Bound the sums of |weight| |U| in pixels, from the brightest samples of all blocks, whose roots are taken in place.
@@ -127,14 +122,14 @@ class ApertureSums {
         for (std::size_t y = 0; y < block_weights_->rows; ++y) {
             add_averages(batch, *block_weights_, y, brightest.data() + y * line);
         }
-        const double* const sums = batch.scratch.sums.data() + block_weights_->vectors * lanes;
-        const std::size_t count = block_weights_->height * block_weights_->vectors * lanes;
-        for (std::size_t lane = 0; lane < batch.here; ++lane) {
-            double most = 0.0;
-            for (std::size_t i = batch.lone() ? 0 : lane; i < count; i += batch.lone() ? 1 : lanes) {
-                most = std::max(most, sums[i]);
+        double most[most_pupils] = {};
+        for (std::size_t i = 0; i < batch.scratch.sums.size(); i += lanes) {
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                most[lane] = std::max(most[lane], batch.scratch.sums[i + lane]);
             }
-            moduli_[batch.pupils[lane]] = rounding * most;
+        }
+        for (std::size_t lane = 0; lane < batch.here; ++lane) {
+            moduli_[batch.pupils[lane]] = rounding * (batch.lone() ? *std::max_element(most, most + lanes) : most[lane]);
         }
     }
 

@@ -107,26 +107,39 @@ struct NodeWeights {
     }
 };
 
-template <class I, class Real, class V>
-LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
-    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
-    Real part[lanes];
-    store(part, sum);
-    for (std::size_t p = 0; p < lanes; p += I::lanes) {
-        store(to + p, load<typename I::pack>(to + p) + widened<I>(part + p));
-    }
-}
+// Sums of R vectors in double precision, to which vectors of the samples' precision are added.
+template <class I, class Real, std::size_t R>
+struct WideSums {
+    static constexpr std::size_t lanes = Waves<I, Real>::lanes, parts = lanes / I::lanes;
+    typename I::pack sums[R][parts] = {};
 
-// Average a row of samples[node][pupil] along x; add this to sums[vector of pixels][lane]. `Lone`: samples[node], lanes are pixels.
+    LOMMEL_INLINE void add(const typename Waves<I, Real>::V (&more)[R][1]) {
+        for (std::size_t r = 0; r < R; ++r) {
+            Real part[lanes];
+            store(part, more[r][0]);
+            for (std::size_t p = 0; p < parts; ++p) {
+                sums[r][p] = sums[r][p] + widened<I>(part + p * I::lanes);
+            }
+        }
+    }
+    LOMMEL_INLINE void store_to(std::size_t r, double* to) const {
+        for (std::size_t p = 0; p < parts; ++p) {
+            store(to + p * I::lanes, sums[r][p]);
+        }
+    }
+};
+
+// Average row y of samples[node][pupil] along x, to lines[vector of pixels][row][lane]. `Lone`: samples[node], lanes are pixels.
 template <bool Lone, class I, class Real>
-LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
+LOMMEL_INLINE void average_along(I, const NodeWeights<Real>& weights, std::size_t y, const Real* samples, Real* lines) {
     using V = typename Waves<I, Real>::V;
     constexpr std::size_t lanes = Waves<I, Real>::lanes;
     const std::size_t nodes = weights.columns, stride = weights.vectors * lanes;
-    for (std::size_t from = 0; from < nodes; from += node_block) {
-        const std::size_t here = std::min(node_block, nodes - from);
-        for_fixed_tiles<column_tile>(weights.vectors, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
-            constexpr std::size_t R = decltype(size)::value;
+    for_fixed_tiles<column_tile>(weights.vectors, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(size)::value;
+        WideSums<I, Real, R> total;
+        for (std::size_t from = 0; from < nodes; from += node_block) {
+            const std::size_t here = std::min(node_block, nodes - from);
             V sum[R][1] = {};
             if constexpr (Lone) {
                 for (std::size_t k = from; k < from + here; ++k) {
@@ -138,30 +151,50 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
             } else {
                 multiply<R, 1>(weights.across.data() + first * nodes + from * R, samples + from * lanes, here, sum);
             }
+            total.add(sum);
+        }
+        for (std::size_t r = 0; r < R; ++r) {
+            double line[lanes];
+            total.store_to(r, line);
+            Real* const to = lines + ((first + r) * weights.rows + y) * lanes;
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                to[lane] = static_cast<Real>(line[lane]);
+            }
+        }
+    });
+}
+
+// Average lines[vector][row][lane] along y, to sums[row of pixels][vector][lane].
+template <class I, class Real>
+LOMMEL_INLINE void average_down(I, const NodeWeights<Real>& weights, const Real* lines, double* sums) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    for (std::size_t v = 0; v < weights.vectors; ++v) {
+        for_fixed_tiles<column_tile>(weights.height, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t R = decltype(size)::value;
+            WideSums<I, Real, R> total;
+            for (std::size_t from = 0; from < weights.rows; from += node_block) {
+                V sum[R][1] = {};
+                multiply<R, 1>(weights.down.data() + from * weights.height + first * node_block,
+                               lines + (v * weights.rows + from) * lanes, std::min(node_block, weights.rows - from), sum);
+                total.add(sum);
+            }
             for (std::size_t r = 0; r < R; ++r) {
-                add_widened<I, Real>(isa, sum[r][0], sums + (first + r) * lanes);
+                total.store_to(r, sums + ((first + r) * weights.vectors + v) * lanes);
             }
         });
     }
 }
 
-// Add one block of rows of nodes, times `weights`, to sums[row of pixels][vector][lane]. lines[vector][row of the block]: averages
-// along x; from: first row of the block.
+// Include a row of values[node][lane] in the largest value of each block of nodes, `side` lanes of each.
 template <class I, class Real>
-LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
-    using V = typename Waves<I, Real>::V;
-    constexpr std::size_t lanes = Waves<I, Real>::lanes;
-    const std::size_t here = std::min(node_block, weights.rows - from);
-    for (std::size_t v = 0; v < weights.vectors; ++v) {
-        for_fixed_tiles<column_tile>(weights.height, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
-            constexpr std::size_t R = decltype(size)::value;
-            V sum[R][1] = {};
-            multiply<R, 1>(weights.down.data() + from * weights.height + first * node_block, lines + v * node_block * lanes,
-                           here, sum);
-            for (std::size_t r = 0; r < R; ++r) {
-                add_widened<I, Real>(isa, sum[r][0], sums + ((first + r) * weights.vectors + v) * lanes);
-            }
-        });
+LOMMEL_INLINE void include_largest(I, const Real* values, std::size_t nodes, std::size_t block, std::size_t side,
+                                   Real* largest) {
+    for (std::size_t k = 0; k < nodes; ++k) {
+        Real* const to = largest + k / block * side;
+        for (std::size_t lane = 0; lane < side; ++lane) {
+            to[lane] = to[lane] < values[k * side + lane] ? values[k * side + lane] : to[lane];
+        }
     }
 }
 

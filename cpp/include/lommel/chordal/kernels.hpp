@@ -22,7 +22,9 @@ struct ChordKernels {
     static constexpr std::size_t lanes(Level level) { return widest_lanes(level) * sizeof(double) / sizeof(Real); }
     // Return whether `pupils` is so small that pupils are computed faster one by one, with chords in the vector lanes.
     static bool lone(Level level, std::size_t pupils) { return 2 * pupils <= lanes(level); }
-    static ChordLanes chord_lanes(Level level, bool lone) { return {lone ? lanes(level) : 1, sizeof(Real) == sizeof(float)}; }
+    static ChordLanes chord_lanes(Level level, bool lone) {
+        return {lone ? lanes(level) : 1, sizeof(Real) == sizeof(float), level == Level::avx512 ? row_tile + 1 : row_tile};
+    }
 
     static void nodes(Level level, const TermTable& table, std::size_t chord, const double* coefficients, Real* to);
     static void rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords);
@@ -32,8 +34,10 @@ struct ChordKernels {
     static void parity_columns(Level level, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row);
     static void intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top);
     static void subtract(Level level, const Real* inner, Real area, std::size_t count, Real* u);
-    static void average_along(Level level, const NodeWeights<Real>& weights, const Real* samples, double* sums);
-    static void average_down(Level level, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums);
+    static void average_along(Level level, const NodeWeights<Real>& weights, std::size_t y, const Real* samples, Real* lines);
+    static void average_down(Level level, const NodeWeights<Real>& weights, const Real* lines, double* sums);
+    static void include_largest(Level level, const Real* values, std::size_t nodes, std::size_t block, std::size_t side,
+                                Real* largest);
     static void times_factors(Level level, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room,
                               Real* to);
     static void slopes(Level level, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top);
@@ -104,16 +108,22 @@ void ChordKernels<Real>::subtract(Level level, const Real* inner, Real area, std
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::subtract(isa, inner, area, count, u); });
 }
 template <class Real>
-void ChordKernels<Real>::average_along(Level level, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
+void ChordKernels<Real>::average_along(Level level, const NodeWeights<Real>& weights, std::size_t y, const Real* samples,
+                                       Real* lines) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-        weights.side > 1 ? lommel::average_along<true>(isa, weights, samples, sums)
-                         : lommel::average_along<false>(isa, weights, samples, sums);
+        weights.side > 1 ? lommel::average_along<true>(isa, weights, y, samples, lines)
+                         : lommel::average_along<false>(isa, weights, y, samples, lines);
     });
 }
 template <class Real>
-void ChordKernels<Real>::average_down(Level level, const NodeWeights<Real>& weights, std::size_t from, const Real* lines,
-                                      double* sums) {
-    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::average_down(isa, weights, from, lines, sums); });
+void ChordKernels<Real>::average_down(Level level, const NodeWeights<Real>& weights, const Real* lines, double* sums) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::average_down(isa, weights, lines, sums); });
+}
+template <class Real>
+void ChordKernels<Real>::include_largest(Level level, const Real* values, std::size_t nodes, std::size_t block,
+                                         std::size_t side, Real* largest) {
+    dispatch_widest(level,
+                    [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::include_largest(isa, values, nodes, block, side, largest); });
 }
 template <class Real>
 void ChordKernels<Real>::times_factors(Level level, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room,

@@ -89,8 +89,11 @@ struct TermClasses {
 struct ChordLanes {
     std::size_t side = 1;
     bool single = false;  // single precision, in which Waves<I, float> packs the phases of two vectors into one
+    std::size_t rows = row_tile;  // rows in a tile: one more where there are 32 registers
 
-    bool operator==(const ChordLanes& other) const { return side == other.side && single == other.single; }
+    bool operator==(const ChordLanes& other) const {
+        return side == other.side && single == other.single && rows == other.rows;
+    }
     std::size_t vectors(std::size_t count) const { return (count + side - 1) / side; }
     // Position, in its vector, of the chord that belongs in a lane: packing of two vectors in single precision permutes the lanes.
     std::size_t place(std::size_t lane) const { return single && side > 1 ? lane % 2 * (side / 2) + lane / 2 : lane; }
@@ -228,7 +231,7 @@ struct KernelTable {
         const ChordRule rule(n);
         for (std::size_t i = 0; i < n.half_chords(); ++i) {
             const std::size_t from = i / in.side * in.side * n.half_nodes() * rows.at.size() + i % in.side;
-            fill(rows.at, row_tile, false, rule.eta, rule.s[i], in.side, row_cos.data() + from, row_sin.data() + from);
+            fill(rows.at, in.rows, false, rule.eta, rule.s[i], in.side, row_cos.data() + from, row_sin.data() + from);
         }
         // If vector lanes are chords in the sums along y, they are columns of pixels in the sums along x.
         fill(columns.at, in.side > 1 ? in.side : column_tile, in.side > 1, rule.x, 1, 1, column_cos.data(), column_sin.data());

@@ -264,6 +264,17 @@ LOMMEL_INLINE void multiply_blocks(const Real* table, const Real* data, std::siz
     });
 }
 
+// As for_fixed_tiles(), over the rows of a table in the tiles of its layout; V: SIMD vector.
+template <class V, class Real, class F>
+LOMMEL_INLINE void for_row_tiles(const KernelTable<Real>& kernel, const F& f) {
+    if constexpr (sizeof(V) == 64) {
+        if (kernel.lanes.rows == row_tile + 1) {
+            return for_fixed_tiles<row_tile + 1>(kernel.rows.at.size(), f);
+        }
+    }
+    for_fixed_tiles<row_tile>(kernel.rows.at.size(), f);
+}
+
 // Fourier transform along y for each row of pixels, from the nodes of a pair of chords (`Lone`: of a vector of pairs) to
 // chords[row][parity in x][chord][re, im].
 template <bool Lone, class I, class Real>
@@ -272,7 +283,7 @@ LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_
     constexpr std::size_t lanes = Waves<I, Real>::lanes;
     const std::size_t rows = kernel.rows.at.size(), within = kernel.count.half_nodes();
     const std::size_t line = kernel.vectors() * 2 * lanes;
-    for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+    for_row_tiles<V>(kernel, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
         const std::size_t at = (chord * rows + first) * within * (Lone ? lanes : 1);
         V a[R][4] = {}, b[R][4] = {};
@@ -385,9 +396,9 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     };
     // Two full tiles of rows at a time give more independent sums, which hide the latency of multiply-adds.
     std::size_t held = WindowAxis::none;
-    for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+    for_row_tiles<V>(kernel, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
-        if (held == WindowAxis::none && R == row_tile && rows % row_tile == 0 && first + 2 * R <= rows) {
+        if (held == WindowAxis::none && R == kernel.lanes.rows && rows % R == 0 && first + 2 * R <= rows) {
             held = first;
             return;
         }

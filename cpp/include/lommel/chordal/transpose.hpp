@@ -72,7 +72,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
     const std::size_t line = kernel.count.half_chords() * 2 * lanes, rows = kernel.rows.at.size();
     const std::size_t within = kernel.count.half_nodes();
     std::fill_n(nodes, within * 8 * lanes, Real(0));
-    for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+    for_row_tiles<V>(kernel, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
         V even[R][4], odd[R][4];
         for (std::size_t r = 0; r < R; ++r) {

@@ -123,6 +123,17 @@ def test_far_averages_are_within_their_bound(waves, pixel, box, shape, error, mo
     assert largest > 1e-3  # no bound that anything would be below
 
 
+def test_what_rims_leave_of_fields_is_in_the_bound():
+    # Next to a box too small for the phases it is nearly all of the error: far more than interpolation may add.
+    pupil, grid = pupils(np.random.default_rng(6), 3, 0.1, obscuration=0.3), Grid(15, 2.65, integrate=True)
+    values, off, _, _ = from_rims(pupil, grid, 5, 1e-8)
+    places = [(0, 3), (3, 1), (-3, -3)]
+    for i in range(3):
+        exact = exact_averages(pupil[i], grid.step(pupil), places)
+        wrong = np.abs([values[i][7 + y, 7 + x] for y, x in places] - exact).max()
+        assert 1e-6 < wrong <= off[i]
+
+
 @pytest.mark.parametrize("terms", [NOLL, (4,), (22, 25, 36)])
 @pytest.mark.parametrize("apodization", [0.0, 0.7])
 def test_what_is_left_is_a_derivative_of_the_pupil_function(terms, apodization):

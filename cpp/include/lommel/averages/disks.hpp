@@ -71,12 +71,14 @@ class DiskAverages {
             }
             of_side.erase(0);
             for (const auto& [side, which] : of_side) {
-                with_box(which, side, boxes, stack, answer);
+                with_box(which, side, attempt, boxes, stack, answer);
             }
             rest.erase(std::remove_if(rest.begin(), rest.end(), [&](std::size_t p) { return answer.errors[p] <= asked_.tol; }),
                        rest.end());
             for (const std::size_t p : rest) {
-                boxes.sides[p] = larger(boxes.sides[p], answer.errors[p] / asked_.tol, boxes.most[p]);
+                // Behind strips fields are off, too, and less so with the same box as well.
+                const std::int64_t next = larger(boxes.sides[p], answer.errors[p] / asked_.tol, boxes.most[p]);
+                boxes.sides[p] = next == 0 && !stack.strips.empty() && boxes.sides[p] > 0 ? boxes.most[p] : next;
             }
         }
         if (rest.empty()) {
@@ -96,8 +98,9 @@ class DiskAverages {
         return true;
     }
     // Compute the averages of the pupils `which`, whose boxes have the same side: pixels in a box from nodes, others from the rim.
-    // `stack`: all pupils, with axes at pixel centres. If averages in boxes miss the tolerance, `answer` is not changed.
-    void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
+    // `stack`: all pupils, with axes at pixel centres; attempt: from 0 on. If averages in boxes miss the tolerance, `answer` is not
+    // changed.
+    void with_box(const Pupils& which, std::int64_t side, int attempt, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const {
         const std::size_t count = which.size();
         AverageRequest of_box = asked_;
@@ -117,7 +120,9 @@ class DiskAverages {
         if (!at_nodes(which, of_box, centers, true, {near.data(), nullptr, errors.data(), peaks.data(), nullptr})) {
             return;
         }
-        // The tolerance is rounded to a power of sqrt(2), so that stacks with similar peaks share tables.
+        // The tolerance is rounded to a power of sqrt(2), so that stacks with similar peaks share tables; those of fields behind strips
+        // are better at each attempt.
+        least *= stack.strips.empty() ? 1.0 : std::exp2(-2.0 * attempt);
         least = std::exp2(0.5 * std::floor(2.0 * std::log2(least)));
         std::vector<double> allowed(peaks);
         for (double& each : allowed) {

@@ -5,7 +5,7 @@
 //     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j).
 // The number of nodes is about the Shannon number of the window, 4 L / pi; a filter that is the same for all pixels needs more
 // than twice as many samples. Nodes are zeros of a prolate spheroidal function of bandwidth 2 L (H. Xiao, V. Rokhlin and N.
-// Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound depends on this choice.
+// Yarvin 2001, doi:10.1088/0266-5611/17/4/315), L for a single pixel; no bound depends on this choice.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 
 namespace lommel {
 
-// Positive zeros, ascending, of the prolate spheroidal function of an even degree: a sum of even Legendre polynomials whose
+// Zeros from 0 to 1, ascending, of a prolate spheroidal function: a sum of Legendre polynomials of the parity of its degree, whose
 // coefficients are an eigenvector of a symmetric tridiagonal matrix (Xiao, Rokhlin and Yarvin 2001, section 3).
 std::vector<double> prolate_zeros(std::size_t degree, double bandwidth);
 
@@ -38,10 +38,11 @@ class WindowNodes {
     double gain;  // largest sum over nodes of the moduli of a pixel's weights
     double spread;  // largest ratio, over nodes, of the largest modulus of a pixel's weight to the sum of all pixels' weights
 
-    // step: pixel pitch, in lambda / (2 pi NA); pixels: number of pixels along the axis; count: number of nodes, even.
+    // step: pixel pitch, in lambda / (2 pi NA); pixels: number of pixels along the axis; count: number of nodes.
     WindowNodes(double step, std::size_t pixels, std::size_t count) : step_(step), pixels_(pixels) {
         const double half = 0.5 * step * static_cast<double>(pixels);
-        std::vector<double> x = prolate_zeros(count, 2.0 * half);
+        // Zeros of half that bandwidth are nodes of a quadrature: enough for one average, but not for many from the same samples.
+        std::vector<double> x = prolate_zeros(count, pixels == 1 ? half : 2.0 * half);
         std::transform(x.begin(), x.end(), x.begin(), [&](double zero) { return half * zero; });
         const std::size_t nodes = x.size();
         const std::vector<double> band = band_points(half);
@@ -70,18 +71,20 @@ class WindowNodes {
                 most[j] = std::hypot(most[j], largest[j]);
             }
         }
-        for (std::size_t k = nodes; k-- > 0;) {
+        const std::size_t middle = count % 2;  // number of nodes in the middle
+        for (std::size_t k = nodes; k-- > middle;) {
             places.push_back(-x[k]);
         }
+        const std::size_t before = places.size();
         places.insert(places.end(), x.begin(), x.end());
         gain = 0.0;
         std::vector<double> together(places.size(), 0.0), modulus(places.size(), 0.0);
         for (std::size_t j = 0; j < pixels; ++j) {
             double sum = 0.0;
             for (std::size_t i = 0; i < places.size(); ++i) {
-                const std::size_t k = i < nodes ? nodes - 1 - i : i - nodes;
+                const std::size_t k = i < before ? nodes - 1 - i : i - before;
                 const double even = parts[0][k * pixels + j], odd = parts[1][k * pixels + j];
-                const double weight = i < nodes ? even - odd : even + odd;
+                const double weight = i < before ? even - odd : even + odd;
                 weights.push_back(weight);
                 sum += std::abs(weight);
                 together[i] += weight;
@@ -108,9 +111,9 @@ class WindowNodes {
 
    private:
     // Waves cos(w x) (index 0) and sin(w x) (index 1) of several frequencies w; those of frequency i are multiplied by factor(i).
-    // nodes[index][frequency, node]: twice the wave at a node x > 0, for the nodes x and -x together: a pixel's weights are split
-    // into a part even in x, which multiplies cosines, and an odd part, which multiplies sines. pixels[index][frequency, pixel]:
-    // average of the wave over a pixel, which a weighted sum over nodes shall equal.
+    // nodes[index][frequency, node]: the wave at the node 0, or twice that at a node x > 0, for the nodes x and -x together: a pixel's
+    // weights are split into a part even in x, which multiplies cosines, and an odd part, which multiplies sines.
+    // pixels[index][frequency, pixel]: average of the wave over a pixel, which a weighted sum over nodes shall equal.
     struct Waves {
         std::vector<double> nodes[2], pixels[2];
     };
@@ -185,13 +188,13 @@ inline std::vector<double> pivots(const std::vector<double>& diagonal, const std
     return found;
 }
 
-// Sum of even Legendre polynomials, evaluated by Clenshaw's recurrence.
-class EvenSeries {
+// Sum of Legendre polynomials of one parity (0: even, 1: odd), evaluated by Clenshaw's recurrence.
+class ParitySeries {
    public:
-    explicit EvenSeries(const std::vector<double>& even) {
-        for (std::size_t k = 0; k + 1 < 2 * even.size(); ++k) {
+    ParitySeries(const std::vector<double>& terms, std::size_t parity) {
+        for (std::size_t k = 0; k + 1 < 2 * terms.size() + parity; ++k) {
             const double j = static_cast<double>(k);
-            steps_.push_back({k % 2 == 0 ? even[k / 2] : 0.0, (2.0 * j + 1.0) / (j + 1.0), (j + 1.0) / (j + 2.0)});
+            steps_.push_back({k % 2 == parity ? terms[k / 2] : 0.0, (2.0 * j + 1.0) / (j + 1.0), (j + 1.0) / (j + 2.0)});
         }
     }
     double operator()(double x) const {
@@ -261,26 +264,27 @@ inline std::vector<double> eigenvector(const std::vector<double>& diagonal, cons
 
 inline std::vector<double> prolate_zeros(std::size_t degree, double bandwidth) {
     const std::size_t size = (degree + 60) / 2 + static_cast<std::size_t>(std::ceil(0.35 * bandwidth));
+    const std::size_t parity = degree % 2;
     const double square = bandwidth * bandwidth;
     std::vector<double> diagonal, beside;
     for (std::size_t i = 0; i < size; ++i) {
-        const double k = 2.0 * static_cast<double>(i);
+        const double k = static_cast<double>(2 * i + parity);
         diagonal.push_back(k * (k + 1.0) + (2.0 * k * (k + 1.0) - 1.0) / ((2.0 * k + 3.0) * (2.0 * k - 1.0)) * square);
         beside.push_back((k + 2.0) * (k + 1.0) / ((2.0 * k + 3.0) * std::sqrt((2.0 * k + 1.0) * (2.0 * k + 5.0))) * square);
     }
     beside.pop_back();
     std::vector<double> terms = eigenvector(diagonal, beside, degree / 2);
     for (std::size_t i = 0; i < size; ++i) {
-        terms[i] *= std::sqrt(2.0 * static_cast<double>(i) + 0.5);
+        terms[i] *= std::sqrt(static_cast<double>(2 * i + parity) + 0.5);
     }
-    const prolate::EvenSeries series(terms);
-    std::vector<double> zeros;
+    const prolate::ParitySeries series(terms, parity);
+    std::vector<double> zeros(parity, 0.0);
     const std::size_t points = 3 * degree;  // at least four from one zero of the series to the next
     double low = 0.0, below = series(0.0);
     for (std::size_t i = 1; i < points; ++i) {
         const double x = std::sin(1.5707963267948966 * static_cast<double>(i) / static_cast<double>(points - 1));
         const double value = series(x);
-        if (std::signbit(value) != std::signbit(below)) {
+        if (below != 0.0 && std::signbit(value) != std::signbit(below)) {
             // False position: accurate enough, as no bound depends on the positions of the nodes.
             double left = low, right = x, at_left = below, at_right = value;
             const auto middle = [&] { return (left * at_right - right * at_left) / (at_right - at_left); };
@@ -304,7 +308,7 @@ WindowNodes::Waves WindowNodes::waves(const std::vector<double>& w, const Factor
     for (std::size_t i = 0; i < w.size(); ++i) {
         const double angle = 0.5 * step_ * w[i], mean = angle == 0.0 ? 1.0 : std::sin(angle) / angle, by = factor(i);
         for (const double place : x) {
-            made.nodes[0].push_back(by * 2.0 * std::cos(w[i] * place));
+            made.nodes[0].push_back(by * (place > 0.0 ? 2.0 : 1.0) * std::cos(w[i] * place));
             made.nodes[1].push_back(by * 2.0 * std::sin(w[i] * place));
         }
         for (std::size_t j = 0; j < pixels_; ++j) {

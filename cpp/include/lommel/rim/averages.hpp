@@ -125,7 +125,7 @@ class RimAverages : RimStack {
         }
         const std::size_t degree = std::max<std::size_t>(8, degree_);
         table_ = cache<RimTable>.get(RimWindow{window.step, box, static_cast<std::size_t>(reach), stack.obscuration, degree,
-                                               error, !stack.strips.empty()});
+                                               error, stack.strips, stack.strips.empty() ? 0.0 : slope()});
         for (const RimWaves& rim : table_->rims) {
             lines_.push_back(cache<RimLine>.get(stack.terms, rim.radius == 1.0 ? stack.amplitude : within_, rim.angles));
         }
@@ -191,6 +191,19 @@ class RimAverages : RimStack {
             answer_.numbers[2 * pupil + 1] = top;
         }
     }
+    // Slope of the phases of most pupils around the rim, rounded up.
+    double slope() const {
+        double most = 0.0;
+        for (std::size_t p = 0; p < stack_.count; ++p) {
+            double square = 0.0;
+            for (std::size_t j = 0; j < stack_.terms.size(); ++j) {
+                const double of = static_cast<double>(stack_.terms[j].m) * stack_.outer[p * stack_.terms.size() + j];
+                square += of * of;
+            }
+            most = std::max(most, square);
+        }
+        return std::exp2(std::ceil(2.0 * std::log2(3.0 + std::sqrt(most))) / 2.0);
+    }
     Around around(const Batch& batch) const {
         Around all{height_, -height_, width_, -width_};
         for (std::size_t p = batch.first; p < batch.first + batch.here; ++p) {
@@ -204,12 +217,11 @@ class RimAverages : RimStack {
         std::vector<RimJob> list;
         const std::int64_t around = static_cast<std::int64_t>(table_->around);
         for (const RimPixels& of : table_->pixels) {
-            const std::int64_t p = static_cast<std::int64_t>(of.p), q = static_cast<std::int64_t>(of.q), begin = of.begin;
-            const std::int64_t down[2][4] = {{q, p, -q, -p}, {-q, p, q, -p}}, right[2][4] = {{p, -q, -p, q}, {p, q, -p, -q}};
-            for (std::size_t turned = 0; turned < (q == 0 || q == p ? 1 : 2); ++turned) {
+            const std::int64_t begin = of.begin;
+            for (std::size_t turned = 0; turned < of.mirrors(); ++turned) {
                 RimJob job{&of, {}, {}, {}, 0, turned == 1};
                 for (std::size_t i = 0; i < 4; ++i) {
-                    const std::int64_t y = down[turned][i], x = right[turned][i];
+                    const auto [y, x] = of.image(turned == 1, i);
                     if (pixels.holds(y, x)) {
                         // The images of the pixel (p, q), at the polar angle psi, are at psi + i pi / 2 or, if mirrored (`turned`), at
                         // i pi / 2 - psi.
@@ -296,12 +308,17 @@ class RimAverages : RimStack {
             largest,
             0.0,
             off,
-            0.0};
+            0.0,
+            {}};
         made.averages = made.of(table.off_angles, table.off_radii, table.gain, table.dropped);
-        const double summed = 0x1p-24 * static_cast<double>(4 * table.radii() * table.taps + 64);
+        for (std::size_t n = 0; table.window.fields() && n < rim_most_turns; ++n) {
+            for (std::size_t d = 0; d < table.rims.size(); ++d) {
+                made.turned[n] += 1.001 * static_cast<double>(scratch.of[d].turned[n][lane]);
+            }
+        }
+        const double summed = 0x1p-24 * static_cast<double>(table.field_taps + table.radii() + table.most_parts + 32);
         made.fields = table.field_angles * std::sqrt(many * rms) +
                       std::min(table.field_radii[0] * size[0], table.field_radii[1] * size[1]) +
-                      table.field_places * std::sqrt(many * largest) +
                       table.field_gain * (many * waves + summed * std::sqrt(many * largest));
         return made;
     }

@@ -63,11 +63,12 @@ class RimBoxes {
     // time of a stack.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     // The same for the spike of a strip in a window with sides of `spiked` pixels; pupils fill vectors of `vector` lanes.
-    static constexpr double spike = 4500.0, spiked = 33.0, vector = 16.0;
+    static constexpr double spike = 2500.0, spiked = 33.0, vector = 16.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in lambda / (2 pi NA)
-    static constexpr double left = 0.4;  // fraction of the tolerance for errors due to RimStack::remainders()
+    // Fraction of the tolerance for errors due to RimStack::remainders(), without and with strips, which take of the rest.
+    static constexpr double left = 0.4, left_behind = 0.2;
     // Boxes are used if their estimated time is at most `worth` times that of nodes for the whole window.
     static constexpr double worth = 0.85;
 
@@ -93,11 +94,13 @@ class RimBoxes {
     }
     std::int64_t side_of(std::size_t pupil, double remainder) const {
         const double mean = std::min(1.0, std::sqrt(4.0 * pi) / step_) * remainder;
-        for (std::int64_t side = smallest(); side <= most[pupil]; side += 2) {
-            const double nearest = 0.5 * step_ * static_cast<double>(side),
-                         field = mean * std::pow(nearest, -static_cast<double>(rim_orders));
-            if (field * (2.0 * std::sqrt(1.7 / (nearest * nearest * nearest)) + field) <= left * tolerances[pupil]) {
-                return side;
+        for (const double part : {stack_.strips.empty() ? left : left_behind, left}) {
+            for (std::int64_t side = smallest(); side <= most[pupil]; side += 2) {
+                const double nearest = 0.5 * step_ * static_cast<double>(side),
+                             field = mean * std::pow(nearest, -static_cast<double>(rim_orders));
+                if (field * (2.0 * std::sqrt(1.7 / (nearest * nearest * nearest)) + field) <= part * tolerances[pupil]) {
+                    return side;
+                }
             }
         }
         return 0;

@@ -58,6 +58,7 @@ struct RimSums {
     Floats left;    // [k][lane]: sum of squared moduli of the omitted Fourier coefficients
     Floats energy;  // [k][lane]: sum of squared moduli of all Fourier coefficients
     std::array<Floats, 2> size;  // [ellipse][lane]: bound on waves at complex radii in an ellipse (certificate, section 10)
+    Floats turned[rim_most_turns];  // if fields are wanted, [n][lane]: bound on derivatives n + 1 of waves by the polar angle
 };
 
 struct RimScratch {
@@ -65,7 +66,7 @@ struct RimScratch {
     Doubles phases, turned;
     std::array<RimSums, 2> of;
     Floats squares, largest, mean;
-    Floats kept;  // if RimWindow::fields: [angle of the padded ring][radius][rim][re X, im X, re Y, im Y][lane]
+    Floats kept;  // if RimWindow::fields(): [angle of the padded ring][radius][rim][re X, im X, re Y, im Y][lane]
 };
 
 // Combine values a, b, c, d at the angles theta, pi - theta, theta + pi and -theta, so that Fourier sums need a quarter of the
@@ -133,7 +134,8 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
     scratch.sums.resize(4 * most * 2 * lanes);
     float *const folded = scratch.folded.data(), *const sums = scratch.sums.data();
     const V by = splat<V>(1.0f / static_cast<float>(angles));
-    V whole[2] = {};
+    V whole[2] = {}, turned[rim_most_turns] = {};
+    const bool fields = !rim.turned[0].empty();
     for (std::size_t k = 0; k < K; ++k) {
         for (std::size_t l = 0; l < quarter; ++l) {
             for (std::size_t part = 0; part < 2; ++part) {
@@ -180,6 +182,9 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
                 const V modulus = larger(a, b) + splat<V>(0.4286f) * (a + b - larger(a, b));
                 whole[0] = whole[0] + splat<V>(rim.size[0][at]) * modulus;
                 whole[1] = whole[1] + splat<V>(rim.size[1][at]) * modulus;
+                for (std::size_t n = 0; fields && n < rim_most_turns; ++n) {
+                    turned[n] = turned[n] + splat<V>(rim.turned[n][at]) * modulus;
+                }
             }
         }
         store(of.left.data() + k * lanes, left);
@@ -188,6 +193,10 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
     for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
         of.size[ellipse].resize(lanes);
         store(of.size[ellipse].data(), whole[ellipse]);
+    }
+    for (std::size_t n = 0; fields && n < rim_most_turns; ++n) {
+        of.turned[n].resize(lanes);
+        store(of.turned[n].data(), turned[n]);
     }
 }
 
@@ -331,7 +340,7 @@ struct RimLone {
     std::size_t lanes;
     RimWindow window;
     std::vector<Floats> real[2], imaginary[2];  // parts of waves: [rim][block of radii], each [wave][k][lane]
-    std::vector<Floats> weights;                // [block of radii], each [weight of a pixel][lane]
+    std::vector<Floats> weights;  // [block of radii], each [weight of a pixel][lane]
 
     RimLone(const RimTable& table, std::size_t side) : lanes(side), window(table.window) {
         const std::size_t radii = table.radii(), blocks = (radii + lanes - 1) / lanes;
@@ -551,7 +560,7 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
     const std::size_t around = table.around, quarter = around / 4, line = channels * lanes;
     scratch.light.resize(table.ring() * line);
     const std::size_t block = table.radii() * Rims * 4 * lanes;
-    scratch.kept.resize(table.window.fields ? table.ring() * block : 0);
+    scratch.kept.resize(table.window.fields() ? table.ring() * block : 0);
     float* const kept = scratch.kept.empty() ? nullptr : scratch.kept.data();
     scratch.squares.assign(lanes, 0.0f);
     scratch.largest.assign(lanes, 0.0f);

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lommel/averages/window_nodes.hpp"
+#include "lommel/bounds/strips.hpp"
 #include "lommel/bounds/transfer_rule.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/base/pi.hpp"
@@ -22,7 +24,9 @@
 
 namespace lommel {
 
-constexpr std::size_t rim_radii_tile = 3, rim_angles_tile = 3, rim_orders_tile = 6;
+constexpr std::size_t rim_radii_tile = 3, rim_angles_tile = 3, rim_orders_tile = 6, rim_points_tile = 6;
+// Fields near a pixel are interpolated between this many polar angles at most.
+constexpr std::size_t rim_most_turns = 10;
 
 // Parameters that determine a RimTable.
 struct RimWindow {
@@ -32,21 +36,25 @@ struct RimWindow {
     double obscuration;
     std::size_t degree;    // largest degree of Zernike terms
     double error;          // allowed error of averages due to interpolation
-    bool fields;           // whether fields at the Gauss points of pixels are wanted
+    // Fields at points of pixels are wanted, for averages behind these strips, of pupils whose phases have slopes up to about `slope`
+    // around the rims.
+    std::vector<Strip> strips;
+    double slope;
 
     bool operator==(const RimWindow& other) const {
         return step == other.step && box == other.box && reach == other.reach && obscuration == other.obscuration &&
-               degree == other.degree && error == other.error && fields == other.fields;
+               degree == other.degree && error == other.error && strips == other.strips && slope == other.slope;
     }
     double nearest() const { return 0.5 * static_cast<double>(box) * step; }
+    bool fields() const { return !strips.empty(); }
 };
 
 // Waves from one rim: of the aperture (radius 1), or of the obscuration, for which v is `radius` times the image radius.
 struct RimWaves {
     double radius = 1.0, weight = 1.0;  // radius of the rim; factor of its waves
-    std::size_t orders = 0;   // largest order |mu| of the Fourier coefficients in use
-    std::size_t angles = 0;   // number of equally spaced angles on the rim
-    std::size_t first = 0;    // wave i < count() has the azimuthal order i - first
+    std::size_t orders = 0;  // largest order |mu| of the Fourier coefficients in use
+    std::size_t angles = 0;  // number of equally spaced angles on the rim
+    std::size_t first = 0;  // wave i < count() has the azimuthal order i - first
     // Factors of the Fourier coefficients in X (`real`) and Y (`imaginary`), amplitudes of the field U:
     // v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv).
     // Indices: [wave][tile of radii][k][radius in the tile]; k: order of the derivative of the pupil function at the rim.
@@ -54,6 +62,8 @@ struct RimWaves {
     Floats forward[4];  // cos, sin on the rim, for each kind of fold(): [tile of orders][angle][order in the tile]
     Floats back[4];  // cos, sin in the image, for each kind of fold(): [tile of angles][order][angle in the tile]
     Floats size[2];  // [ellipse]: bound on the wave of a Fourier coefficient of 1, [k][mu + orders]
+    // If fields are wanted, [n]: largest modulus of the wave at the radii, for a Fourier coefficient of 1, times (its order)^(n + 1).
+    Floats turned[rim_most_turns];
 
     std::size_t count() const { return 2 * orders + rim_orders; }
     // Number of even (odd = 0) or odd (odd = 1) orders n >= 0; order -n is combined with n.
@@ -69,8 +79,22 @@ struct RimPixels {
     // RimTable::off_angles, off_radii, gain and dropped of these pixels alone.
     double off_angles = 0.0, gain = 0.0, dropped = 0.0;
     std::array<double, 2> off_radii{};
-    // Fields at Gauss points: number of places along the radius, indices of the first point, in RimTable::parts, and in ::local.
-    std::size_t places = 0, point = 0, part = 0, place = 0;
+    // Fields at points: number of places along the radius and of polar angles near the pixel; indices in RimTable::starts,
+    // ::parts and ::local; errors by interpolation between these angles, over RimErrors::turned of their number, and between these
+    // places, over either RimSums::size or the root of the largest channel 0 times the number of waves.
+    std::size_t places = 0, turns = 0, turn = 0, part = 0, place = 0;
+    double off_turns = 0.0;
+    std::array<double, 3> off_places{};
+
+    // Row and column, from the axis, of the image of the pixel (row q, column p) after a number of quarter turns; turned: of its
+    // mirror image.
+    std::array<std::int64_t, 2> image(bool turned, std::size_t quarters) const {
+        const std::int64_t a = static_cast<std::int64_t>(p), b = static_cast<std::int64_t>(q);
+        const std::array<std::int64_t, 2> images[2][4] = {{{b, a}, {a, -b}, {-b, -a}, {-a, b}},
+                                                          {{-b, a}, {a, b}, {b, -a}, {-a, -b}}};
+        return images[turned ? 1 : 0][quarters];
+    }
+    std::size_t mirrors() const { return q == 0 || q == p ? 1 : 2; }
 };
 
 // Weights of `taps` angles, `apart` rad from each other, for interpolation between the middle two: a least-squares fit, for the
@@ -239,17 +263,20 @@ struct RimTable {
     double off_pixels = 0.0;  // error of averages due to Gauss quadrature over a pixel
     double off_field = 1.0;  // bound: mean of |omitted field|^2 in a pixel / (RimStack::remainders() / v^rim_orders)^2
     double dropped = 0.0;  // error of averages due to omitted channels, relative to the largest value of channel 0
-    // If window.fields: Gauss points of a pixel along an axis, from -1 to 1, and their weights; number of taps around a ring; and of
-    // all pixels, see RimPixels. A field is the sum over taps and places of shares[tap] times parts[place][rim][2] times X and Y
-    // (RimWaves) at the place, which is the sum over radii of local[place][radius] times those in the ring.
-    std::vector<double> gauss_places, gauss_weights;
+    // If fields are wanted: points of a pixel along an axis, from -1 to 1, and their weights; number of taps around a ring; and
+    // of all pixels, see RimPixels. X and Y (RimWaves) at polar angles and places near a pixel are sums over taps of shares[angle][tap]
+    // times those of rings, from tap starts[angle] of the pixel on, and over radii of local[place][radius]. Fields at points are sums of
+    // parts[tile of points][angle][place][rim][X, Y][point in the tile] times these.
+    std::vector<double> point_places, point_weights;
     std::size_t field_taps = 0;
-    std::vector<std::uint16_t> starts;  // [point]: its first tap, from the first angle of its pixel
+    std::vector<std::uint16_t> starts;
     Floats shares, parts, local;
     // Errors of fields: by interpolation between angles, over the sum over rims of 2 (|X|^2 + |Y|^2)^(1/2), each the root mean square
-    // around a ring; between radii, over RimSums::size; between places, over the largest (|X|^2 + |Y|^2)^(1/2), twice the sum over
-    // rims. field_gain: largest sum of moduli of weights.
-    double field_angles = 0.0, field_places = 0.0, field_gain = 0.0;
+    // around a ring; between radii, over RimSums::size. field_gain: largest sum of moduli of weights; most_parts: number of parts.
+    double field_angles = 0.0, field_gain = 0.0;
+    // Errors of averages over a pixel from these points: of their frequency response along an axis; of what strips add.
+    double off_points = 0.0, off_strips = 0.0;
+    std::size_t most_parts = 0;
     std::array<double, 2> field_radii{};
 
     explicit RimTable(const RimWindow& asked) : window(asked), rule(chosen_rule()) {
@@ -268,7 +295,7 @@ struct RimTable {
             }
         }
         choose_angles();
-        if (window.fields) {
+        if (window.fields()) {
             choose_points();
         }
         for (RimWaves& rim : rims) {
@@ -308,30 +335,6 @@ struct RimTable {
             least = std::min(least, 64.0 / 15.0 * size / (1.0 - 1.0 / (rho * rho)));
         }
         return least;
-    }
-
-    // Error of averages by Gauss quadrature of intensities whose transfer function is at most the autocorrelation of the unit disc: from
-    // the mean error of the frequency response (certificate, section 10).
-    static double mean_pixel_error(double step, std::size_t points) {
-        std::vector<double> x(points), weights(points);
-        gauss_legendre(points, x.data(), weights.data());
-        const auto off = [&](double w) {
-            double sum = 0.0;
-            for (std::size_t i = 0; i < points; ++i) {
-                sum += 0.5 * weights[i] * std::cos(0.5 * step * w * x[i]);
-            }
-            return sum - std::sin(0.5 * step * w) / (0.5 * step * w);
-        };
-        double squares = 0.0, largest = 0.0;
-        const std::vector<double> band = band_points(0.5 * step);
-        const TransferRule rule(band.size());
-        for (std::size_t i = 0; i < rule.at.size(); ++i) {
-            squares += rule.weights[i] * off(rule.at[i]) * off(rule.at[i]);
-        }
-        for (const double w : band) {
-            largest = std::max(largest, std::abs(off(w)));
-        }
-        return (2.0 + std::sqrt(2.0) * largest) * (std::sqrt(squares) + 1e-14);
     }
 
    private:
@@ -399,9 +402,23 @@ struct RimTable {
             sup[0] = 2.0 * largest / nearest * sup[1] + sup[2];
             for (std::size_t k = 0; k < rim_orders; ++k) {
                 for (std::int32_t mu = -orders; mu <= orders; ++mu) {
-                    rim.size[ellipse].push_back(static_cast<float>(1.00001 * std::abs(rim.weight) * rim_scale(k) *
-                                                                   std::pow(largest / nearest, static_cast<double>(k)) *
-                                                                   sup[static_cast<std::size_t>(std::abs(mu + 1))]));
+                    const double size = 1.00001 * std::abs(rim.weight) * rim_scale(k) *
+                                        std::pow(largest / nearest, static_cast<double>(k)) *
+                                        sup[static_cast<std::size_t>(std::abs(mu + 1))];
+                    rim.size[ellipse].push_back(static_cast<float>(size));
+                    if (!window.fields() || ellipse == 1) {
+                        continue;
+                    }
+                    double most_of = 0.0;  // modulus of the wave at the radii
+                    for (std::size_t r = 0; r < radii(); ++r) {
+                        most_of = std::max(
+                            most_of, std::pow(rule.places[r] / nearest, static_cast<double>(k)) * std::abs(wave(r, mu + 1)));
+                    }
+                    most_of *= 1.00001 * std::abs(rim.weight) * rim_scale(k);
+                    for (std::size_t n = 0; n < rim_most_turns; ++n) {
+                        rim.turned[n].push_back(
+                            static_cast<float>(most_of * std::pow(std::abs(mu - static_cast<std::int32_t>(k)), n + 1)));
+                    }
                 }
             }
         }
@@ -457,7 +474,7 @@ struct RimTable {
                 // box are large, because pupils that need large boxes have large phases.
                 const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
                 if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest &&
-                    (!window.fields || 2.0 * std::sqrt(squares) * of_field <= field_error() * nearest * std::sqrt(nearest))) {
+                    (!window.fields() || 2.0 * std::sqrt(squares) * of_field <= field_error() * nearest * std::sqrt(nearest))) {
                     best = rule;
                 }
             }
@@ -478,16 +495,20 @@ struct RimTable {
     }
     // Allowed error of fields, for each of its causes. Fields count times those of strips.
     double field_error() const { return 24.0 * window.error; }
-    // Error of Gauss quadrature over pixels by the points of fields.
-    double field_pixels() const { return window.fields ? 3.0 * pixel_error(window.step, gauss_places.size()) : 0.0; }
     void choose_points() {
-        std::size_t points = 4;
-        while (mean_pixel_error(window.step, points) > 0.15 * window.error && points < 64) {
-            ++points;
+        for (std::size_t count = 4; count <= 64; ++count) {
+            const WindowNodes nodes(window.step, 1, count);
+            point_places = nodes.places;
+            point_weights = nodes.weights;
+            for (std::size_t i = 0; i < count; ++i) {
+                point_places[i] *= 2.0 / window.step;
+                point_weights[i] *= 2.0 / nodes.gain;
+            }
+            find_point_errors();
+            if (off_strips <= 0.3 * window.error && *std::min_element(point_weights.begin(), point_weights.end()) > 0.0) {
+                break;
+            }
         }
-        gauss_places.resize(points);
-        gauss_weights.resize(points);
-        gauss_legendre(points, gauss_places.data(), gauss_weights.data());
         const double most = static_cast<double>(rims[0].orders + rim_orders - 1);
         for (field_taps = 4; field_taps < taps; field_taps += 2) {
             const double off = std::sqrt(AngleWeights(field_taps, most, apart()).find(0.5));
@@ -496,73 +517,177 @@ struct RimTable {
             }
         }
     }
-    // Set what the fields at the Gauss points of some pixels follow from.
+    // Set off_points and off_strips (certificate, section 10, "Other pixels").
+    void find_point_errors() {
+        const auto off = [&](double w) {
+            const double angle = 0.5 * window.step * w;
+            double sum = angle == 0.0 ? -1.0 : -std::sin(angle) / angle;
+            for (std::size_t i = 0; i < point_places.size(); ++i) {
+                sum += 0.5 * point_weights[i] * std::cos(angle * point_places[i]);
+            }
+            return sum;
+        };
+        const std::vector<double> band = band_points(0.5 * window.step);
+        off_points = 0.0;
+        for (const double w : band) {
+            off_points = std::max(off_points, std::sqrt(2.0) * std::abs(off(w)) + 1e-14);
+        }
+        // Bound on the mean, over the disc, of the error at the frequencies between its points and one at most `out` from the axis.
+        const std::size_t count = band.size() + 3;
+        const auto mean = [&](double out) {
+            const double wide = 1.0 + std::min(out, 1.0);
+            double sum = 0.0;
+            for (std::size_t i = 1; i < count; ++i) {
+                const double angle = pi * static_cast<double>(i) / static_cast<double>(count), e = off(wide * std::cos(angle));
+                sum += pi / static_cast<double>(count) * std::pow(std::sin(angle), 4) * e * e;
+            }
+            return 2.0 / pi * wide * std::sqrt(2.0 * pi * wide * sum) + 1e-14;
+        };
+        off_strips = 0.0;
+        for (const Strip& strip : window.strips) {
+            const double c = std::abs(strip.cosine), s = std::abs(strip.sine), far = strip.farthest();
+            off_strips += 2.0 * strip.area() * ((1.0 + off_points) * mean(c + far * s) + mean(s + far * c));
+        }
+    }
+    // Largest rho of an ellipse around [low, high] that is within the ellipse of rule.rho(e); 1 if there is none.
+    double rho_within(double low, double high, std::size_t e) const {
+        const double own = rule.rho(e), sum = 0.5 * (1.0 - rule.low) * (own + 1.0 / own);
+        double rho = 1.0;
+        for (double next = 1.05;; next *= 1.05) {
+            const double wide = 0.25 * (high - low) * (next + 1.0 / next), tall = 0.25 * (high - low) * (next - 1.0 / next);
+            for (const double x : {0.5 * (low + high) - wide, 0.5 * (low + high) + wide}) {
+                if (std::hypot(x - rule.low, tall) + std::hypot(x - 1.0, tall) > sum) {
+                    return rho;
+                }
+            }
+            rho = next;
+        }
+    }
+    // Set what the fields at the points of some pixels follow from.
     void make_fields(RimPixels& own) {
-        const double nearest = window.nearest();
-        const std::size_t points = gauss_places.size();
-        AngleWeights angles(field_taps, static_cast<double>(rims[0].orders + rim_orders - 1), apart());
-        std::vector<double> v, wanted;
-        double around_ring = 0.0, nearer = 0.0;  // largest sum of moduli of the weights of angles; largest v^(-3/2)
-        own.point = starts.size();
-        own.part = parts.size();
-        own.place = local.size();
-        for (std::size_t i = 0; i < points * points; ++i) {
-            const double y = static_cast<double>(own.q) + 0.5 * gauss_places[i / points],
-                         x = static_cast<double>(own.p) + 0.5 * gauss_places[i % points];
+        const double nearest = window.nearest(), middle = std::atan2(static_cast<double>(own.q), static_cast<double>(own.p));
+        const std::size_t points = point_places.size() * point_places.size();
+        std::vector<double> v, angles;
+        double half = 0.0;  // half width in angle
+        for (std::size_t i = 0; i < points; ++i) {
+            const double y = static_cast<double>(own.q) + 0.5 * point_places[i / point_places.size()],
+                         x = static_cast<double>(own.p) + 0.5 * point_places[i % point_places.size()];
             v.push_back(window.step * std::hypot(y, x));
-            const double angle = std::atan2(y, x) / apart() - 0.5, before = std::floor(angle), root = std::pow(v[i], -1.5);
-            const double misfit = std::sqrt(angles.find(angle - before)), along = rule.at(nearest / v[i]);
-            nearer = std::max(nearer, root);
+            angles.push_back(std::atan2(y, x));
+            half = std::max(half, std::abs(angles[i] - middle));
+        }
+        const auto [least, most] = std::minmax_element(v.begin(), v.end());
+        const double top = nearest / *least, bottom = nearest / *most, nearer = std::pow(*least, -1.5);
+        const double rho[2] = {rho_within(bottom, top, 0), rho_within(bottom, top, 1)};
+        // Chebyshev points in x = nearest / v, and in angle. The estimated moduli of waves are those of chosen_rule().
+        double along = 0.0, between = 0.0;  // largest sums of moduli of weights
+        Doubles wanted;  // [point][radius]
+        for (const double radius : v) {
+            along = std::max(along, rule.at(nearest / radius));
             wanted.insert(wanted.end(), rule.shares.begin(), rule.shares.end());
+        }
+        // [point][place], [place][radius], [point][angle]; all: [point], v^(-3/2) times the largest sum of moduli of weights of radii
+        std::vector<double> of_places, to_places, of_turns, all(points);
+        bool enough = false;
+        for (own.places = 2; !enough && own.places < 2 * radii(); ++own.places) {
+            RadiusRule here(bottom / top, own.places);
+            of_places.clear();
+            to_places.clear();
+            for (const double place : here.places) {
+                along = std::max(along, rule.at(top * place));
+                to_places.insert(to_places.end(), rule.shares.begin(), rule.shares.end());
+            }
+            own.off_places.fill(0.0);
+            between = 0.0;
+            for (std::size_t i = 0; i < points; ++i) {
+                between = std::max(between, here.at(nearest / v[i] / top));
+                of_places.insert(of_places.end(), here.shares.begin(), here.shares.end());
+                double sum = 0.0, moduli = 0.0, before = 0.0;
+                for (std::size_t r = 0; r < radii(); ++r) {
+                    double share = 0.0;
+                    for (std::size_t l = 0; l < own.places; ++l) {
+                        share += here.shares[l] * to_places[l * radii() + r];
+                    }
+                    sum += std::abs(wanted[i * radii() + r] - share);
+                    moduli += std::abs(share);
+                    before += std::abs(wanted[i * radii() + r]);
+                }
+                all[i] = std::pow(v[i], -1.5) * std::max(moduli, before);
+                own.off_places[2] = std::max(own.off_places[2], nearer * sum);
+            }
+            for (std::size_t e = 0; e < 2; ++e) {
+                own.off_places[e] =
+                    rho[e] > 1.0 ? 8.0 * nearer * std::pow(rho[e], -static_cast<double>(own.places)) / (1.0 - 1.0 / rho[e])
+                                 : 1e30;
+            }
+            enough = std::min(std::min(own.off_places[0], own.off_places[1]) * std::sqrt(1.2 * nearest),
+                              3.5 * own.off_places[2]) <= 0.5 * field_error();
+        }
+        --own.places;
+        own.place = local.size();
+        local.insert(local.end(), to_places.begin(), to_places.end());
+        for (std::size_t e = 0; e < 2; ++e) {
+            field_radii[e] =
+                std::max(field_radii[e],
+                         2.0 * nearer * between * std::max(rule.error(top, rule.rho(e)), rule.error(bottom, rule.rho(e))));
+        }
+        // Derivatives of high orders n are often larger than the power n of the slope.
+        double guess = 0.0;
+        do {
+            ++own.turns;
+            const double order = static_cast<double>(own.turns);
+            own.off_turns =
+                4.0 * *std::max_element(all.begin(), all.end()) * std::pow(0.5 * half, order) / std::tgamma(order + 1.0);
+            guess = 3.5 * own.off_turns * std::pow(window.slope, order) * std::exp2(std::max(0.0, order - 3.0));
+        } while (guess > 0.5 * field_error() && own.turns < rim_most_turns);
+        AngleWeights ring(field_taps, static_cast<double>(rims[0].orders + rim_orders - 1), apart());
+        own.turn = starts.size();
+        double around_ring = 0.0, between_turns = 0.0;  // largest sums of moduli of weights
+        std::vector<double> turns, misfits;
+        for (std::size_t a = 0; a < own.turns; ++a) {
+            turns.push_back(middle + half * chebyshev_point(a, own.turns));
+            const double angle = turns[a] / apart() - 0.5, before = std::floor(angle);
+            misfits.push_back(std::sqrt(ring.find(angle - before)));
             double moduli = 0.0;
             for (std::size_t t = 0; t < field_taps; ++t) {
-                shares.push_back(static_cast<float>(angles.shares[t]));
-                moduli += std::abs(angles.shares[t]);
+                shares.push_back(static_cast<float>(ring.shares[t]));
+                moduli += std::abs(ring.shares[t]);
             }
             around_ring = std::max(around_ring, moduli);
-            field_angles = std::max(field_angles, root * along * misfit);
             starts.push_back(
                 static_cast<std::uint16_t>(before - static_cast<double>(field_taps / 2 - 1) - static_cast<double>(own.begin)));
         }
-        const auto [least, most] = std::minmax_element(v.begin(), v.end());
-        const double top = nearest / *least;
-        for (own.places = 2;; ++own.places) {
-            RadiusRule here(*least / *most, own.places);
-            std::vector<double> of_places;
-            double along = 0.0, between = 0.0;  // largest sums of moduli of weights
-            for (const double place : here.places) {
-                along = std::max(along, rule.at(top * place));
-                of_places.insert(of_places.end(), rule.shares.begin(), rule.shares.end());
-            }
-            double off = 0.0;
-            Floats made;
-            for (std::size_t i = 0; i < v.size(); ++i) {
-                between = std::max(between, here.at(nearest / v[i] / top));
-                double sum = 0.0;
-                for (std::size_t r = 0; r < radii(); ++r) {
-                    double share = wanted[i * radii() + r];
-                    for (std::size_t l = 0; l < own.places; ++l) {
-                        share -= here.shares[l] * of_places[l * radii() + r];
-                    }
-                    sum += std::abs(share);
+        for (std::size_t i = 0; i < points; ++i) {
+            double moduli = 0.0, misfit = 0.0;
+            for (std::size_t a = 0; a < own.turns; ++a) {
+                double share = 1.0;
+                for (std::size_t b = 0; b < own.turns; ++b) {
+                    share *= b == a ? 1.0 : (angles[i] - turns[b]) / (turns[a] - turns[b]);
                 }
-                const double root = std::pow(v[i], -1.5);
-                off = std::max(off, root * sum * around_ring);
-                for (const double share : here.shares) {
-                    for (const RimWaves& rim : rims) {
-                        made.push_back(static_cast<float>(2.0 * root * share * std::cos(rim.radius * v[i])));
-                        made.push_back(static_cast<float>(-2.0 * root * share * std::sin(rim.radius * v[i])));
-                    }
-                }
+                of_turns.push_back(share);
+                moduli += std::abs(share);
+                misfit += std::abs(share) * misfits[a];
             }
-            if (3.5 * off <= field_error() || own.places >= 2 * radii()) {
-                field_places = std::max(field_places, off);
-                field_gain = std::max(field_gain, nearer * along * between * around_ring);
-                parts.insert(parts.end(), made.begin(), made.end());
-                local.insert(local.end(), of_places.begin(), of_places.end());
-                return;
-            }
+            between_turns = std::max(between_turns, moduli);
+            field_angles = std::max(field_angles, all[i] * misfit);
         }
+        own.off_places[2] *= around_ring * between_turns;
+        field_gain = std::max(field_gain, nearer * along * between * around_ring * between_turns);
+        own.part = parts.size();
+        const std::size_t each = own.places * rims.size() * 2, count = own.turns * each;
+        most_parts = std::max(most_parts, count);
+        parts.resize(own.part + points * count);
+        for_tiles(points, rim_points_tile, [&](std::size_t from, std::size_t size) {
+            for (std::size_t i = from; i < from + size; ++i) {
+                for (std::size_t j = 0; j < count; ++j) {
+                    const double angle = rims[j / 2 % rims.size()].radius * v[i];
+                    parts[own.part + from * count + j * size + i - from] =
+                        static_cast<float>(2.0 * std::pow(v[i], -1.5) * of_turns[i * own.turns + j / each] *
+                                           of_places[i * own.places + j % each / (2 * rims.size())] *
+                                           (j % 2 == 0 ? std::cos(angle) : -std::sin(angle)));
+                }
+            }
+        });
     }
     void make_pixels() {
         const double nearest = window.nearest();
@@ -573,7 +698,7 @@ struct RimTable {
             ++points;
         }
         off_pixels = 3.0 * pixel_error(window.step, points);
-        off_field = std::min(1.0, 4.0 * pi / (window.step * window.step) + std::max(off_pixels, field_pixels()));
+        off_field = std::min(1.0, 4.0 * pi / (window.step * window.step) + std::max(off_pixels, 3.0 * off_points));
         std::vector<double> x(points), w(points);
         gauss_legendre(points, x.data(), w.data());
         std::vector<double> frequencies{2.0};
@@ -607,7 +732,6 @@ struct RimTable {
                     const double worst =
                         std::max(rule.error(nearest / first, rule.rho(e)), rule.error(nearest / last, rule.rho(e)));
                     off_radii[e] = std::max(off_radii[e], 4.0 / (first * first * first) * worst);
-                    field_radii[e] = std::max(field_radii[e], 2.0 / (first * std::sqrt(first)) * worst);
                     own.off_radii[e] = 4.0 / (first * first * first) * worst;
                 }
                 dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -685,7 +809,7 @@ struct RimTable {
                 off_angles = std::max(off_angles, own.off_angles);
                 gain = std::max(gain, own.gain);
                 dropped = std::max(dropped, own.dropped);
-                if (window.fields) {
+                if (window.fields()) {
                     make_fields(own);
                 }
                 pixels.push_back(own);

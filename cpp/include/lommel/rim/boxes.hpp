@@ -63,7 +63,7 @@ class RimBoxes {
     // time of a stack.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     // The same for the spike of a strip in a window with sides of `spiked` pixels; pupils fill vectors of `vector` lanes.
-    static constexpr double spike = 2500.0, spiked = 33.0, vector = 16.0;
+    static constexpr double spike = 2000.0, spiked = 33.0, vector = 16.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in lambda / (2 pi NA)

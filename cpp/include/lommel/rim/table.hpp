@@ -269,7 +269,7 @@ struct RimTable {
     // parts[tile of points][angle][place][rim][X, Y][point in the tile] times these.
     std::vector<double> point_places, point_weights;
     std::size_t field_taps = 0;
-    std::vector<std::uint16_t> starts;
+    std::vector<std::int16_t> starts;
     Floats shares, parts, local;
     // Errors of fields: by interpolation between angles, over the sum over rims of 2 (|X|^2 + |Y|^2)^(1/2), each the root mean square
     // around a ring; between radii, over RimSums::size. field_gain: largest sum of moduli of weights; most_parts: number of parts.
@@ -493,8 +493,14 @@ struct RimTable {
         }
         taps = AngleWeights::most_taps;
     }
-    // Allowed error of fields, for each of its causes. Fields count times those of strips.
-    double field_error() const { return 24.0 * window.error; }
+    // Allowed error of fields, for each of its causes. Fields count times those of strips, at most their area / pi.
+    double field_error() const {
+        double cut = 0.0;
+        for (const Strip& strip : window.strips) {
+            cut += strip.area();
+        }
+        return std::min(100.0, 0.4 / cut) * window.error;
+    }
     void choose_points() {
         for (std::size_t count = 4; count <= 64; ++count) {
             const WindowNodes nodes(window.step, 1, count);
@@ -505,7 +511,7 @@ struct RimTable {
                 point_weights[i] *= 2.0 / nodes.gain;
             }
             find_point_errors();
-            if (off_strips <= 0.3 * window.error && *std::min_element(point_weights.begin(), point_weights.end()) > 0.0) {
+            if (off_strips <= 0.3 * window.error) {
                 break;
             }
         }
@@ -543,7 +549,8 @@ struct RimTable {
             }
             return 2.0 / pi * wide * std::sqrt(2.0 * pi * wide * sum) + 1e-14;
         };
-        off_strips = 0.0;
+        // The weights of root mean squares are positive.
+        off_strips = *std::min_element(point_weights.begin(), point_weights.end()) > 0.0 ? 0.0 : 1e30;
         for (const Strip& strip : window.strips) {
             const double c = std::abs(strip.cosine), s = std::abs(strip.sine), far = strip.farthest();
             off_strips += 2.0 * strip.area() * ((1.0 + off_points) * mean(c + far * s) + mean(s + far * c));
@@ -655,7 +662,7 @@ struct RimTable {
             }
             around_ring = std::max(around_ring, moduli);
             starts.push_back(
-                static_cast<std::uint16_t>(before - static_cast<double>(field_taps / 2 - 1) - static_cast<double>(own.begin)));
+                static_cast<std::int16_t>(before - static_cast<double>(field_taps / 2 - 1) - static_cast<double>(own.begin)));
         }
         for (std::size_t i = 0; i < points; ++i) {
             double moduli = 0.0, misfit = 0.0;

@@ -32,6 +32,13 @@ def test_coefficients_blurs_and_rejected_stars_are_told_with_their_errors_in_the
     assert [star["reason"] for star in facts["rejected_stars"]] == ["rejected, chi2 3", "rejected, chi2 2"]
     (line,) = fit_commands.blurs_in_words(result, 4e-6, None)
     assert line.text == "blur: 0.500 +- 0.025 pixels (standard deviation); none"
+    result.blurs = ((lm.Motion(8e-6, 0.5), lm.Jitter(2e-6, 1e-6, 0.25), lm.Seeing.from_fwhm(4.8e-6, 1.0)),)
+    result.blur_errors = ((2e-7, 1e-7, 0.01),)
+    (line,) = fit_commands.blurs_in_words(result, 4e-6, 1.0)
+    line_of, ellipse, seeing = line.text.removeprefix("blur: ").split(" and ")
+    assert line_of == "a line of 2.000 +- 0.050 pixels at 29 degrees from the rows"
+    assert ellipse == "0.500 +- 0.025 by 0.250 pixels (standard deviation) at 14 degrees from the rows"
+    assert seeing.startswith("seeing of 0.99")
     result.coma = None
     assert fit_commands._facts(result, SimpleNamespace(left_out={}, refused=[]))["coma"] is None
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lommel.core.answers import Declined
-from lommel.estimation.favoured_effects import Estimate, estimated_findings, rounds_of
+from lommel.estimation.favoured_effects import Estimate, estimated_findings, opened, rounds_of, unsure
 from lommel.fit.score_tests import ScoreTest
 
 CALM = Made(stands_out=lambda _: True)
@@ -74,6 +74,41 @@ def test_rivals_are_estimated_together_where_the_model_can():
 
 def test_estimates_that_differ_from_nothing_by_less_than_their_error_are_left_out():
     wobble, drift = Estimate("wobble", 0.02, 0.05, 1.0), Estimate("drift", 0.02, 0.05, 0.0)
-    (told,) = estimated_findings([wobble, drift], 1.0)
+    (told,) = estimated_findings([wobble, drift], {})
     assert [*told.numbers] == ["wobble", "move"]  # 0 is not what was stated
-    assert estimated_findings([drift], 1.0) == []
+    assert estimated_findings([drift], {}) == []
+
+
+def revision(loss):
+    """Return a revision of fits, of deviance 0, that lose this lnL by the name of their effect."""
+    return lambda fit, test, compared: Made(deviance=loss[test.name] if compared else 0.0)
+
+
+@pytest.mark.parametrize(("loss", "name", "others"), [(1.0, "b", ["a"]), (9.0, "b", []), (-8.0, "a", [])])
+def test_refits_are_compared_after_what_stood_for_their_effects_is_chosen_anew(loss, name, others):
+    gains, fit = {"a": 50.0, "b": 51.0}, Made(stands_out=lambda _: True, deviance=0.0)
+    tests = [[score("a", 60.0), score("b", 59.0)], []]
+    last = chain(tests, gains, fit, revised=revision({"a": loss, "b": 0.0}))[-1]
+    assert (last.names, [test.name for test, *_ in last.others]) == ((name,), others)
+    assert (unsure([Made(names=(), rivals=()), last]), last.rivals) == ({name} if others else set(), (*others,))
+
+
+def test_a_change_beyond_an_error_widens_it():
+    assert opened(np.array([0.5, -3.0]), np.ones(2)).tolist() == [0.0, 9.0]
+
+
+def test_an_error_contains_the_stated_value_where_another_effect_explains_the_images_as_well():
+    ratio, scale = (
+        Estimate("f_number", 7.9, 0.004, 8.0, unsure=True),
+        Estimate("scale", 0.98, 0.001, 1.0, unsure=True),
+    )
+    moves = {"coma": 3.0, "spherical": 7.8}
+    (told,) = estimated_findings([ratio], moves, ["scale", "drift"], [scale], {"coma": 0.4})
+    assert abs(told.numbers["f_number"]["error"] - np.hypot(0.1, 0.004)) < 1e-9
+    assert abs(told.numbers["scale"]["error"] - np.hypot(0.02, 0.001)) < 1e-9
+    assert told.severity == "note"
+    assert "or instead scale 0.9800 +- 0.0010 (stated 1) or drift, each if the others are as stated" in told.text
+    assert "moves spherical by 7.8 standard errors" in told.text
+    (doubtful,) = estimated_findings([ratio], moves, ["scale"], [scale], {"coma": 0.1, "tilt": 1.4})
+    assert doubtful.severity == "doubt"
+    assert "but tilt differs by 1.4 standard errors" in doubtful.text

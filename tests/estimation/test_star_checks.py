@@ -88,10 +88,16 @@ def test_what_is_missing_is_named_first_with_its_size(world, name, size):
 )
 def test_what_is_missing_is_estimated_where_the_model_can(world, name, stated, true):
     fit = found(recorded(**world))
-    assert fit.reliable
     (label, told), *others = fit.findings.get("estimated").numbers.items()
-    assert ([*dict(others)], label.startswith(name), told["stated"]) == (["move"], True, stated)
-    assert (told["value"], told["error"]) == (fit.coefficients[name], fit.errors[name])
+    # One wrong defocus of two explains the images as well as a scale, with another mean defocus.
+    assert fit.reliable == (name != "defocus scale") == ([*dict(others)] == ["move"])
+    assert (label.startswith(name), told["stated"]) == (True, stated)
+    assert (told["value"], told["error"]) == pytest.approx((fit.coefficients[name], fit.errors[name]))
+    if not fit.reliable:
+        assert {"defocus of image 1", "defocus of image 2"} < {*dict(others)}
+        assert told["error"] > abs(told["value"] - stated)
+        assert all(one["error"] > abs(one["value"] - one["stated"]) for name, one in others if name != "move")
+        assert "noll 4 defocus differs" in fit.message
     assert fit.coefficients[name] == pytest.approx(true, abs=4 * fit.errors[name])
     assert np.abs(pulls_of(fit)).max() < 4.0
     assert f"(stated {stated:g}" in fit.message

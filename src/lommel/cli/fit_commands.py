@@ -16,9 +16,9 @@ from lommel import detection
 from lommel.base import reading
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import ARCSEC, format_length, with_error
+from lommel.base.units import ARCSEC, format_length
 from lommel.base.validation import line
-from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing
+from lommel.blur.blurs import Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraNoise, header_differences, instrument_of, require_microscope
 from lommel.cli.messages import report_findings, verdict_lines
@@ -312,7 +312,8 @@ def fit_field(
     shown: list[Any] = [*verdict_lines(facts, result.summary), *middle, ""]
     for name, wave in facts["waves"].items():
         found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
-        shown += [*tables({f"waves rms, {name}": found, "errors": errors}), ""]
+        place = {"corner": "corner at the last row and column"}.get(name, name)
+        shown += [*tables({f"waves rms, {place}": found, "errors": errors}), ""]
     shown += [*blurs_in_words(result, pitch, focal_length), Wrapped(targets.message)]
     return report_findings(facts, *shown, *tables(facts), "") + files
 
@@ -339,23 +340,14 @@ def _too_few(targets: str, points: detection.PointSources | detection.Crossings)
 
 
 def blurs_in_words(result: FieldFit | Retrieval, pitch: float, focal_length: float | None) -> list[Wrapped]:
-    """Return a line on the fitted blurs: the FWHM of seeing at 500 nm, or sigma of a Gaussian in pixels, with errors.
+    """Return a line on the fitted blurs: the FWHM of seeing at 500 nm, widths in pixels, with errors.
 
-    `pitch` and `focal_length` are in metres. Other blurs are shown as in Python.
+    `pitch` and `focal_length` are in metres.
     """
-
-    def text(blur: Blur, error: float) -> str:
-        if isinstance(blur, Jitter) and blur.across == blur.sigma:
-            return f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)"
-        focal = getattr(blur, "focal_length", None) if focal_length is None else focal_length
-        if not isinstance(blur, Seeing) or focal is None:
-            return repr(blur)
-        width = FWHM / blur.coherence(500e-9) / focal / ARCSEC  # of long exposures
-        outer = "" if blur.outer_scale is None else f" for an outer scale of {format_length(blur.outer_scale)}"
-        return f"seeing of {' +- '.join(with_error(width, width * error / blur.r0))} arcsec at 500 nm{outer}"
+    from lommel.estimation.field_fit import in_words
 
     pairs = zip(result.blurs, result.blur_errors, strict=True)
-    texts = [" and ".join(map(text, blurs, errors)) or "none" for blurs, errors in pairs]
+    texts = [in_words(*pair, pitch, focal_length) for pair in pairs]
     return [Wrapped(f"blur: {'; '.join(texts)}")] if any(result.blurs) else []
 
 

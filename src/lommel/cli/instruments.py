@@ -168,8 +168,8 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     masks = _noted(read_images([path]), "--mask")[...]
     if masks.shape[1:] != images.shape[1:] or len(masks) not in (1, len(images)):
         raise ValueError(
-            f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "
-            f"got {len(masks)} of {masks.shape[1]} x {masks.shape[2]}"
+            f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, for all, or one "
+            f"for each in one file of {len(images)}, got {len(masks)} of {masks.shape[1]} x {masks.shape[2]}"
         )
     mask = np.asarray(masks != 0)  # NaN, too
     if mask.all():
@@ -373,7 +373,7 @@ class CameraNoise(Sensor):
     saturation
         Value in the file at which pixels saturate, such as 60000; the largest integer always counts as saturated.
     mask
-        Image that is not 0 at pixels to ignore; one for all images, or one for each.
+        Image that is not 0 at pixels to ignore, for all images; or a stack (NPY, TIFF) of one for each.
     """
 
     heading: ClassVar[str] = "Camera and noise"

@@ -293,7 +293,7 @@ def likely_tests(model: BeadModel, tests: Sequence[ScoreTest]) -> Sequence[Score
 
 def missing_findings(last: Round, stated: Setup) -> tuple[list[Finding], float]:
     """Return the finding on significant effects, and the gain of log-posterior by the best one."""
-    (model, _), (tests, *_), *_, tried = last
+    (model, _), (tests, *_), tried = last.fit, last.checks, last.tried
     tried = tried or [(test, None, test.log_bayes) for test in likely_tests(model, tests)]
     suffix = "" if seen(tests) else ", against its prior"
     words = [_in_words(test, model, stated, refit and refit[1]) + suffix for test, refit, _ in tried]
@@ -422,7 +422,7 @@ def estimates_of(first: Round, last: Round, stated: Setup) -> list[Finding]:
             estimates.append(Estimate(shown, float(values[column]), float(errors[column]), known, unit, factor))
     count = len(before.state.waves)
     moves = np.abs(fit.state.waves[:count] - before.state.waves) / first_errors[:count]
-    return estimated_findings(estimates, float(moves.max(initial=0.0)))
+    return estimated_findings(estimates, dict(zip(keys, moves.tolist(), strict=False)))
 
 
 def prior_findings(model: BeadModel, state: State, freed: Sequence[str] = ()) -> list[Finding]:

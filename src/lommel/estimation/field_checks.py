@@ -27,7 +27,7 @@ _ROWS, _COLUMNS = ("at the top", "in the middle", "at the bottom"), ("left", "",
 _PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
 # Middles of the parts, half fields.
 _DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[index] for index in np.divmod(np.arange(9), 3))
-_DRIFT = "motion of the images within an exposure, which widens the blur"
+_DRIFT = "motion within exposures (of the images, which widens the blur)"
 _FREE = 1e3  # factor of the prior standard deviation of an effect that is estimated
 _SURE = 5.0  # smallest significance of slopes (standard deviations) at which they are estimated
 
@@ -86,7 +86,7 @@ def missing_tests(
     unknowns, solved = stars.first_star.unknowns, (matrix, estimated)
     constant_columns = [j * m for j in range(k)]
     # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
-    spectrum = ("spectrum of the stars within the filter",) if stars.width_count and stars.pupil.wavelength else ()
+    spectrum = ("spectrum within the filter (of the stars)",) if stars.width_count and stars.pupil.wavelength else ()
     drift = (_DRIFT,) if stars.width_count and stars.target is None else ()
     never = (*star_checks.untestable(stars.first_star), *drift, *spectrum)
     untested = star_checks.untested_constants(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from dataclasses import field as attribute
 from os import PathLike
@@ -16,6 +16,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import listed
+from lommel.base.units import ARCSEC, format_length, with_error
 from lommel.blur.blurs import FWHM, Blur, Jitter, Motion, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, BlurProfile
 from lommel.detection.targets import Targets
@@ -29,7 +30,8 @@ from lommel.estimation.distortion import (
     fit_distortion,
     places_of,
 )
-from lommel.estimation.field_search import Outcome, Search, Solution, estimated_effects, trails_of
+from lommel.estimation.favoured_effects import opened, unsure
+from lommel.estimation.field_search import Outcome, Search, Solution, differences, estimated_effects, trails_of
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.options import FieldFitOptions
@@ -284,7 +286,8 @@ class FieldFit(FitReport):
         labels = [name if isinstance(name, str) else f"noll {_noll_index(name)}" for name in self.names]
         comments = [self.message]
         if any(self.blurs):
-            comments.append(f"not in this table: blur by {'; '.join(map(in_words, self.blurs))}")
+            texts = (in_words(*pair, self._sensor.pixel) for pair in zip(self.blurs, self.blur_errors, strict=True))
+            comments.append(f"not in this table: blur by {'; '.join(texts)}")
         for position, k in (("the middle", len(x) // 2), ("the bottom right corner", -1)):
             place = x[k], y[k]
             errors = self.at(*place)[1] / (2.0 * math.pi)
@@ -535,9 +538,30 @@ def _search_repeatedly(search: Search, has_start: bool, attempts: int) -> Outcom
     return best_outcome
 
 
-def in_words(blurs_of_exposure: tuple[Blur, ...]) -> str:
-    """Return the blurs as text, "nothing" if there are none."""
-    return " and ".join(map(repr, blurs_of_exposure)) or "nothing"
+def in_words(
+    blurs_of_exposure: Sequence[Blur], errors: Sequence[float], pitch: float, focal_length: float | None = None
+) -> str:
+    """Return blurs with standard errors as text: seeing as FWHM at 500 nm, widths in pixels; "none" without blur.
+
+    `pitch` and `focal_length`, by default that of a :class:`lommel.Seeing`, are in metres.
+    """
+
+    def text(blur: Blur, error: float) -> str:
+        angle = f" at {math.degrees(getattr(blur, 'angle', 0.0)) % 180.0:.0f} degrees from the rows"
+        if isinstance(blur, Motion):
+            return f"a line of {' +- '.join(with_error(blur.length / pitch, error / pitch))} pixels{angle}"
+        if isinstance(blur, Jitter) and blur.across is not None:
+            is_round, sigma = blur.across == blur.sigma, f"{blur.sigma / pitch:.3f} +- {error / pitch:.3f}"
+            across = "" if is_round else f" by {blur.across / pitch:.3f}"
+            return f"{sigma}{across} pixels (standard deviation){'' if is_round else angle}"
+        focal = getattr(blur, "focal_length", None) if focal_length is None else focal_length
+        if not isinstance(blur, Seeing) or focal is None:
+            return repr(blur)
+        width = FWHM / blur.coherence(500e-9) / focal / ARCSEC  # of long exposures
+        outer = "" if blur.outer_scale is None else f" for an outer scale of {format_length(blur.outer_scale)}"
+        return f"seeing of {' +- '.join(with_error(width, width * error / blur.r0))} arcsec at 500 nm{outer}"
+
+    return " and ".join(map(text, blurs_of_exposure, errors)) or "none"
 
 
 def _noll_index(term: Term) -> int:
@@ -626,7 +650,7 @@ def _build_field_fit(
     fit_covariance = fit.model.covariance(fit.scores)
     errors = np.sqrt(np.diag(fit_covariance))[k * m :]
     marginal = outcome.model_error or outcome.grade.marginal
-    shift, covariance = marginal.shift[: k * m].reshape(k, m), marginal.covariance[: k * m, : k * m]
+    shift, covariance = marginal.shift[: k * m].reshape(k, m), marginal.covariance[: k * m, : k * m].copy()
     shifted_waves = fit.model.basis @ shift.T
     mean_square = np.einsum("ni,ij,nj->n", shifted_waves, search.metric, shifted_waves).mean()
     # The shift is linear in the parameters: where it is large, it means nothing.
@@ -642,6 +666,10 @@ def _build_field_fit(
     effects = missing_findings(tests, grade, labels) if is_named else []
     findings = covered([*outcome.findings, *effects, *findings])
     findings += estimated_effects(outcome.rounds, coefficients, np.sqrt(np.diag(covariance)).reshape(k, m))
+    # Another effect may be the cause: errors contain the answer with it.
+    is_doubted = np.array([name in unsure(outcome.rounds) for name in labels])
+    change = np.where(is_doubted, coefficients.ravel(), differences(outcome.rounds).ravel())
+    np.fill_diagonal(covariance, np.diag(covariance) + opened(change, np.sqrt(np.diag(covariance))))
     squared_widths = fit.squared_widths()
     width_errors, outer_errors = errors.reshape(squared_widths.shape), search.outer_scale_errors(fit)
     blurs_with_errors = _estimated_blurs(stars, known_blurs, squared_widths, width_errors, outer_errors)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.blur.mixtures import OUTER, BlurProfile
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.favoured_effects import Estimate, Fit, Round, estimated_findings, rounds_of
+from lommel.estimation.favoured_effects import Estimate, Fit, Round, estimated_findings, rounds_of, unsure
 from lommel.estimation.field_checks import missing_tests, slope_findings
 from lommel.estimation.field_signs import candidates, highest_degree, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
@@ -204,6 +204,8 @@ class Search:
         self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
         self.initial_stars, stars.report = stars, report
         self.blur_costs: dict[str, float] = {}
+        #: Whether the profile of the blur is to be chosen, and the finding on slopes of backgrounds, if estimated.
+        self.is_blur_open, self.slope_notes = stars.width_count == 2, list[Finding]()
         self.rival: Rival | None = None
         #: Indices of double stars and defects, which no wavefront fits: they are not fitted individually again.
         self.misfits = np.zeros(0, dtype=np.intp)
@@ -442,12 +444,11 @@ class Search:
         displacement = nuisance[:, :2].mean(axis=-1) / self.stars.first_star.tilt_of_pixel
         self.places = self.places.copy()
         self.places[chosen] += displacement[:, ::-1] * self.pixel_size
-        if self.stars.width_count == 2:
+        if self.is_blur_open:
             fit = self.best_profile(fit)
             nuisance = fit.nuisance()
         squared_widths = fit.squared_widths()
-        exact_fit = self.refine(chosen, fit.polynomials(), squared_widths, 20, nuisance, fast=False)
-        return exact_fit or fit, np.setdiff1d(all_stars, chosen)
+        return self._settled(fit), np.setdiff1d(all_stars, chosen)
 
     def lowest_minimum(self, fit: Solution) -> Solution:
         """Repeat a fit from starts with other signs of even terms; return the most likely fit.
@@ -550,10 +551,12 @@ class Search:
     def best_profile(self, fit: Solution) -> Solution:
         """Return the fit with the most likely profile of blur; a single width is preferred to two of similar lnL."""
         nuisance, polynomials, squared_widths = fit.nuisance(), fit.polynomials(), fit.squared_widths()
+        stars, (_, width_count) = fit.model.stars, squared_widths.shape
+        squared_widths = np.repeat(squared_widths, 2 // width_count, axis=1) * (0.5 * width_count)
         self.report.begin(*_PHASES["profiles"])
 
         def fit_profile(profile: BlurProfile, widths: Array, max_steps: int) -> Solution:
-            self.stars = self.initial_stars.with_blur_profile(profile)
+            self.stars = stars.with_blur_profile(profile)
             # Errors of fast images change lnL by as much as profiles do.
             start = fit.model.chosen, polynomials, widths
             refit = self.refine(*start, max_steps, nuisance, fast=False)
@@ -681,11 +684,12 @@ class Search:
         """Fit and test all stars, starting at a fit of some stars."""
         places = self.places
         fit, rejected = self.fit_all_stars(fit)
-        if slope_notes := slope_findings(fit.model, fit.x):
-            self.places = places
-            fit, rejected = self.fit_all_stars(self._with_background_slopes(fit))
+        if found := slope_findings(fit.model, fit.x):
+            self.places, self.slope_notes = places, found
+            fit, rejected = self.fit_all_stars(self._with_background_slopes(fit, sloping=True))
         tested = partial(missing_tests, self.places, self.degree)
-        rounds = rounds_of(self.nearest_twin(fit), tested, self._estimating, _without_drifts)
+        revised = partial(self._revised, tested)
+        rounds = rounds_of(self.nearest_twin(fit), tested, self._estimating, _without_drifts, revised=revised)
         fit, (tests, grade, untested) = rounds[-1][:2]
         self.stars = fit.model.stars
         self.report.begin(*_PHASES["end"])
@@ -694,7 +698,7 @@ class Search:
         parameters = fit.model.common_count + len(chosen) * self.stars.parameters_per_image * self.stars.exposures
         bright_chi2 = self.stars.bright_pixel_chi2(chosen, psf, nuisance, float(parameters))
         held_out = self.held_out(fit)
-        results = self.blur_costs, [*slope_notes, *untested], tests, grade, self.rival
+        results = self.blur_costs, [*self.slope_notes, *untested], tests, grade, self.rival
         outcome = Outcome(fit, rejected, held_out, bright_chi2, self.places, *results, rounds=rounds)
         read = self.stars.pixel_data[2, chosen].reshape(psf.shape)
         found = with_noise(outcome.findings, [*seen(tests)], fit.residual_parts, read, self.excess)[0]
@@ -724,12 +728,41 @@ class Search:
         refit = self.refine(fit.model.chosen, polynomials, fit.squared_widths(), 20, nuisance, fast=False)
         return (fit, -math.inf) if refit is None else (refit, fit.deviance - refit.deviance)
 
-    def _with_background_slopes(self, fit: Solution) -> Solution:
-        """Return the fit with a model that has a slope of each background, initially 0."""
-        self.initial_stars = self.initial_stars.with_background_slopes()
-        self.stars = fit.model.stars.with_background_slopes()
-        self.simplified_stars = self.simplified_stars.with_background_slopes()  # for a later search
-        model, nuisance = self.model(fit.model.chosen), np.pad(fit.nuisance(), ((0, 0), (0, 2), (0, 0)))
+    def _revised(
+        self, tested: Callable[[Solution, Sequence[str]], tuple[Sequence[ScoreTest], object, object]], fit: Solution,
+        test: ScoreTest, compared: bool,
+    ) -> Solution:  # fmt: skip
+        """Return a fit that estimates an effect, with the profile of blur and slopes of backgrounds chosen anew.
+
+        Both may have stood for this effect while the model lacked it. A constant takes another step if fits are
+        `compared`.
+        """
+        if self.slope_notes:
+            fit = self._with_background_slopes(fit, sloping=False)
+        fit = self._settled(self.best_profile(fit) if self.is_blur_open else fit)
+        if found := slope_findings(fit.model, fit.x):
+            self.slope_notes = found
+            fit = self._settled(self._with_background_slopes(fit, sloping=True))
+        moved = [one for one in tested(fit, (test.name,))[0] if one.name == test.name] if compared else []
+        again = self._estimating(fit, moved[0]) if moved else None
+        return again[0] if again and again[1] > 0.0 else fit
+
+    def _settled(self, fit: Solution) -> Solution:
+        """Return a fit after further steps with proven images; the fit itself if they cannot be computed."""
+        self.stars = fit.model.stars
+        start = fit.model.chosen, fit.polynomials(), fit.squared_widths(), 20, fit.nuisance()
+        return self.refine(*start, fast=False) or fit
+
+    def _with_background_slopes(self, fit: Solution, *, sloping: bool) -> Solution:
+        """Return the fit with a model that has a slope of each background, initially 0, or that has none."""
+        self.stars, self.initial_stars, self.simplified_stars = (  # all three, for a later search
+            stars.with_background_slopes(sloping=sloping)
+            for stars in (fit.model.stars, self.initial_stars, self.simplified_stars)
+        )
+        self.slope_notes = self.slope_notes if sloping else []
+        nuisance = fit.nuisance()
+        nuisance = np.pad(nuisance, ((0, 0), (0, 2), (0, 0))) if sloping else nuisance[:, :-2]
+        model = self.model(fit.model.chosen)
         return replace(fit, model=model, x=model.row(fit.polynomials(), fit.squared_widths(), nuisance))
 
     def held_out(self, fit: Solution) -> tuple[float, float]:
@@ -772,20 +805,53 @@ def _without_drifts(tests: Sequence[ScoreTest]) -> list[ScoreTest]:
 
 def estimated_effects(rounds: Sequence[Round], coefficients: Array, errors: Array) -> list[Finding]:
     """Return the finding on what the last fit estimates besides; `coefficients` (k, m) have the standard `errors`."""
-    (first, *_), (fit, (tests, *_), names, rivals, _) = rounds[0], rounds[-1]
+    (first, *_), (fit, (tests, *_), names, rivals, *_), doubted = rounds[0], rounds[-1], unsure(rounds)
     star, first_star, before = fit.model.stars.first_star, first.model.stars.first_star, first.polynomials()
-    terms = [*zip(star.unknowns.terms, zip(coefficients, errors, strict=True), strict=True)][len(before) :]
-    estimates = [Estimate(label(term), float(row[0]), float(error[0]), 0.0, "rad") for term, (row, error) in terms]
+    terms = [*zip(star.unknowns.terms, zip(coefficients, errors, strict=True), strict=True)]
+    estimates = [
+        Estimate(label(term), float(row[0]), float(error[0]), 0.0, "rad", unsure=label(term) in doubted)
+        for term, (row, error) in terms[len(before) :]
+    ]
     if ELLIPSE in names:
         trails = enumerate(zip(*trails_of(fit, tests), strict=True), 1)
         estimates += [Estimate(f"{TRAIL} in exposure {i}", x, error, 0.0, "pixels") for i, (x, error, _) in trails]
-    for test in tests:
-        if test.name in names and test.name != ELLIPSE:
-            stated, value = (value_of(one, test.name, first_star) for one in (first_star, star))
-            pair = value + float(test.size[0]), float(test.errors[0])
-            estimates.append(Estimate(test.name, *pair, stated, unit_of(test.name)))
-    moves = np.abs(fit.polynomials()[: len(before)] - before) / errors[: len(before)]
-    return estimated_findings(estimates, float(moves.max(initial=0.0)), rivals)
+
+    def constant(test: ScoreTest, changed: Solution, size: float = 0.0) -> Estimate:
+        one, unit = changed.model.stars.first_star, unit_of(test.name)
+        stated, value = (value_of(star, test.name, first_star) for star in (first_star, one))
+        is_unsure = test.name in doubted or test.name in rivals
+        return Estimate(test.name, value + size, float(test.errors[0]), stated, unit, unsure=is_unsure)
+
+    estimates += [
+        constant(test, fit, float(test.size[0])) for test in tests if test.name in names and test.name != ELLIPSE
+    ]
+    count, others = len(before), list[Estimate]()
+    for one in rounds:
+        for test, other, _ in one.others:
+            freed = [label(term) for term in other.model.stars.first_star.unknowns.terms[count:]]
+            if test.name in rivals and test.name in freed:
+                value = float(other.polynomials()[count + freed.index(test.name), 0])
+                others.append(Estimate(test.name, value, float(test.errors[0]), 0.0, "rad", unsure=True))
+            elif test.name in rivals and test.name != ELLIPSE:
+                others.append(constant(test, other))
+    changes = (np.abs(fit.polynomials()[:count] - before), np.abs(differences(rounds)[:count]))
+    labels = [label(term) for term in star.unknowns.terms[:count]]
+    moves, open_moves = (
+        dict(zip(labels, (change / errors[:count]).max(axis=1).tolist(), strict=True)) for change in changes
+    )
+    return estimated_findings(estimates, moves, rivals, others, open_moves)
+
+
+def differences(rounds: Sequence[Round]) -> Array:
+    """Return the largest change of each coefficient (k, m) if a rival is estimated instead of an effect."""
+    (first, *_), last = rounds[0], rounds[-1]
+    found, count = np.zeros(last.fit.polynomials().shape), len(first.polynomials())
+    for one in rounds:
+        for test, other, _ in one.others:
+            if test.name in last.rivals:
+                change = other.polynomials()[:count] - one.fit.polynomials()[:count]
+                found[:count] = np.maximum(found[:count], np.abs(change))
+    return found
 
 
 def _no_progress(step: int, chi2: float) -> None:

@@ -119,12 +119,19 @@ class FieldStars:
         degrees_of_freedom = self.degrees_of_freedom - added_count
         return self.copy_with(_reader=None, degrees_of_freedom=degrees_of_freedom, **changes)
 
-    def with_background_slopes(self) -> FieldStars:
-        """Return a model with two more parameters per image: slopes of the background, electrons per pixel."""
-        added_count = 2 * self.exposures
-        changes = {"parameters_per_image": self.parameters_per_image + 2, "size": self.size + added_count}
+    def with_background_slopes(self, *, sloping: bool = True) -> FieldStars:
+        """Return a model with two more parameters per image: slopes of the background, electrons per pixel.
+
+        Without them if `sloping` is False.
+        """
+        added_per_image = 2 * (sloping - self.has_slopes)
+        added_count = added_per_image * self.exposures
+        changes = {
+            "parameters_per_image": self.parameters_per_image + added_per_image,
+            "size": self.size + added_count,
+        }
         degrees_of_freedom = self.degrees_of_freedom - added_count
-        return self.copy_with(has_slopes=True, degrees_of_freedom=degrees_of_freedom, **changes)
+        return self.copy_with(has_slopes=sloping, degrees_of_freedom=degrees_of_freedom, **changes)
 
     def with_optics(self, unknowns: Unknowns, pupil: Pupil, defocus: Array) -> FieldStars:
         """Return a model of the same stars with other unknowns, another aperture, and other known defoci."""

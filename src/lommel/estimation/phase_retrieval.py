@@ -22,7 +22,7 @@ from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.core.answers import Declined, ToleranceError
 from lommel.detection.targets import Targets
 from lommel.estimation import EFFORT, Effort
-from lommel.estimation.favoured_effects import Estimate, Fit, Round, estimated_findings, rounds_of
+from lommel.estimation.favoured_effects import Estimate, Fit, Round, estimated_findings, opened, rounds_of, unsure
 from lommel.estimation.field_fit import FieldFit, fit_targets
 from lommel.estimation.options import FieldFitOptions, RetrieveOptions
 from lommel.estimation.star_checks import (
@@ -567,6 +567,20 @@ def _estimating(fit: _StarFit, test: ScoreTest) -> tuple[_StarFit, float] | None
     return refit, fit.deviance - refit.deviance if ended[0] else -math.inf
 
 
+def _instead(rounds: Sequence[Round], count: int) -> tuple[list[Estimate], Array]:
+    """Return estimates of the rivals of what was estimated, and the largest change of `count` parameters by them."""
+    estimates, changes, first = list[Estimate](), np.zeros(count), rounds[0].fit.model
+    for one in rounds:
+        for test, other, _ in one.others:
+            if test.name in rounds[-1].rivals:
+                model, waves = other.model, first.wave_columns
+                changes[waves] = np.maximum(changes[waves], np.abs(other.x[0, waves] - one.fit.x[0, waves]))
+                column = [label(name) for name in model.names].index(test.name)
+                name, pair = model.names[column], (float(other.x[0, column]), float(test.errors[0]))
+                estimates.append(Estimate(test.name, *pair, model.stated[name], unit_of(name), unsure=True))
+    return estimates, changes
+
+
 def _no_report(step: int, chi2: float) -> None:
     """Report no progress, for short searches."""
 
@@ -603,19 +617,24 @@ def _build_retrieval(
     is_linear = error is not None or bool(model.rms(shift)[0] <= MAX_LINEAR_ERROR)
     corrected_x = model.within(x + shift, x) if is_linear else x
     pupil_parameters: dict[str, Any] = model.pupil_parameters(corrected_x)
-    waves = first.model.wave_columns
-    moves = np.abs(corrected_x[0, waves] - first.x[0, waves]) / common_errors[waves]
-    effect_findings += estimated_findings(
-        [
-            Estimate(label(name), value, error_of_value, model.stated[name], unit_of(name))
-            for name, value, error_of_value in zip(
-                names, corrected_x[0].tolist(), common_errors.tolist(), strict=False
-            )
-            if name not in first.model.names
-        ],
-        float(moves.max(initial=0.0)),
-        rounds[-1].rivals,
-    )
+    waves, doubted = first.model.wave_columns, unsure(rounds)
+    moves = np.abs(corrected_x[0, waves] - first.x[0, waves])
+    estimates = [
+        Estimate(label(name), value, error_of_value, model.stated[name], unit_of(name), unsure=label(name) in doubted)
+        for name, value, error_of_value in zip(names, corrected_x[0].tolist(), common_errors.tolist(), strict=False)
+        if name not in first.model.names
+    ]
+    others, change = _instead(rounds, len(names))
+    of_terms = [
+        dict(zip(map(label, names), (part / common_errors[waves]).tolist(), strict=False))
+        for part in (moves, change[waves])
+    ]
+    effect_findings += estimated_findings(estimates, of_terms[0], rounds[-1].rivals, others, of_terms[1])
+    stated = np.array([model.stated[name] if label(name) in doubted else np.nan for name in names])
+    change = np.where(np.isnan(stated), change, corrected_x[0, :common] - stated)
+    common_covariance = marginal.covariance.copy()  # contains the answer with another effect, which may be the cause
+    np.fill_diagonal(common_covariance, np.diag(common_covariance) + opened(change, common_errors))
+    common_errors = np.sqrt(np.diag(common_covariance))
     residual, variance, light = last.residual_parts
     if checks:
         findings += goodness_of_fit.stripe_findings(residual, variance, noise.excess)
@@ -655,7 +674,7 @@ def _build_retrieval(
         pupil=replace(model.pupil.carrying(wavefront, None), **pupil_parameters),
         coefficients=dict(zip(names, corrected_x[0, :common].tolist(), strict=True)),
         errors=dict(zip(names, common_errors.tolist(), strict=True)) | image_errors,
-        covariance=marginal.covariance,
+        covariance=common_covariance,
         units={name: unit_of(name) for name in (*names, *image_errors)},
         chi2=chi2,
         findings=Findings(findings),
@@ -722,8 +741,8 @@ def _refit_by_fields(first: _StarFit, result: Retrieval, blurred: Callable[[Pupi
             elif isinstance(width, Seeing):
                 widths.append(Estimate(f"r0 of seeing of image {k}", width.r0, error, np.inf, "m"))
     terms = zip(first.model.unknowns.terms, first.x[0].tolist(), strict=False)
-    move = max((abs(refit.coefficients[name] - value) / refit.errors[name] for name, value in terms), default=0.0)
-    return replace(refit, findings=Findings([*refit.findings, *estimated_findings(widths, move)]))
+    moves = {label(name): abs(refit.coefficients[name] - value) / refit.errors[name] for name, value in terms}
+    return replace(refit, findings=Findings([*refit.findings, *estimated_findings(widths, moves)]))
 
 
 def _build_blurred_retrieval(

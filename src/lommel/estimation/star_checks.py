@@ -199,6 +199,8 @@ def missing_effects(
     if exposures > 1:  # the coefficient is half the difference between the last and the first image, radians rms
         time = np.tile(_time(exposures), len(electrons) // exposures)[:, None, None]
         for term, slope in zip(unknowns.edge, term_slopes, strict=False):
+            if exposures == 2 and term == (2, 0) and (2, 0) in constants:
+                continue  # the same images as those of another scale of the defoci
             add(label(term) + DRIFTS, _DRIFT, slope * time * zernike.rms_factor(*term))
     remaining, scales = iter(illumination), {**_UNEVEN_LIGHT, **_CONSTANTS, "apodization": APODIZED}
     for name, count in changes_of(star.pupil).items():
@@ -431,7 +433,7 @@ def star_tests(
     defoci = model.known_defoci
     # A filter that is not narrow biases the f-number: images are sums over the spectrum of the star.
     is_spectral = model.pupil.wavelength is not None and {"f_number", "wavelength"} & set(unknowns.pupil)
-    spectrum = ("spectrum of the star within the filter",) if is_spectral else ()
+    spectrum = ("spectrum within the filter (of the star)",) if is_spectral else ()
     columns, never = range(len(unknowns.terms)), (*untestable(model), *spectrum)
     notes += untested_constants(pupil[0], defoci, candidates, tests, (scores[0], scores[2]), unknowns, columns, never)
     return tests, grade, notes

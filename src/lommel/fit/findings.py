@@ -223,7 +223,8 @@ def untested_finding(items: Sequence[str], numbers: Mapping[str, Any]) -> Findin
     names, count = [item.partition(" (")[0] for item in items], len(items)
     texts = [", ".join(items), ", ".join(names)]
     texts += [f"{', '.join(names[:k])} and {count - k} more" for k in range(count - 1, 0, -1)]
-    text = next((text for text in texts if len(text.split()) <= _MOST_WORDS - 2), f"{count} things")
+    first = f"{' '.join(names[0].split()[: _MOST_WORDS - 6])} ..." + f" and {count - 1} more" * (count > 1)
+    text = next((text for text in texts if len(text.split()) <= _MOST_WORDS - 2), first)
     return Finding("untested", "note", f"not tested: {text}", {**numbers, "what": list(items)})
 
 

@@ -31,7 +31,7 @@ from lommel.fit.scoring import covariance
 SEEN = 3.0  # a candidate is significant if the log of its Bayes factor exceeds SEEN + ln(number of candidates)
 RIVAL = 5.0  # largest difference of log Bayes factors between candidates that explain the data equally well
 # Difference between rival answers, standard errors, below which they agree, and above which a linear estimate fails.
-_CLOSED, _OPEN = 1.0, 3.0
+CLOSED, _OPEN = 1.0, 3.0
 _EXPLAINED = 0.5  # fraction of (chi2 - 1) above which a candidate explains a misfit
 _MIN_INFORMATION = 1e-9  # least eigenvalue of S, relative to the diagonal of I, that is not due to rounding
 
@@ -189,7 +189,7 @@ class Grade(NamedTuple):
         if not self.explained or self.rest > _OPEN:
             return "error"
         # A large correction by linear equations is not exact.
-        return "doubt" if self.rest > _CLOSED or self.move > _OPEN else "note"
+        return "doubt" if self.rest > CLOSED or self.move > _OPEN else "note"
 
 
 def marginalized(
@@ -237,9 +237,9 @@ def graded(
     weights = np.exp([0.0, *(test.log_bayes - rivals[0].log_bayes for test in rivals)])
     parts = [answer.covariance + np.outer(d, d) for answer, d in zip(answers, differences, strict=True)]
     mixture = np.tensordot(weights / weights.sum(), parts, 1)
-    is_open = np.flatnonzero(rest > _CLOSED)
+    is_open = np.flatnonzero(rest > CLOSED)
     mixture[is_open, is_open] += (0.5 * rest[is_open] * errors[is_open]) ** 2
-    worst = int((rest if (rest > _CLOSED).any() else move).argmax()) if count else 0
+    worst = int((rest if (rest > CLOSED).any() else move).argmax()) if count else 0
     left = chi2 - every.gain * spread**2  # noise has 2 / spread^2 degrees of freedom
     limits = float(smallest_plausible_chi2(spread)), float(largest_plausible_chi2(spread))
     rest_of_all, move_of_all = (float(part.max(initial=0.0)) for part in (rest, move))
@@ -347,7 +347,7 @@ def graded_explanation(
     if not grade.explained:
         low, high = grade.limits
         text = f"allowing for it, chi2 is {grade.left:.3g}, not within the {low:.3g} to {high:.3g} of noise"
-    elif rest > _CLOSED:
+    elif rest > CLOSED:
         text = f"{name} remains open by {rest:.2g} standard errors" + ", which its error includes" * (rest <= _OPEN)
     else:
         text = f"estimates allow for it, and it moves {name} by {grade.move:.2g} standard errors"

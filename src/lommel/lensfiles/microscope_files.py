@@ -313,7 +313,7 @@ class _Design(Section):
 
 class _Sample(Section):
     index: Index
-    depth: Annotated[SignedLength, AfterValidator(partial(length, "depth", most=DEPTH_MOST))]
+    depth: Annotated[SignedLength, AfterValidator(partial(length, "depth", most=DEPTH_MOST))] = 0.0
 
 
 class _Dipole(Section):
@@ -519,7 +519,7 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
       objective without a cover glass), apodization (a number, or the powers of :class:`lommel.Apodization`)
     - ``[coverslip]`` and ``[[films]]`` (thin films in order from glass to sample): index, thickness
     - ``[design]`` and ``[design.coverslip]``: media for which the objective was corrected, if other media are used
-    - ``[sample]``: index, depth of the emitter below the cover glass
+    - ``[sample]``: index, depth of the emitter below the cover glass (by default 0)
     - ``[emission]``: wavelength, emitter ("isotropic", the default, or "scalar"). The key emitter may be replaced by
       a section ``[emission.dipole]`` (polar, azimuth, wobble) or, for an excitation beam, ``[emission.beam]``
       (polarization)

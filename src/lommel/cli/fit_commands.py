@@ -548,10 +548,17 @@ def _places(fits: list[Facts], names: list[str]) -> Parts:
 
     def columns(numbers: list[Facts]) -> Facts:
         used = [one if fit["used"] else None for one, fit in zip(numbers, fits, strict=True)]
-        return {k: [None if one is None else f * float(np.mean(one[k])) for one in used] for k, f in known.items()}
+        return {
+            k: [None if one is None or one[k] is None else f * float(np.mean(one[k])) for one in used]
+            for k, f in known.items()
+        }
 
     values, errors = columns(fits), columns([fit["errors"] for fit in fits])
     beads = [f"{name}, chi2 {fit['chi2']:.3g}" for name, fit in zip(names, fits, strict=True)]
+    if all(error is None for error in errors.get("depth", [0.0])):  # the priors tell it better than the beads do
+        key = "depth (by its prior)"
+        units |= {key: units["depth"]}
+        values, errors = ({key if k == "depth" else k: v for k, v in part.items()} for part in (values, errors))
     return tables({"images": beads, "errors": errors, "units": units} | values, first="bead")
 
 

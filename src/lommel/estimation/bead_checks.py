@@ -70,6 +70,7 @@ _ISOTROPIC = emitter_of("isotropic")
 _POLARIZED = "a dye that keeps polarization"
 # Effects that are parameters of each bead.
 _BEAD_EFFECTS: Mapping[str, tuple[str, ...]] = {"depth": ("depth",), "drift": DRIFT, _GRADIENT: GRADIENT}
+_SPANS = {"drift": " pixels from the middle to the end of the stack", _GRADIENT: " electrons from edge to edge"}
 _DISPLACED = "displaced along z"
 _MAX_ESTIMATES = 3  # largest number of estimates of an effect in a message
 _MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
@@ -343,7 +344,7 @@ def _unit(name: str) -> tuple[float, str]:
         return UNITS[CONSTANTS[name].unit]
     if name.endswith(_DISPLACED):
         return 1e9, " nm"
-    return 1.0, " rad" if name.startswith("noll") else {"drift": " pixels", _GRADIENT: " electrons"}.get(name, "")
+    return 1.0, " rad" if name.startswith("noll") else _SPANS.get(name, "")
 
 
 def _estimate(name: str, values: Array, errors: Array, model: BeadModel, stated: Setup) -> str:

@@ -85,7 +85,8 @@ class FittedBead:
         Depth of the bead's centre below the cover glass, metres.
     errors : dict of str to float
         Standard errors of "row", "column", "z", the means of "flux" and "background" over planes and, if estimated,
-        of "depth", "drift_row", "drift_column", "gradient_row", "gradient_column".
+        of "depth" (NaN if its prior tells it better than the data do), "drift_row", "drift_column" (pixels from the
+        middle to the end of the stack), "gradient_row", "gradient_column".
     drift : (float, float)
         Displacement in rows and in columns from the middle to the end of the stack, pixels.
     gradient : (float, float)
@@ -154,7 +155,8 @@ class BeadFit(FitReport):
         Parameters common to all beads: Zernike terms (n, m) in radians rms, and constants by name; "jump" is the
         displacement (metres) of planes that the finding "estimated" names.
     errors : dict
-        Standard errors of `coefficients`, with the same keys.
+        Standard errors of `coefficients`, with the same keys; NaN for constants that their priors tell better than
+        the data do, which are no measurements (the finding "untested" lists them).
     covariance : ndarray, shape (k, k)
         Covariance of `coefficients`, in the same order.
     beads : tuple of FittedBead
@@ -368,8 +370,11 @@ class BeadFit(FitReport):
         for name, value in self.coefficients.items():
             is_constant = isinstance(name, str)
             factor, unit = UNITS[CONSTANTS[name].unit if is_constant else "rad"]
-            value_text, error = with_error(factor * value, factor * self.errors[name])
-            lines.append(f"{name if is_constant else label(name)}: {value_text} +- {error}{unit}")
+            error = factor * self.errors[name]
+            text = f"{factor * value:.4g}{unit} (by its prior)"
+            if math.isfinite(error):
+                text = f"{' +- '.join(with_error(factor * value, error))}{unit}"
+            lines.append(f"{name if is_constant else label(name)}: {text}")
         return self._shown(lines)
 
 
@@ -699,13 +704,17 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         summary += f", held-out bead {held_out:.4g}"
     setup, edge = state.setup, model.images.edge(state.waves)
     values = [*map(float, state.waves), *map(setup.value, model.priors)]
+    held = {name for one in untested for name, changes in one.numbers.items() if not changes}  # by their priors
+    errors = dict(zip(model.names, np.sqrt(np.diag(covariance)).tolist(), strict=True))
+    if "depth" in held:
+        beads = tuple(replace(b, errors=b.errors | dict.fromkeys({"depth"} & {*b.errors}, math.nan)) for b in beads)
     return BeadFit(
         findings=Findings(findings),
         summary=summary,
         aberrations=Wavefront.zernike(edge, normalization="edge"),
         **{name: getattr(setup, name) for name in ("objective", "wavelength", "pixel", "diameter", "emitter")},
         coefficients=dict(zip(model.names, values, strict=True)),
-        errors=dict(zip(model.names, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
+        errors=errors | dict.fromkeys(held & {*errors}, math.nan),
         covariance=covariance,
         beads=beads,
         z_covariance=z_covariance,

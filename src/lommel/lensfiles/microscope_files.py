@@ -208,6 +208,8 @@ class Microscope:
         """
         errors: dict[str, float] = {}
         for name, error in found.errors.items():
+            if not math.isfinite(error):  # known by its prior
+                continue
             if isinstance(name, str):
                 errors[name] = error
             else:

@@ -161,7 +161,7 @@ def tables(facts: Facts, titles: Mapping[str, str] | None = None, first: str = "
             isinstance(values, Mapping)
             and values
             and name not in ("errors", "units")
-            and _is_number(*map(errors.get, values))
+            and all(k in errors and (errors[k] is None or _is_number(errors[k])) for k in values)
         ):
             rows = [(titles.get(k, k), *_estimate(v, errors[k], units.get(k, ""))) for k, v in values.items()]
             found.append(table_of((name, "value", "std. error", "unit"), rows))
@@ -192,12 +192,15 @@ def records_of(name: str, records: Sequence[Facts], keys: Iterable[str] = ()) ->
     return table_of([_label(key) for key in keys], rows, words, name)
 
 
-def _estimate(value: float, error: float, unit: str) -> tuple[str, str, str]:
-    """Return a value, its standard error and their unit as texts; lengths in nm, um or mm."""
-    if unit != "m":
-        return (*with_error(value, error), unit)
-    unit = next((name for name in ("nm", "um", "mm") if abs(value) < 1e3 * LENGTHS[name]), unit)
-    return (*with_error(value / LENGTHS[unit], error / LENGTHS[unit]), unit)
+def _estimate(value: float, error: float | None, unit: str) -> tuple[str, str, str]:
+    """Return a value, its standard error ("-" without one) and their unit as texts; lengths in nm, um or mm."""
+    factor = 1.0
+    if unit == "m":
+        unit = next((name for name in ("nm", "um", "mm") if abs(value) < 1e3 * LENGTHS[name]), unit)
+        factor = LENGTHS.get(unit, 1.0)
+    if error is None:
+        return number(value / factor), "-", unit
+    return (*with_error(value / factor, error / factor), unit)
 
 
 def _is_number(*values: object) -> bool:
@@ -205,4 +208,6 @@ def _is_number(*values: object) -> bool:
 
 
 def _with_error(value: Any, error: Any) -> str:
+    if error is None and value is not None:
+        return number(value)
     return "-" if value is None else "+-".join(with_error(float(value), float(error)))

@@ -148,11 +148,15 @@ def test_a_joint_fit_begins_with_typical_stars_and_ends_where_it_fits_as_well(ch
 def test_blur_of_one_width_is_preferred_unless_two_gain_two(costs, width, name):
     def fit(kind, cost):
         scores = made(deviance=[cost])
-        return made(kind=kind, scores=scores, polynomials=list, nuisance=list, model=made(stars=kind, chosen=None),
+        model = made(stars=made(kind=kind, with_blur_profile=profile), chosen=None)
+        return made(kind=kind, scores=scores, polynomials=list, nuisance=list, model=model,
                     squared_widths=lambda: np.array([[width]]))  # fmt: skip
 
+    def profile(one):
+        return one.names[0] if len(one.names) == 1 else "both"
+
     fits = dict(zip(("both", "Gaussian", "seeing"), map(fit, ("both", "Gaussian", "seeing"), costs), strict=True))
-    self = made(initial_stars=made(with_blur_profile=lambda one: one.names[0] if len(one.names) == 1 else "both"))
+    self = made(refits=0)
     self.refine = lambda *_, **__: fits[self.stars]
     assert Search.best_profile(self, fits["both"]).kind == name
     assert self.blur_costs == {"Gaussian": costs[1], "seeing": costs[2], "both": costs[0]}

@@ -188,3 +188,39 @@ def test_a_pattern_that_explains_little_of_a_misfit_is_not_named():
     smooth = 40.0 * np.exp(-0.5 * ((rows - 16) ** 2 + (columns - 16) ** 2) / 3.0**2)
     for misfit in (star, np.array([smooth, -smooth])):
         assert not goodness_of_fit.stripe_findings(noise + misfit, np.ones_like(noise))
+
+
+def doubted(*spots, ring=0.0):
+    """Return the findings on spots in residuals of two images of 31 x 31 pixels; light is a ring of radius 5."""
+    y, x = np.mgrid[:31, :31] - 15.0
+
+    def star(row, column):
+        return 2e3 * np.exp(-0.5 * (np.hypot(y - row, x - column) - 5.0) ** 2)
+
+    light = np.stack([star(0.0, 0.0)] * 2)
+    variance = light + 20.0
+    residual = np.random.default_rng(3).normal(size=light.shape) * np.sqrt(variance) + 0.05 * star(6.0, -8.0) * ring
+    residual[0, 0, 0] = np.nan
+    for k, row, column, sigmas in spots:
+        residual[k, row, column] = sigmas * np.sqrt(variance[k, row, column])
+    misfit = goodness_of_fit.Finding("misfit", "error", "chi2")
+    return goodness_of_fit.spot_findings([misfit], residual, variance, light)
+
+
+def test_single_pixels_that_carry_a_misfit_are_named_with_their_images():
+    assert doubted() == doubted((0, 3, 4, 7.0)) == []
+    (one,) = doubted((1, 3, 4, 90.0))
+    assert (one.numbers["place"], one.numbers["pixels"]) == ((1, 3, 4), 1)
+    (two,) = doubted((1, 3, 4, 90.0), (0, 20, 9, -60.0), (0, 20, 10, -55.0))  # two of them are adjacent
+    assert (two.code, two.numbers["pixels"]) == ("hot_pixels", 3)
+    assert "(row 3 column 4 of image 2, row 20 column 9 of image 1, row 20 column 10 of image 1)" in two.text
+    blob = [(0, 10 + k // 3, 20 + k % 3, 60.0) for k in range(9)]  # no single pixel
+    assert "hot_pixels" not in [one.code for one in doubted(*blob)]
+
+
+def test_a_second_star_is_named_with_its_place_where_it_explains_most_of_a_misfit():
+    (found,) = doubted(ring=1.0)
+    assert (found.code, found.numbers["place"]) == ("other_explanation", (6, -8))
+    assert abs(found.numbers["share"] - 0.05) < 0.005
+    assert "+6 rows and -8 columns away" in found.text
+    assert doubted(ring=-1.0) == []

@@ -112,6 +112,18 @@ def test_the_covariance_is_infinite_where_nothing_is_known():
     np.testing.assert_allclose(found[np.ix_([0, 2], [0, 2])], np.linalg.inv(information[np.ix_([0, 2], [0, 2])]))
 
 
+def test_a_refit_means_that_less_of_the_time_has_passed():
+    told = []
+    progress = Progress(lambda done, chi2: told.append(done))
+    progress.begin(0.9, 2)
+    progress(0, 1.0)
+    progress(1)
+    progress.resume(0.45)
+    progress.begin(0.2, 2)
+    progress(0)
+    np.testing.assert_allclose(told, [0.45, 0.675, 0.505])
+
+
 def test_the_remaining_time_is_right_within_a_factor_of_2_if_phases_are_within_2_fifths():
     rng = np.random.default_rng(4)
     for expected in (0.6, 1.0, 1.4):  # steps per phase, relative to those stated

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import errno
 import os
+import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
+from datetime import timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,6 +21,11 @@ if TYPE_CHECKING:
     from rich.progress import Progress
 
 
+_RECENT = 5.0  # seconds over which the share of the processor is measured
+_LEAST_SHARE = 0.05  # of the processor, from which remaining time is in proportion to processor time
+_FIRST_FRACTION, _MOST_LEFT = 0.02, 1e6  # fraction from which the remaining time is told; the longest time, seconds
+
+
 class Steps:
     """Progress of a command in `total` steps, or as a fraction; `bar` is None if there is no terminal.
 
@@ -28,18 +35,41 @@ class Steps:
     def __init__(self, bar: Progress | None, description: str, total: int | None) -> None:
         self._bar, self._total = bar, total
         self._count, self._fraction = 0, 0.0
-        self._task = None if bar is None else bar.add_task(description, total=total)
+        self._start, self._recent, self._load = self._clock(), self._clock(), 1.0
+        self._task = None if bar is None else bar.add_task(description, total=total, left=_in_time(None))
+
+    @staticmethod
+    def _clock() -> tuple[float, float]:
+        """Return the time, and the processor time of this process, seconds."""
+        return time.monotonic(), time.process_time()
+
+    def left(self, fraction: float) -> float:
+        """Return the remaining time, seconds, after a fraction of the work since the last step without a fraction.
+
+        It is in proportion to processor time: other programs slow all work, now as in the last seconds.
+        """
+        now = self._clock()
+        if now[0] - self._recent[0] > _RECENT or self._recent == self._start:
+            self._load = (now[0] - self._recent[0]) / max(now[1] - self._recent[1], 1e-3)
+        if now[0] - self._recent[0] > _RECENT:
+            self._recent = now
+        elapsed, used = now[0] - self._start[0], now[1] - self._start[1]
+        passed = used * self._load if used > _LEAST_SHARE * elapsed else elapsed  # other processes may do the work
+        return passed * (1.0 - fraction) / max(fraction, 1e-6)
 
     def __call__(self, name: str, fraction: float | None = None) -> None:
         """Show the name of the next step or, with the fraction done (0 to 1), of the current step."""
+        self._count += fraction is None
         if fraction is not None:
             self._fraction = min(max(fraction, self._fraction), 1.0)  # estimates of the remaining time may increase
         elif self._total:
-            self._fraction = self._count / self._total
+            fraction = self._fraction = (self._count - 1) / self._total
+        else:
+            self._start = self._recent = self._clock()
+        left = self.left(fraction) if fraction is not None and fraction > _FIRST_FRACTION else None
         if self._bar is not None and self._task is not None:
-            known = fraction is not None or self._total
-            self._bar.update(self._task, description=name, total=1.0, completed=self._fraction if known else None)
-        self._count += fraction is None
+            done = None if fraction is None else self._fraction
+            self._bar.update(self._task, description=name, total=1.0, completed=done, left=_in_time(left))
 
     def tell(self, sentence: str) -> None:
         """Print a sentence, above the bar."""
@@ -48,6 +78,11 @@ class Steps:
         console = Console(stderr=True) if self._bar is None else self._bar.console
         with suppress(OSError):
             console.print(sentence, soft_wrap=self._bar is None, highlight=False, markup=False, emoji=False)
+
+
+def _in_time(seconds: float | None) -> str:
+    """Return a time as text, such as "0:01:30"."""
+    return "-:--:--" if seconds is None else str(timedelta(seconds=round(min(seconds, _MOST_LEFT))))
 
 
 @contextmanager
@@ -68,7 +103,11 @@ def progress(description: str, total: int | None = None, *, endless: bool = Fals
     columns: list[bars.ProgressColumn] = [bars.SpinnerColumn(), bars.TextColumn("{task.description}")]
     if not endless:
         columns += [bars.BarColumn(), bars.TaskProgressColumn(text_format_no_percentage="")]
-        columns += [bars.TimeElapsedColumn(), bars.TextColumn("[dim]left"), bars.TimeRemainingColumn()]
+        columns += [
+            bars.TimeElapsedColumn(),
+            bars.TextColumn("[dim]left"),
+            bars.TextColumn("[cyan]{task.fields[left]}"),
+        ]
     with bars.Progress(*columns, console=console, transient=True) as bar:
         yield Steps(bar, description, total)
 

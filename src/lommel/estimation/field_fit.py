@@ -785,7 +785,10 @@ def _rejected_finding(noun: str, places: Array) -> list[Finding]:
 def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
     """Return the finding on pixels with a recorded value that the fit leaves out; `pixels` is their mask."""
     count, windows = int(pixels.sum()), int(pixels.any(axis=(1, 2, 3)).sum())
-    text = f"{count} pixels of {windows} windows left out: sharper than star images (cosmic rays, hot pixels)"
+    counts = enumerate(pixels.sum(axis=(0, 2, 3)).tolist(), 1)
+    listed = ", ".join(f"{number} in exposure {e}" for e, number in counts if number) if pixels.shape[1] > 1 else ""
+    where = f"{windows} window{'s' * (windows > 1)}{f' ({listed})' if listed else ''}"
+    text = f"{count} pixels of {where} left out: sharper than star images (cosmic rays, hot pixels)"
     return [Finding("left_out", "note", text, {"pixels": count, "windows": windows})] if count else []
 
 

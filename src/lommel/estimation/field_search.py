@@ -30,7 +30,7 @@ from lommel.estimation.star_checks import DRIFTS, ELLIPSE, TRAIL, changed, unit_
 from lommel.estimation.star_images import label
 from lommel.estimation.star_readout import lines_of
 from lommel.fit.findings import Finding, Findings
-from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2
+from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2, spot_findings
 from lommel.fit.model_error import ModelError, with_errors_of_model, with_noise
 from lommel.fit.score_tests import Grade, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, search_rows
@@ -68,11 +68,13 @@ _MAX_NEGATED = 3  # largest number of searches with a negated sign
 _TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; further steps of the best search
 _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
-# Measured part of the remaining time that each phase takes, and its typical number of steps.
+# Measured part of the remaining time that each phase takes, and its typical number of steps; the fraction of the time
+# that has passed when the first refit with another effect begins.
 _PHASES = {
-    "single stars": (0.16, 15), "starts": (0.05, 15), "joint": (0.16, 11), "signs": (0.27, 15),
-    "profiles": (0.31, 18), "refit": (0.3, 10), "end": (0.9, 7),
+    "first": (0.16, 6), "single stars": (0.16, 15), "starts": (0.05, 15), "joint": (0.16, 11), "signs": (0.27, 15),
+    "profiles": (0.45, 18), "refit": (0.2, 10), "end": (0.9, 7),
 }  # fmt: skip
+_BEFORE_REFITS = 0.45
 _TOO_STRONG = "aberrations are too strong for the tolerance; pass a design as pupil"
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missing"
 
@@ -157,6 +159,8 @@ class Outcome:
             pixels = "of the pixels in which stars exceed the noise"
             text = f"chi2 {bright_chi2:.4g} {pixels}, above {limit:.4g}, the limit for noise alone{causes}"
             findings = [Finding("misfit", "error", text, {"bright_chi2": bright_chi2, "limit": limit})]
+        if len(self.fit.model.chosen) == 1:
+            findings += spot_findings(findings, *self.fit.residual_parts)
         if self.model_error is not None:
             findings = with_errors_of_model(findings, *self.fit.residual_parts, causes.removeprefix("; "))
         held_out, held_out_deviation = self.held_out
@@ -206,6 +210,7 @@ class Search:
         self.blur_costs: dict[str, float] = {}
         #: Whether the profile of the blur is to be chosen, and the finding on slopes of backgrounds, if estimated.
         self.is_blur_open, self.slope_notes = stars.width_count == 2, list[Finding]()
+        self.refits = 0  # with effects that the stars favour
         self.rival: Rival | None = None
         #: Indices of double stars and defects, which no wavefront fits: they are not fitted individually again.
         self.misfits = np.zeros(0, dtype=np.intp)
@@ -293,6 +298,7 @@ class Search:
 
     def fit_from_start(self) -> Solution | None:
         """Fit the brightest stars, starting at the initial wavefronts; return None if no fit is good enough."""
+        self.report.begin(*_PHASES["first"])
         chosen = self.brightest()
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
         squared_widths, ranking_stars = self.squared_widths, chosen[:: max(1, len(chosen) // _RANKING_STARS)]
@@ -456,9 +462,9 @@ class Search:
         With a single focus there are several minima, which differ in the signs of even terms.
         """
         self.rival = None
-        self.report.begin(*_PHASES["signs"])
         if not self.stars.first_star.one_focus or self.stars.has_corners:
             return fit
+        self.report.begin(*_PHASES["signs"])
         for _ in range(2):
             refits = self._fit_other_signs(fit)
             best_fit = min([fit, *refits], key=lambda refit: float(refit.scores.deviance[0]))
@@ -553,7 +559,7 @@ class Search:
         nuisance, polynomials, squared_widths = fit.nuisance(), fit.polynomials(), fit.squared_widths()
         stars, (_, width_count) = fit.model.stars, squared_widths.shape
         squared_widths = np.repeat(squared_widths, 2 // width_count, axis=1) * (0.5 * width_count)
-        self.report.begin(*_PHASES["profiles"])
+        self.report.begin(*_PHASES["refit" if self.refits else "profiles"])
 
         def fit_profile(profile: BlurProfile, widths: Array, max_steps: int) -> Solution:
             self.stars = stars.with_blur_profile(profile)
@@ -724,6 +730,9 @@ class Search:
         nuisance, added_count = fit.nuisance(), len(freed_stars.first_star.directions) - fit.model.wave_count
         nuisance[:, :2] *= self.stars.first_star.tilt_of_pixel / stars.first_star.tilt_of_pixel
         polynomials = np.pad(fit.polynomials(), ((0, added_count), (0, 0)))
+        if not self.refits:
+            self.report.resume(_BEFORE_REFITS)
+        self.refits += 1
         self.report.begin(*_PHASES["refit"])
         refit = self.refine(fit.model.chosen, polynomials, fit.squared_widths(), 20, nuisance, fast=False)
         return (fit, -math.inf) if refit is None else (refit, fit.deviance - refit.deviance)

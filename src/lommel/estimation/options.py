@@ -68,8 +68,8 @@ class FitOptions(Options):
     Parameters
     ----------
     progress : callable, optional
-        Called as ``progress(fraction, chi2)`` before each step; `fraction` rises from 0 to at most 1. An exception
-        raised by this function stops the search.
+        Called as ``progress(fraction, chi2)`` before each step; `fraction` of the time rises from 0 to at most 1,
+        and falls where another fit follows. An exception raised by this function stops the search.
     """
 
     progress: Annotated[Callable[[float, float], object] | None, HIDDEN] = None

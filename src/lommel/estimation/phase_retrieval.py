@@ -711,13 +711,12 @@ def _fit_findings(
     causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
     findings = goodness_of_fit.chi2_findings(chi2, deviation, causes)
     effects = missing_findings(tests, grade, [label(name) for name in fit.model.names])
-    residual, variance, _ = fit.residual_parts
     if effects and grade is not None and grade.explained:
         findings = [finding for finding in findings if finding.code == "too_quiet"]
     elif causes and "misfit" in Findings(findings).codes:  # no effect explains half of it: none is named
         effects = []
-    findings += goodness_of_fit.outlier_findings(residual / np.sqrt(variance))
-    read = fit.model.read.reshape(residual.shape)
+    findings += goodness_of_fit.spot_findings(findings, *fit.residual_parts)
+    read = fit.model.read.reshape(fit.residual_parts[0].shape)
     findings, effects = with_noise(findings, effects, fit.residual_parts, read, noise.excess)
     error = None if grade is None else fit.valid_model_error(Findings(findings).codes, tests)
     if error is None:

@@ -23,6 +23,7 @@ sensitive test.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -48,6 +49,12 @@ _MIN_PHOTON_PART = 0.1  # smallest m / v of pixels in the test of excess noise
 _MAX_DEFECT = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
 # Smallest deviation of an outlier, standard errors, and its smallest part of the sum of (squared deviation - 1).
 _MIN_OUTLIER, _OUTLIER_SHARE = 8.0, 0.5
+# A second star: smallest distance in pixels, and smallest part of (chi2 - 1) and gain in chi2 that it explains.
+_NEAREST, _NEIGHBOUR_SHARE, _NEIGHBOUR_GAIN = 3.0, 0.5, 100.0
+_ALONE, _MOST_PLACES = (
+    3.0,
+    4,
+)  # smallest ratio of an outlier to its neighbours but one; number of places that are told
 _FINE_STEPS = np.linspace(-0.5, 0.5, 9)  # wave vectors about the most significant one, periods in the window
 # Smallest part of a misfit that a pattern explains, and the misfit, standard deviations, from which this is required.
 _PATTERN_SHARE, _LARGE_MISFIT = 0.3, 4.0
@@ -197,24 +204,80 @@ def _share(r: Array, mean: Array, variance: Array, photon_part: Array, read: Arr
 
 
 def outlier_findings(residual: Array) -> list[Finding]:
-    """Return the finding on one pixel that explains more than half of a chi2 above 1.
+    """Return the finding on single pixels that explain more than half of a chi2 above 1.
+
+    Such pixels deviate far more than all but one of their neighbours do.
 
     Parameters
     ----------
     residual : ndarray, shape (images, height, width)
         Residuals in standard errors; NaN where unknown.
     """
-    squares = np.nan_to_num(residual**2 - 1.0)
-    image, row, column = map(int, np.unravel_index(int(squares.argmax()), squares.shape))
-    sigmas = float(residual[image, row, column])
-    if abs(sigmas) < _MIN_OUTLIER or squares[image, row, column] < _OUTLIER_SHARE * squares.sum():
+    known = np.nan_to_num(residual)
+    sizes, squares = np.abs(known), np.nan_to_num(residual**2 - 1.0)
+    ring = np.ones((1, 3, 3), dtype=bool)
+    ring[0, 1, 1] = False
+    neighbours = scipy.ndimage.rank_filter(sizes, -2, footprint=ring, mode="constant")
+    is_single = (sizes > _MIN_OUTLIER) & (sizes > _ALONE * neighbours)
+    if squares[is_single].sum() < max(_OUTLIER_SHARE * squares.sum(), 1.0):
         return []
-    side = "brighter" if sigmas > 0.0 else "darker"
+    places = np.argwhere(is_single)
+    places = places[np.argsort(-sizes[is_single], kind="stable")]
+    most = places[0].tolist()
+    sigmas = float(known[tuple(most)])
+    side, worst = "brighter" if sigmas > 0.0 else "darker", f"{abs(sigmas):.3g} standard errors"
+    texts = [f"row {row} column {column} of image {image + 1}" for image, row, column in places.tolist()]
+    text = f"pixel (row {most[1]}, column {most[2]}) of image {most[0] + 1} is {worst} {side} than the fit: "
+    advice = "a defective pixel or a cosmic ray; mask it"
+    if len(places) > 1:
+        listed = ", ".join(texts[:_MOST_PLACES]) + ", ..." * (len(texts) > _MOST_PLACES)
+        text = f"{len(places)} single pixels differ from the fit by up to {worst} ({listed}): "
+        advice = "defective pixels or cosmic rays, to be masked"
+    numbers = {"place": tuple(most), "sigmas": sigmas, "pixels": len(places)}
+    return [Finding("hot_pixels", "doubt", text + advice, numbers)]
+
+
+def spot_findings(findings: Sequence[Finding], residual: Array, variance: Array, light: Array) -> list[Finding]:
+    """Return findings on single pixels or, if a misfit in `findings` is not due to these, on a second star.
+
+    Arrays are those of :func:`neighbour_findings`.
+    """
+    found = outlier_findings(residual / np.sqrt(variance))
+    is_misfit = any(finding.code == "misfit" for finding in findings)
+    return neighbour_findings(residual, variance, light) if is_misfit and not found else found
+
+
+def neighbour_findings(residual: Array, variance: Array, light: Array) -> list[Finding]:
+    """Return the finding on a second star beside the first that explains a large part of a misfit.
+
+    Parameters
+    ----------
+    residual, variance, light : ndarray, shape (images, height, width)
+        Residuals (electrons, NaN where unknown), variances, and light of the star in each image.
+    """
+    weight = np.where(np.isfinite(residual), 1.0 / variance, 0.0)
+    known = np.nan_to_num(residual)
+
+    def matched(part: Array, star: Array) -> Array:
+        sums = scipy.signal.fftconvolve(part, star[:, ::-1, ::-1], mode="full", axes=(1, 2)).sum(axis=0)
+        return np.asarray(sums, np.float64)
+
+    # For each displacement, the light of a second star relative to the first, by least squares.
+    gradient, information = matched(weight * known, light), np.maximum(matched(weight, light**2), 1e-9)
+    height, width = residual.shape[1:]
+    rows, columns = np.ogrid[1 - height : height, 1 - width : width]
+    inside = (np.abs(rows) < height // 2) & (np.abs(columns) < width // 2) & (np.hypot(rows, columns) > _NEAREST)
+    gain = np.where(inside & (gradient > 0.0), gradient**2 / information, 0.0)
+    row, column = map(int, np.unravel_index(int(gain.argmax()), gain.shape))
+    excess = float((weight * known**2 - (weight > 0.0)).sum())
+    if gain[row, column] < max(_NEIGHBOUR_SHARE * excess, _NEIGHBOUR_GAIN):
+        return []
+    share, place = float(gradient[row, column] / information[row, column]), (row + 1 - height, column + 1 - width)
     text = (
-        f"pixel (row {row}, column {column}) of image {image + 1} is {abs(sigmas):.3g} standard errors {side} than "
-        "the fit: a defective pixel or a cosmic ray; mask it"
+        f"another star of about {100.0 * share:.2g} % of the light, {place[0]:+d} rows and {place[1]:+d} columns "
+        f"away, explains {100.0 * gain[row, column] / excess:.0f} % of the misfit: mask it, or cut it off"
     )
-    return [Finding("hot_pixels", "doubt", text, {"place": (image, row, column), "sigmas": sigmas})]
+    return [Finding("other_explanation", "doubt", text, {"share": share, "place": place})]
 
 
 def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> list[Finding]:

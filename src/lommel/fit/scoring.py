@@ -40,7 +40,8 @@ Report = Callable[[int, float], object]
 class Progress:
     """Report of the steps of searches, however many follow; `begin` states what is known about the next steps.
 
-    `function`, if any, is called with the fraction that is done, which never decreases, and with chi2.
+    `function`, if any, is called with the fraction of the time that has passed, and with chi2. The fraction decreases
+    if a refit follows, see `resume`.
     """
 
     def __init__(self, function: Callable[[float, float], object] | None) -> None:
@@ -50,6 +51,10 @@ class Progress:
         """Begin a phase of about `steps` steps, which takes a part `share` of the remaining time."""
         self.done = self.done if self.left == math.inf else self.end  # a phase may have had fewer steps
         self.end, self.left = self.done + share * (1.0 - self.done), steps
+
+    def resume(self, most: float) -> None:
+        """State that at most the fraction `most` of the time has passed, as another fit follows."""
+        self.done, self.left = min(self.done, most), math.inf
 
     def __call__(self, step: int, chi2: float | None = None) -> None:
         """Report a step of any of the searches; chi2 is by default that of the step before."""

@@ -1,0 +1,30 @@
+"""The remaining time of a command, beside a clock of our own."""
+
+from __future__ import annotations
+
+import pytest
+
+from lommel.cli import output
+
+
+@pytest.mark.parametrize(("share", "expected"), [(1.0, 30.0), (0.25, 120.0), (0.01, 40.0)])
+def test_the_remaining_time_is_that_of_the_processor_at_the_recent_share(share, expected, monkeypatch):
+    clock = [0.0, 0.0]
+    monkeypatch.setattr(output.Steps, "_clock", staticmethod(lambda: tuple(clock)))
+    steps = output.Steps(None, "reading", None)
+    clock[:] = 50.0, 3.0
+    steps("fitting")  # the time before does not count
+    for k in range(1, 11):
+        clock[:] = 50.0 + k, 3.0 + k * (1.0 if share > 0.1 else share)
+        left = steps.left(0.02 * k)
+    if share < 0.1:  # other processes work: the clock tells
+        assert left == pytest.approx(expected)
+        return
+    for k in range(1, 11):  # other programs take their part
+        clock[:] = 60.0 + k / share, 13.0 + k
+        left = steps.left(0.4)
+    assert left == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_time_is_in_hours_minutes_and_seconds():
+    assert (output._in_time(None), output._in_time(90.4)) == ("-:--:--", "0:01:30")

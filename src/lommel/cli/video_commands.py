@@ -236,7 +236,8 @@ def watch(
             **outputs.facts,
         }
         compression = video_faults.loss_note(pairs.loss, estimator.coding_in_use)
-        notes = [text for text in (guess, compression, tally.unknown(estimator.limit, facts)) if text]
+        unknown = tally.unknown(estimator.limit, facts, options.magnification == "registered")
+        notes = [text for text in (guess, compression, unknown) if text]
         o, verdict = with_calibration(options, instrument), DefocusVerdict.of(math.nan)
         if tally.failed < tally.pairs:
             verdict = live.verdict(f_number_error=o.f_number_error, focus_error=o.focus_error)
@@ -452,13 +453,16 @@ class Tally:
             "misfit": misfit,
         }
 
-    def unknown(self, limit: float, facts: Facts) -> str:
-        """Return a sentence on blocks that are not known, or on the lack of depth; "" if there is nothing to say."""
+    def unknown(self, limit: float, facts: Facts, registered: bool) -> str:
+        """Return a sentence on blocks that are not known, or on the lack of depth; "" if there is nothing to say.
+
+        `registered` is whether frames are taken to have one magnification.
+        """
         if facts["unfit"]:
             return (
                 f"not known for a misfit above {limit:g} (--misfit): {100.0 * facts['unfit']:.2g} % of the blocks; "
-                "causes: motion, frames of different times, depth edges, compression, different magnification "
-                "(--magnification lens)"
+                "causes: motion, frames of different times, depth edges, compression"
+                + (", different magnification (--magnification lens)" if registered else "")
             )
         if self.failed == self.pairs:
             return "no pair could be used, for the reason given at the first pair"

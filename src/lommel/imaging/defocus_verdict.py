@@ -27,6 +27,7 @@ from lommel.estimation.depth_precision import WINDOW
 from lommel.fit.findings import Finding, Findings, FitReport, Severity, untested_finding
 from lommel.imaging.focal_engine import BLOCK, UNMEASURED, FocalEngine
 from lommel.imaging.focal_tables import residual_filters
+from lommel.imaging.frame_phases import frame_scales, frame_shift
 from lommel.imaging.pair_noise import is_compressed
 from lommel.recorded.noise import Noise
 
@@ -36,9 +37,6 @@ _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
 # and above which it is not noise: up to 3 in right pairs, as smoothed by 0.8 pixels, 13 or more in pairs shifted by a
 # pixel. JPEG removes finest details: up to 25 in right pairs of quality 75, 15 to 88 in those shifted by a pixel.
 _DOUBTFUL_EXCESS, _WRONG_EXCESS, _WRONG_EXCESS_OF_JPEG = 5.0, 10.0, 30.0
-# Shift that is an error, pixels, from phases of frequencies up to this many cycles per pixel, in a square of pixels.
-_SHIFT, _SHIFT_FREQUENCY, _SHIFT_SIDE = 0.5, 0.12, 1024
-_SHIFT_STEPS, _COHERENT = 6, 0.25  # Newton steps; least mean of phase factors after a shift, 1 without noise
 _EXCHANGED_RATIO = 1.15  # misfit / that of exchanged lenses, from which these are named if they agree
 _MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
 _BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
@@ -140,6 +138,7 @@ class DefocusVerdict(FitReport):
         exchanged: bool = False,
         compressed: bool = False,
         shift: Sequence[float] = (),
+        magnifications: Sequence[float] = (),
     ) -> Self:
         """Return the verdict for a misfit and a scale.
 
@@ -161,6 +160,8 @@ class DefocusVerdict(FitReport):
             Whether the frames are compressed, so that the scale is not tested.
         shift
             Pixels, down and right, by which a frame is shifted; empty if none was found.
+        magnifications
+            Those of the frames as recorded, relative to the first; empty if they are as stated.
 
         Returns
         -------
@@ -182,6 +183,14 @@ class DefocusVerdict(FitReport):
                 "no depth is known, or of few blocks: no texture (or a faint one in JPEG), every depth out of range, "
                 "or blocks left out as stated beside",
             )
+        elif len(magnifications) and (noise is not None or misfit > _DOUBTFUL_MISFIT):
+            findings.extend([noise_finding(noise)] if noise else [])
+            times = ", ".join(f"{scale:.4f}" for scale in magnifications[1:])
+            text = (
+                f"the images are magnified {times} times the first, not as stated (focus breathing): state this "
+                "magnification, or register them"
+            )
+            add("misfit", "error", text, {"magnifications": tuple(magnifications)})
         elif noise is not None:
             findings.append(noise_finding(noise))
             wrong = _WRONG_EXCESS_OF_JPEG if compressed else _WRONG_EXCESS
@@ -343,6 +352,7 @@ def judge_frames(
     ends = np.percentile(known_vergence, [95.0, 5.0])
     sizes = np.stack([1.0 / ends, engine.lens_errors(ends, *lens_errors) / ends**2], axis=1)
     lens_error = dict(zip(("nearest", "farthest"), sizes.tolist(), strict=True))
+    scales = frame_scales(images[brightest], valid, engine.task.blur)
     stated = None if lens_errors == (None, None) else engine.scale_error(*lens_errors)
     make_verdict = partial(
         DefocusVerdict.of,
@@ -354,7 +364,9 @@ def judge_frames(
         included=included,
         noise=noise,
         excess=excess,
-        shift=_shift(images[brightest], valid, engine.task.blur) if noise else (),
+        shift=frame_shift(images[brightest], valid, engine.task.blur) if noise else (),
+        # Of frames as recorded, before they were resampled.
+        magnifications=np.multiply(scales, engine.task.scales or 1.0).tolist() if scales else (),
         exchanged=noise is None and median > _DOUBTFUL_MISFIT and _exchanged_agree(engine, brightest, tiles),
     )
     if any(map(is_compressed, images[brightest])):
@@ -366,45 +378,6 @@ def judge_frames(
     if best.error >= max(_MAX_SCALE_ERROR, abs(best.scale - 1.0) / _WRONG_DEVIATION):
         return make_verdict()
     return make_verdict(best.scale, best.error, tuple(minimum.scale for minimum in others))
-
-
-def _shift(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[float, ...]:
-    """Return the shift of a frame relative to frame 0, pixels; empty if none is certain and over half a pixel.
-
-    Symmetric blurs leave the phases of the cross-spectrum 0 or pi; a shift makes them proportional to the frequency.
-    The window moves a single blurred edge by (its slope) * (difference of the variances of blur).
-    """
-    middle = tuple(slice(max(0, side - _SHIFT_SIDE) // 2, (side + _SHIFT_SIDE) // 2) for side in valid.shape)
-    inside = valid[middle]
-    window = np.outer(*(np.hanning(side) for side in inside.shape)) * inside
-    first, *others = (
-        scipy.fft.rfft2((one - np.average(one, weights=inside)) * window)
-        for one in np.where(inside, frames[(slice(None), *middle)], 0.0)
-    )
-    height, width = inside.shape
-    f = np.array(np.broadcast_arrays(scipy.fft.fftfreq(height)[:, None], scipy.fft.rfftfreq(width)))
-    used = (np.hypot(*f) < _SHIFT_FREQUENCY) & (np.hypot(*f) * min(inside.shape) > 2.5)
-    slopes = -2.0 * math.pi * f[:, used]
-    least = _SHIFT + 2.0 * math.pi / min(inside.shape) * (0.25 * blur) ** 2
-    for other in others:
-        cross = (other * first.conj())[used]
-        weights = np.abs(cross)
-        weighted, doubled, phases = slopes * weights, cross**2 / np.maximum(weights, 1e-300), 0.5 * np.angle(cross**2)
-        inverse = np.linalg.pinv(weighted @ slopes.T)
-        shift = inverse @ weighted @ phases
-        fits = [(shift, inverse @ (weighted * (phases - shift @ slopes)))]
-        # Random phases, of noise, pull this fit of phases towards 0, but not the maximum of the sum of their factors.
-        for _ in range(_SHIFT_STEPS):
-            left = doubled * np.exp(-2j * (shift @ slopes))
-            gradients = np.linalg.pinv((slopes * left.real) @ slopes.T) @ (0.5 * slopes * left.imag)
-            shift = shift + gradients.sum(axis=1)
-        if left.real.sum() > _COHERENT * weights.sum() and np.hypot(*shift) < 0.5 / _SHIFT_FREQUENCY:
-            fits.insert(0, (shift, gradients))
-        for shift, gradients in fits:
-            size = float(np.hypot(*shift))
-            if size > max(least, 5.0 * np.linalg.norm(shift @ gradients) / max(size, 1e-12)):
-                return tuple(shift.tolist())
-    return ()
 
 
 def _exchanged_agree(engine: FocalEngine, channel: int, tiles: list[_Tile]) -> bool:

@@ -28,7 +28,15 @@ from lommel.base.units import format_length, percent, with_error
 from lommel.estimation.focal_model import FocalLight, Spectrum, transfer_curve
 from lommel.fit.findings import Finding, Findings, FitReport, untested_finding
 from lommel.imaging.defocus_depth import counts_in_electrons, list_photographs
-from lommel.imaging.focal_engine import CONTRAST, UNMEASURED, Registration, processors
+from lommel.imaging.focal_engine import (
+    CONTRAST,
+    UNMEASURED,
+    Magnification,
+    Registration,
+    checked_magnification,
+    processors,
+)
+from lommel.imaging.frame_phases import frame_scales, frame_shift
 from lommel.imaging.pair_noise import is_compressed
 from lommel.imaging.settings import channel_spectra, spectra
 from lommel.optics.lens import Lens, pixel_of
@@ -70,14 +78,17 @@ _MAX_ERROR = 4.0  # units: standard error of the shift of foci above which plane
 # Standard error of what is stated after calibration / before: above these, planes determine it in part, or hardly.
 _PART, _HELD = 0.5, 0.9
 _DOUBTFUL, _WRONG = 4.0, 6.0  # deviations, in standard errors
-# Deviation of the lens of one plane, and of two, from the stated one, standard errors, that is a doubt.
-_UNLIKELY = 3.0, 5.0
+# Deviation of the lens of one plane, of two, and of more from the stated one, standard errors, that is a doubt.
+_UNLIKELY = 3.0, 5.0, 10.0
+# chi2 by which the likelihood may rise at a saddle, at the standard errors of what is stated.
+_SADDLE = 4.0
 _MIN_TILT = 0.02  # change of distance across a plane / distance that is not told
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
 _MAX_MISFIT, _WRONG_MISFIT = 1.8, 6.0  # misfits above which the photographs do not follow the noise, and the lens
 _MIN_CHANGE = 0.2  # least change of the mean log(energy) of tiles by shifts of the foci
 _UNDETERMINED = (
-    "photographs do not determine the focus: use planes with more texture or light, or farther from the foci"
+    "photographs do not determine the focus: use planes with more texture or light, or farther from the foci, or one "
+    "plane more"
 )
 _ASSUMED = Noise(white=5e3, read=3.0)  # for the weights of frequencies, where no noise is stated
 
@@ -416,10 +427,11 @@ class _Search:
 
     def _disagreement(self) -> ValueError:
         """Return the error where no lens near the stated one agrees."""
-        planes = ", ".join(format_length(plane.distance) for plane in self.planes)
+        ends = sorted({min(p.distance for p in self.planes), max(p.distance for p in self.planes)})
         return ValueError(
-            f"distances and photographs disagree: no focus within {self.reach * self.unit:.2g} dioptres of those of "
-            f"lenses explains planes at {planes}"
+            f"no lens with foci within {self.reach * self.unit:.2g} dioptres of the stated ones explains planes at "
+            f"{' to '.join(map(format_length, ends))}: check pixel pitch (of reduced photographs larger), f-number, "
+            "focal length and foci, then the distances, and that nothing but the focus changed in a pair"
         )
 
     def _scores(self, at: Array) -> Iterator[_Score]:
@@ -514,12 +526,13 @@ class _Search:
                     error = error or failure
                     continue
                 # At the minimum, and not at a saddle: not less likely, or less by part of the errors. Print of high
-                # contrast tells the f-number, which one plane holds, by diffraction.
+                # contrast tells the f-number, which one plane holds, by diffraction: the likelier is taken.
                 lost = self._cost(one.at, [at]) - self._cost(at, [at])
                 less, step = 2.0 * lost / one.scale >= _EVIDENCE, one.at - at
                 if not less or step @ np.linalg.solve(one.covariance, step) < _EVIDENCE:
                     # Errors contain both.
-                    one = one._replace(covariance=one.covariance + float(less) * np.outer(step, step))
+                    likelier = at if less and len(self.planes) == 1 else one.at
+                    one = one._replace(at=likelier, covariance=one.covariance + float(less) * np.outer(step, step))
                     if all(np.abs(one.at - other.at).max() > _SAME for other in found):
                         found.append(one._replace(minimum=at))
                     break
@@ -569,8 +582,8 @@ class _Search:
         return total / len(others)
 
     def moved(self, at: Array) -> float:
-        """Return the deviation of the lens from what is stated, standard errors; 0 for more than two planes."""
-        return float(np.linalg.norm(at / self.stated)) if len(self.planes) < 3 else 0.0
+        """Return the deviation of the lens from what is stated, standard errors."""
+        return float(np.linalg.norm(at / self.stated))
 
     def _solution(self, at: Array, steady: bool) -> _Solution:
         """Return the lens found from a start; `steady` as of :meth:`minimum`."""
@@ -585,7 +598,9 @@ class _Search:
             ]
             at, scores, weight, precision = self.minimum(at, np.hypot(floors, changes), steady)
         measured = [score.slopes[:, self._measured] for score in scores]
-        saddle = len(scores) == 1 and np.linalg.eigvalsh(measured[0] + measured[0].T)[0] <= 0.0
+        # At a saddle which the likelihood leaves by more than what is stated allows, as told by the scatter of tiles.
+        held = _SADDLE * np.diag(np.diag(scores[0].variance) / scores[0].scales / self.stated[self._measured] ** 2)
+        saddle = len(scores) == 1 and np.linalg.eigvalsh(0.5 * (measured[0] + measured[0].T) + held)[0] <= 0.0
         if saddle or any(score.slopes[0, 0] <= 0.0 for score in scores):
             raise ValueError(_UNDETERMINED)
         slopes, covariance = np.vstack([score.slopes for score in scores]), np.asarray(np.linalg.inv(precision))
@@ -786,7 +801,7 @@ def calibrate_focus(
     encoding: Encoding,
     noise: Noise | None = None,
     origin: float | None = None,
-    magnification: Literal["registered", "lens"] = "registered",
+    magnification: Magnification = "registered",
 ) -> FocalCalibration:
     """Calibrate f-number and focus of two lens settings from planes at known distances.
 
@@ -811,7 +826,7 @@ def calibrate_focus(
         Position of the point from which `distances` count, in front of the lens (its entrance pupil), metres: some
         0.02 for those from the front rim of a lens of 50 mm; negative for distances from the sensor. By default it is
         estimated where the planes determine it, and else 0 with a standard error of 2 cm.
-    magnification : {"registered", "lens"}, default "registered"
+    magnification : {"registered", "lens"} or float, default "registered"
         As for :func:`lommel.imaging.depth_from_defocus`.
 
     Returns
@@ -821,8 +836,9 @@ def calibrate_focus(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range or of another shape; if the photographs do not determine the focus; or if no
-        lens near the stated one agrees with distances and photographs.
+        If an argument is out of range or of another shape; if photographs of a plane are shifted or magnified
+        otherwise than stated; if they do not determine the focus; or if no lens near the stated one agrees with
+        distances and photographs.
 
     Notes
     -----
@@ -866,18 +882,31 @@ def calibrate_focus(
     if not (metres + zero > lenses[0].focal_length).all():
         raise ValueError(f"distances from the lens must be above its focal length, got {metres.min() + zero:g} m")
     used = _ASSUMED if noise is None else validation.instance("noise", noise, Noise).poisson
-    planes, compressed = [], False
+    stated = checked_magnification("magnification", magnification)
+    planes, compressed, magnified = [], False, list[float]()
     for pair, distance in zip(photographs, metres.tolist(), strict=True):
         electrons, valid, shape, _ = counts_in_electrons(list_photographs(pair, lenses), encoding, used)
         images = electrons.sum(axis=0, dtype=np.float32)
         compressed |= any(map(is_compressed, images))
-        registered = Registration(magnification, lenses, valid.shape, processors())
+        registered = Registration(stated, lenses, valid.shape, processors())
         if registered:
             images = np.stack(registered(list(images), math.inf, valid.view(np.uint8)))
             valid, images = valid & np.isfinite(images).all(axis=0), np.nan_to_num(images)
         blur = max(float(lens.pupil(distance + zero).geometric_radius()) for lens in lenses) / pitch
+        if len(shift := frame_shift(images, valid, blur)):
+            raise ValueError(
+                "the second photograph of the plane at {} is shifted by {:.1f} pixels down and {:.1f} right: "
+                "register the photographs".format(format_length(distance), *shift)
+            )
+        if scales := frame_scales(images, valid, blur):
+            magnified.append(scales[-1] * registered.scales[-1])
         read = math.sqrt(float(np.mean(np.square(used.read))) * len(electrons))
         planes.append(_Plane(images.astype(np.float64), valid, distance, blur, read))
+    if magnified:
+        raise ValueError(
+            f"the second photographs are magnified {np.median(magnified):.4f} times the first, not as stated (focus "
+            "breathing): state this magnification, or register the photographs"
+        )
     colours = spectra("channels", channel_spectra(shape, lenses[0].wavelength))
     spectrum = [line for colour in colours for line in colour]  # channels are summed
     # Fine details, which cameras sharpen, denoise and compress, count little in photographs that are finished.
@@ -906,7 +935,7 @@ def calibrate_focus(
     ratios = dict(zip(search.basis, (np.sqrt(np.diag(covariance)) / search.stated).tolist(), strict=True))
     moved = search.moved(at)
     # The errors of a doubtful lens contain the stated one: two standard errors.
-    covariance = covariance + float(moved > _UNLIKELY[len(planes) > 1]) * np.outer(at, at) / 4.0
+    covariance = covariance + float(moved > _UNLIKELY[min(len(planes), 3) - 1]) * np.outer(at, at) / 4.0
     at, covariance = at @ search.rows, search.rows.T @ covariance @ search.rows
     findings = [
         *_findings(ratios, moved, seen, covariance, noise is not None),
@@ -969,12 +998,13 @@ def _findings(
 
     `ratios` are standard errors of parameters after calibration / before, `moved` as of :meth:`_Search.moved`.
     """
-    limit, decide = _UNLIKELY[len(planes) > 1], "a second plane" if len(planes) == 1 else "three planes"
+    kind = min(len(planes), 3) - 1
+    limit, decide = _UNLIKELY[kind], ("use a second plane", "use three planes", "measure them again")[kind]
     if moved > limit:
         text = (
             f"the lens is {moved:.2g} standard errors from the stated one ({percent(UNMEASURED[0])} of the f-number, "
             f"{percent(UNMEASURED[1])} of each focus), farther than {len(planes)} plane{'s' * (len(planes) > 1)} can "
-            f"show; standard errors contain both: check lens file, pixel and distances, or use {decide}"
+            f"show; standard errors contain both: check lens file, pixel and distances, or {decide}"
         )
         yield Finding("contradiction", "doubt", text, {"deviation": moved, "limit": limit})
     for plane in planes:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
-from typing import ClassVar, Literal, NamedTuple
+from typing import Annotated, ClassVar, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 import scipy
@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
-from lommel.base.options import Options
+from lommel.base.options import Options, Shown
 from lommel.core.answers import DType
 from lommel.core.engine import FocalScale, FocalStream
 from lommel.estimation.depth_precision import WINDOW
@@ -25,6 +25,28 @@ from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 
 Frame = Values
+Magnification: TypeAlias = Literal["registered", "lens"] | float
+
+
+def checked_magnification(name: str, value: object) -> Magnification:
+    """Return a magnification; TypeError or ValueError if it is neither a number nor one of the names."""
+    if isinstance(value, str):
+        if value not in ("registered", "lens"):
+            raise ValueError(f'{name} must be "registered", "lens" or a number, got {value!r}')
+        return "lens" if value == "lens" else "registered"
+    return validation.real(name, value, above=0.8, below=1.25)
+
+
+def _parsed(text: str) -> Magnification:
+    """Return the magnification of a text; ValueError if it is none."""
+    try:
+        number = float(text)
+    except ValueError:
+        return checked_magnification("magnification", text)
+    return checked_magnification("magnification", number)
+
+
+_SHOWN = Shown(metavar="registered|lens|NUMBER", parse=_parsed)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,13 +55,14 @@ class Magnified(Options):
 
     Parameters
     ----------
-    magnification : {"registered", "lens"}, default "registered"
+    magnification : {"registered", "lens"} or float, default "registered"
         "registered": points are at the same pixels in all images. "lens": each image is magnified as by a thin lens
-        at its sensor distance, and is resampled to the scale of the first, about the centre.
+        at its sensor distance, and is resampled to the scale of the first, about the centre. A number: magnification
+        of the second of two images relative to the first, such as 0.99.
     """
 
     heading: ClassVar[str] = "Camera"
-    magnification: Literal["registered", "lens"] = "registered"
+    magnification: Annotated[Magnification, checked_magnification, _SHOWN] = "registered"
 
 
 class Registration:
@@ -47,7 +70,7 @@ class Registration:
 
     Parameters
     ----------
-    magnification : {"registered", "lens"}
+    magnification : {"registered", "lens"} or float
         Magnification of the frames; see :class:`Magnified`.
     lenses : sequence of Lens
     size : (int, int)
@@ -60,9 +83,15 @@ class Registration:
         Pixel pitch of each frame before resampling / pixel pitch after resampling.
     """
 
-    def __init__(self, magnification: str, lenses: Sequence[Lens], size: tuple[int, int], threads: int) -> None:
+    def __init__(
+        self, magnification: Magnification, lenses: Sequence[Lens], size: tuple[int, int], threads: int
+    ) -> None:
         self.scales = (1.0,) * len(lenses)
-        if magnification == "lens":
+        if isinstance(magnification, float):
+            if len(lenses) != 2:
+                raise ValueError(f"magnification must be a name for {len(lenses)} images, got {magnification:g}")
+            self.scales = 1.0, magnification
+        elif magnification == "lens":
             # Image height is proportional to the distance from pupil to sensor.
             self.scales = tuple(lens.sensor_distance / lenses[0].sensor_distance for lens in lenses)
         self._scales = [FocalScale(*size, scale, threads) if scale != 1.0 else None for scale in self.scales]

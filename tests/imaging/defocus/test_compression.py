@@ -13,7 +13,8 @@ from lommel.cli.instruments import FrameNoise
 from lommel.cli.video_coding import coding_of
 from lommel.cli.video_faults import loss_note
 from lommel.imaging.defocus_depth import depth_from_defocus
-from lommel.imaging.defocus_verdict import DefocusVerdict, _shift
+from lommel.imaging.defocus_verdict import DefocusVerdict
+from lommel.imaging.frame_phases import frame_shift
 from lommel.imaging.pair_noise import is_compressed
 from lommel.recorded.noise import Noise
 from scenes import ThinLens, lommel_lens, plane, texture
@@ -128,8 +129,10 @@ def test_one_edge_that_is_blurred_more_in_one_frame_is_not_shifted():
     edge = np.where(np.arange(160 * 8) < 50 * 8, 0.5, 1.5) * np.ones((160 * 8, 1))
     thin = [ThinLens(35e-3, 4.0, focus, 540e-9, 4e-6) for focus in (1.35, 1.8)]
     frames = np.array(plane(edge, thin, 1.3, 5000.0), dtype=np.float32)
-    assert _shift(frames, np.ones(frames.shape[1:], dtype=bool), 11.0) == ()
-    assert _shift(np.stack([frames[0], np.roll(frames[0], 2, axis=1)]), np.ones(frames.shape[1:], dtype=bool), 11.0)
+    assert frame_shift(frames, np.ones(frames.shape[1:], dtype=bool), 11.0) == ()
+    assert frame_shift(
+        np.stack([frames[0], np.roll(frames[0], 2, axis=1)]), np.ones(frames.shape[1:], dtype=bool), 11.0
+    )
 
 
 def test_a_doubt_is_not_called_a_contradiction():

@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 import lommel as lm
+from lommel.imaging.focal_calibration import _findings
 from lommel.lensfiles.lens_files import load_instrument
 from planes import NOISE, PIXEL, shoot, texture
 from scenes import POINTS
@@ -131,6 +132,7 @@ def test_print_at_a_small_aperture_whose_diffraction_tells_the_f_number_is_not_r
     pair = shoot(printed(0, side=192), 1.2, true, seed=0)
     found = lm.imaging.calibrate_focus([pair], [1.2], stated, PIXEL, **OPTIONS, origin=0.0)
     assert found.reliable
+    assert abs(math.log(found.f_number_scale * 8.4 / 8.0)) < 0.8 * math.log(8.4 / 8.0)
     for lens, exact in zip(found.lenses, true, strict=True):
         assert abs(1.0 / lens.focus_distance - 1.0 / exact.focus_distance) < 3.0 * found.focus_error
 
@@ -217,7 +219,7 @@ def test_a_tilted_plane_is_a_doubt():
 
 
 def test_a_plane_far_from_any_focus_near_the_stated_one_is_refused(pairs):
-    with pytest.raises(ValueError, match=r"no focus within 0\.17 dioptres"):
+    with pytest.raises(ValueError, match=r"no lens with foci within 0\.17 dioptres"):
         lm.imaging.calibrate_focus(pairs[:1], [0.9], STATED, PIXEL, **OPTIONS)
 
 
@@ -233,9 +235,17 @@ def test_planes_compressed_as_jpeg_are_a_doubt():
     assert "use raw images or PNG" in found.findings.get("compressed").text
 
 
+def test_three_planes_by_which_the_lens_is_another_one_are_a_doubt(found):
+    kinds = [
+        [(one.code, one.severity) for one in _findings({}, moved, found.planes, found.covariance, True)]
+        for moved in (9.0, 11.0)
+    ]
+    assert kinds == [[], [("contradiction", "doubt")]]
+
+
 def test_planes_without_texture_are_refused():
     flat = [NOISE.record(np.full((160, 160), 5e3), seed=seed) for seed in range(2)]
-    with pytest.raises(ValueError, match=r"do not determine the focus|disagree"):
+    with pytest.raises(ValueError, match=r"do not determine the focus|no lens with foci within"):
         lm.imaging.calibrate_focus([flat], [1.5], STATED, PIXEL, **OPTIONS)
 
 

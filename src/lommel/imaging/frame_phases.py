@@ -1,0 +1,105 @@
+"""Shift and magnification of frames of different focus, from the phases of their cross-spectrum.
+
+Symmetric blurs leave the phases 0 or pi; a shift makes them proportional to the frequency. The windows move a single
+blurred edge by (their slope) * (difference of the variances of blur).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array, Values
+
+_LEAST = 0.5  # pixels, rms over the frame: least displacement that is told
+_CERTAIN = 5.0  # standard errors of a displacement that is told
+_COHERENT = 4.0  # standard deviations of the mean cosine of phases of noise, above which phases are of a displacement
+_FREQUENCY, _SIDE = 0.12, 1024  # cycles per pixel, up to which phases are used, and side of the square for shifts
+_LOWEST, _FIRST = 2.5, 8.0  # periods in a window: least, and most in the first step
+_STEPS = 4
+_UNKNOWN = 1e3  # pixels: standard error of displacements of noise
+_MIN_WINDOW = 96  # pixels: least side of the four windows of a frame, from which its magnification follows
+
+
+def frame_shift(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[float, ...]:
+    """Return the shift of a frame relative to frame 0, pixels; empty if none is certain and over half a pixel.
+
+    `blur` is the largest blur radius, pixels.
+    """
+    middle = tuple(slice(max(0, side - _SIDE) // 2, (side + _SIDE) // 2) for side in valid.shape)
+    for other in frames[1:]:
+        shift, covariance = _displacement(frames[0][middle], other[middle], valid[middle], (_FREQUENCY,))
+        size = float(np.hypot(*shift))
+        error = math.sqrt(shift @ covariance @ shift) / max(size, 1e-12)
+        if size > max(_LEAST + _edge_shift(valid[middle].shape, blur), _CERTAIN * error):
+            return tuple(shift.tolist())
+    return ()
+
+
+def frame_scales(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[float, ...]:
+    """Return magnifications of frames relative to frame 0; empty if none is certain and moves half a pixel (rms)."""
+    size = np.array(valid.shape) // 2
+    if min(size) < _MIN_WINDOW:
+        return ()
+    tops = [_FREQUENCY]
+    while 0.5 * tops[0] * min(size) > _FIRST:
+        tops.insert(0, 0.5 * tops[0])
+    windows = [
+        (slice(i * size[0], (i + 1) * size[0]), slice(j * size[1], (j + 1) * size[1])) for i in (0, 1) for j in (0, 1)
+    ]
+    # Places of the windows' centres relative to the middle, and weighted least squares of a shift and a scale.
+    places = [np.array([i - 0.5, j - 0.5]) * size for i in (0, 1) for j in (0, 1)]
+    terms = np.concatenate([np.column_stack([np.eye(2), place]) for place in places])
+    scales = [1.0]
+    for other in frames[1:]:
+        moved = [_displacement(frames[0][window], other[window], valid[window], tops) for window in windows]
+        edges = _edge_shift(size, blur) ** 2 * np.eye(2)
+        weight = np.linalg.inv(scipy.linalg.block_diag(*(covariance + edges for _, covariance in moved)))
+        shifts, covariance = np.concatenate([shift for shift, _ in moved]), np.linalg.inv(terms.T @ weight @ terms)
+        fit = covariance @ terms.T @ weight @ shifts
+        left = shifts - terms @ fit
+        error = math.sqrt(covariance[2, 2] * max(1.0, left @ weight @ left / (len(left) - 3)))
+        told = abs(fit[2]) > max(_CERTAIN * error, _LEAST * math.sqrt(12.0) / math.hypot(*valid.shape))
+        scales.append(1.0 + float(fit[2]) if told else 1.0)
+    return tuple(scales) if set(scales) != {1.0} else ()
+
+
+def _edge_shift(size: tuple[int, ...] | Array, blur: float) -> float:
+    """Return the displacement of a blurred edge by a window, pixels."""
+    return float(2.0 * math.pi / min(size) * (0.25 * blur) ** 2)
+
+
+def _displacement(
+    first: Values, other: Values, inside: NDArray[np.bool_], tops: list[float] | tuple[float, ...]
+) -> tuple[Array, Array]:
+    """Return the displacement of a frame in a window, pixels, and its covariance.
+
+    Phases of frequencies up to `tops` are used, one after the other, each less those of the displacement before.
+    Phases of noise ask for none, so that a step is too short: there are `_STEPS` more by the last.
+    """
+    window = np.outer(*(np.hanning(side) for side in inside.shape)) * inside
+    spectra = [
+        scipy.fft.rfft2((one - np.average(one, weights=inside)) * window)
+        for one in (np.where(inside, first, 0.0), np.where(inside, other, 0.0))
+    ]
+    height, width = inside.shape
+    f = np.array(np.broadcast_arrays(scipy.fft.fftfreq(height)[:, None], scipy.fft.rfftfreq(width)))
+    radii, shift, covariance = np.hypot(*f), np.zeros(2), np.zeros((2, 2))
+    for top in [*tops, *tops[-1:] * _STEPS]:
+        used = (radii < top) & (radii * min(inside.shape) > _LOWEST)
+        slopes = -2.0 * math.pi * f[:, used]
+        cross = (spectra[1] * spectra[0].conj())[used]
+        weighted = slopes * np.abs(cross)
+        phases = 0.5 * np.angle((cross * np.exp(-1j * (shift @ slopes))) ** 2)
+        inverse = np.linalg.pinv(weighted @ slopes.T)
+        step = inverse @ weighted @ phases
+        gradients = inverse @ (weighted * (phases - step @ slopes))
+        shift, covariance = shift + step, gradients @ gradients.T
+    # Phases of noise alone are about as likely at all displacements.
+    weights, left = np.abs(cross), np.cos(2.0 * (phases - step @ slopes))
+    if weights @ left < _COHERENT * math.sqrt(0.5 * float(weights @ weights)):
+        covariance = covariance + _UNKNOWN**2 * np.eye(2)
+    return shift, covariance

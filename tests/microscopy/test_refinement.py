@@ -11,9 +11,10 @@ from scipy.special import j1
 
 import lommel as lm
 from lommel.deconvolve.iterations import State
-from lommel.microscopy import held_out, refinement
+from lommel.microscopy import held_out
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import Best, HeldOut
+from lommel.microscopy.psf_scores import Score
 from lommel.microscopy.refinement import StackContext
 from lommel.recorded.camera_noise import StackView, hot_pixels, hot_voxels, sharpness
 from objectives import OIL_60X
@@ -29,8 +30,8 @@ def one_psf(monkeypatch):
     """Take the PSF of the middle everywhere, in a small part."""
     psfs = DepthModel.psfs
     monkeypatch.setattr(DepthModel, "psfs", lambda model, margin, slabs=1: psfs(model, margin, slabs))
-    for name, value in {"NARROWEST": 15, "_FIRST_SIDE": 18}.items():
-        monkeypatch.setattr(refinement, name, value)
+    for module in ("held_out", "refinement"):
+        monkeypatch.setattr(f"lommel.microscopy.{module}.NARROWEST", 15)
 
 
 @pytest.fixture
@@ -56,24 +57,9 @@ def stack():
     ],
 )
 def test_what_is_wrong_is_among_the_psfs_that_are_named(stack, name, wrong, said):
-    context = refinement.StackContext(stack, RIGHT.changed(name, wrong), CAMERA, math.inf, 1)
-    found = refinement.rank_alternatives(context, lambda *_: None, try_reversed=False)
+    comparison = HeldOut(StackContext(stack, RIGHT.changed(name, wrong), CAMERA, math.inf, 1), lambda *_: None)
+    found = comparison.alternatives(lambda *_: None, try_reversed=False)
     assert any(each.startswith(said) for each in found)
-
-
-def test_a_line_is_followed_downhill_to_its_minimum_with_few_costs():
-    asked = []
-
-    def cost(value):
-        asked.append(value)
-        return 3.0 + (value - 0.61) ** 2 if value < 1.0 else math.inf
-
-    place, found = refinement._line_search(cost, 0.0, 0.06, 3.0 + 0.61**2)
-    assert place == pytest.approx(0.61)
-    assert found == pytest.approx(3.0)
-    assert len(asked) == 5
-    assert refinement._line_search(cost, 0.0, -0.2, 3.0 + 0.61**2)[0] == 0.8  # 1.6 is out of range
-    assert refinement._line_search(cost, 0.61, 0.1, 3.0) == (0.61, 3.0)
 
 
 NOISE = lm.Noise(white=0.5, read=1.6, offset=100.0)
@@ -116,15 +102,16 @@ def test_halves_add_up_to_the_counts_and_are_independent():
 def test_the_background_is_the_highest_that_held_out_photons_allow(monkeypatch):
     asked = []
 
-    def deconvolve_half(_, blur, told, *, background, start, steps):
+    def deconvolve_half(_, blur, told, *, background=None, start=None, steps=None):
+        if start is None:
+            return Best(99.0, 50, 14.7, State(np.full(1, 7.0, np.float32)), [])
         asked.append((background.level, float(start.light[0]), steps))
         loss = 0.5 * ((background.level - 15.0) / 0.05) ** 2
-        return Best(loss, 0, np.zeros(1), np.zeros(1), background.level, State(), [])
+        return Best(loss, 0, background.level, State(), [])
 
     monkeypatch.setattr(held_out.Halves, "deconvolve_half", deconvolve_half)
     monkeypatch.setattr(HeldOut, "blur", lambda *_: None)
-    free = Best(99.0, 50, np.zeros(1), np.zeros(1), 14.7, State(np.full(1, 7.0, np.float32)), [])
-    level = held(flat()).level(free)
+    level = held(flat()).level()
     assert level == pytest.approx(2.0 * 15.1, abs=0.06)
     assert len(asked) < 7
     for place, light, steps in asked:  # what the background gains the specimen loses
@@ -132,65 +119,57 @@ def test_the_background_is_the_highest_that_held_out_photons_allow(monkeypatch):
         assert steps == held_out._SETTLE
 
 
-def trial(monkeypatch, truth, stated, bend=2e5, noise=0.0):
-    """Return a finding where lnL falls from the true index on as a parabola; `noise` is what a second half adds."""
-    calls = []
-
-    def best(_, words, model, fold=0, course=None):
-        off = model.objective.sample - truth
-        calls.append((round(model.objective.sample, 4), fold))
-        electrons = np.full(1000, 30.0) * np.where(np.arange(1000) % 2, np.exp(3.0 * off), np.exp(-3.0 * off))
-        losses = np.full(1000, (0.5 * bend * off**2 + (noise * off if fold else 0.0)) / 1000)
-        return Best(float(losses.sum()), 40, losses, electrons, 15.0, State(), [])
-
-    monkeypatch.setattr(HeldOut, "best", best)
-    given = held(flat(), Model(stated))
-    return given.finding(given.best("own", Model(stated))), calls
+def finding(monkeypatch, truth, stated, error):
+    """Return the finding where lnL falls from the true index on as a parabola; `error` is that of the index."""
+    score = Score((truth - stated) / error**2, error**-2)
+    monkeypatch.setattr(HeldOut, "score", lambda *_: score)
+    return held(flat(), Model(stated)).finding()
 
 
 def test_another_index_is_told_where_held_out_photons_are_sure(monkeypatch):
-    found, calls = trial(monkeypatch, 1.33, 1.345)
+    found = finding(monkeypatch, 1.33, 1.345, 0.001)
     assert (found.code, found.severity) == ("psf_doubtful", "doubt")
-    assert found.numbers["preferred"] == pytest.approx(1.33, abs=1e-6)
-    assert found.numbers["preferred_error"] == pytest.approx(2.0 / np.sqrt(2e5), rel=1e-3)
-    assert found.numbers["lnL"] > held_out._SIGNIFICANT * found.numbers["lnL_error"]
-    assert (1.33, 0) in calls  # it went on until lnL fell
-    assert "best with one near 1.33: " in found.text  # a direction, not a measurement with an error
+    assert found.numbers["preferred"] == pytest.approx(1.33)
+    assert found.numbers["preferred_error"] == pytest.approx(0.001)
+    # lnL at 0.010 off less that at 0.015 off
+    assert found.numbers["lnL"] == pytest.approx(0.5 * (15.0**2 - 10.0**2))
+    assert found.numbers["lnL_error"] == pytest.approx(5.0)
+    assert "an index of the sample of 1.34 than of 1.345 (lnL by 62 +- 5)" in found.text
+    assert "best with one near 1.33: " in found.text
     assert "another depth, spherical aberration, pixel or NA" in found.text
 
 
 def test_the_right_index_is_compared_and_stays(monkeypatch):
-    found, calls = trial(monkeypatch, 1.33, 1.33)
+    found = finding(monkeypatch, 1.33, 1.33, 0.002)
     assert (found.code, found.severity) == ("psf_compared", "note")
-    assert {at for at, _ in calls} == {1.325, 1.33, 1.335}
-    assert "lnL changes by -5 +- 4 with 1.325 and -2 +- 3 with 1.335" in found.text
+    assert "lnL changes by -3 +- 2 with 1.325 and -3 +- 2 with 1.335" in found.text
     assert "which excludes" not in found.text
-    found, _ = trial(monkeypatch, 1.33, 1.33, bend=1.6e6)
-    assert found.text.endswith("which excludes 1.325 and 1.335")
+    assert finding(monkeypatch, 1.33, 1.33, 0.0005).text.endswith("which excludes 1.325 and 1.335")
 
 
-def test_a_difference_of_lnl_that_is_no_evidence_is_no_doubt(monkeypatch):
-    found, _ = trial(monkeypatch, 1.332, 1.33, bend=3e5)  # lnL rises by 1
-    assert found.code == "psf_compared", found.numbers
+@pytest.mark.parametrize(
+    ("truth", "error", "code"),
+    [
+        (1.3350, 0.00080, "psf_doubtful"),  # 3.1 errors more than half of the change
+        (1.3350, 0.00085, "psf_compared"),  # 2.9
+        (1.3360, 0.00100, "psf_doubtful"),
+        (1.3320, 0.00001, "psf_compared"),  # within half of the change
+    ],
+)
+def test_a_doubt_needs_three_errors(monkeypatch, truth, error, code):
+    assert finding(monkeypatch, truth, 1.33, error).code == code
+
+
+def test_an_index_that_is_not_possible_is_not_tried(monkeypatch):
+    found = finding(monkeypatch, 1.33, 1.321, 0.001)
+    assert found.code == "psf_doubtful"
+    assert "1.316" not in finding(monkeypatch, 1.321, 1.321, 0.001).text
 
 
 def test_of_a_flat_stack_nothing_is_compared():
     given = {"pixel": 6.5e-6, "step": 0.3e-6, "wavelength": 520e-9, "direction": "up", "noise": NOISE}
     found = deconvolved(flat(planes=6)[:, :16, :16], OIL_60X, window=(5, 9), **given)
     assert found.findings.codes == ("untested",)
-
-
-def test_where_one_half_is_not_sure_the_other_one_decides_too(monkeypatch):
-    for noise, code in ((0.0, "psf_doubtful"), (-1040.0, "psf_compared")):  # it is two standard errors in one half
-        found, calls = trial(monkeypatch, 1.33, 1.335, bend=5e5, noise=noise)
-        assert {(1.335, 1), (1.33, 1)} <= set(calls), found.numbers
-        assert found.code == code, found.numbers
-
-
-def test_an_index_that_is_not_possible_is_not_tried(monkeypatch):
-    found, calls = trial(monkeypatch, 1.33, 1.321)
-    assert 1.316 not in {at for at, _ in calls}
-    assert found.code == "psf_doubtful"
 
 
 def airy(v):

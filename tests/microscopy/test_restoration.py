@@ -12,9 +12,10 @@ import pytest
 import tifffile
 
 import lommel as lm
-from lommel.microscopy import refinement
+from lommel.microscopy import held_out, refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import HeldOut
+from lommel.microscopy.refinement import StackContext
 from lommel.microscopy.restored_stack import INTERRUPTED
 from lommel.recorded.camera_noise import measured_noise
 from objectives import OIL_60X
@@ -65,7 +66,9 @@ def deep():
 def few_trials(monkeypatch):
     """Tell the direction of the planes after a quarter of the steps, and try other depths alone."""
     monkeypatch.setattr(refinement, "_STEPS", refinement._STEPS // 4)
-    monkeypatch.setattr(refinement, "_ALTERNATIVES", {"depth": refinement._ALTERNATIVES["depth"]})
+    monkeypatch.setattr(
+        held_out, "_ALTERNATIVES", {name: held_out._ALTERNATIVES[name] for name in ("sample", "depth")}
+    )
 
 
 @pytest.fixture
@@ -394,29 +397,29 @@ def test_what_cannot_be_restored_is_refused_with_the_way_out(changes, kind, said
 
 
 def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypatch):
-    monkeypatch.setattr(refinement, "_STEPS", 6)
-    monkeypatch.setattr(refinement, "NARROWEST", 21)
-    monkeypatch.setattr(refinement, "_ALTERNATIVES", {"step": refinement._ALTERNATIVES["step"]})
+    for module in ("held_out", "refinement"):
+        monkeypatch.setattr(f"lommel.microscopy.{module}.NARROWEST", 21)
+    monkeypatch.setattr(held_out, "_ALTERNATIVES", {"step": held_out._ALTERNATIVES["step"]})
     fine = DepthModel(OIL_60X, WAVE, PIXEL, STEP / 2, 3e-6, 16, (29, 21))
     truth = np.zeros((16, 24, 24), np.float32)
-    truth[9, 12, 12] = 4e6
+    truth[9, 12, 12] = 2e5
     stack = CAMERA.record(blurred(fine, truth)[::2] + 10.0, seed=3)
     right = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))
 
     def better(values, model, turned):
-        context = refinement.StackContext(values, model, CAMERA, np.inf, 1)
-        return refinement.rank_alternatives(context, lambda *_: None, try_reversed=turned)
+        comparison = HeldOut(StackContext(values, model, CAMERA, np.inf, 1), lambda *_: None)
+        return comparison.alternatives(lambda *_: None, try_reversed=turned)
 
     assert better(stack, right, False) == []
     (other,) = better(stack, right.changed("step", 1.08), False)
     assert other.startswith("a smaller step of z (about ")
-    monkeypatch.setattr(refinement, "_ALTERNATIVES", {})
+    monkeypatch.setattr(held_out, "_ALTERNATIVES", {})
     assert better(stack[::-1], right, True) == ["planes in reverse order"]
 
 
 @pytest.mark.parametrize("found", [[], ["a smaller depth"], ["a larger NA", "a smaller depth"]])
 def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, deep, found):
-    monkeypatch.setattr("lommel.microscopy.deconvolution.rank_alternatives", lambda *_, **__: found)
+    monkeypatch.setattr(HeldOut, "alternatives", lambda *_, **__: found)
     way = lm.imaging.RichardsonLucy(target=1.0)
     sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
     monkeypatch.setattr(HeldOut, "is_uniform", True)

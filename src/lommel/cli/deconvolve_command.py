@@ -129,7 +129,7 @@ def deconvolve(
         known level above the offset, 0 for none. The output excludes it.
     diagnosis
         Hold out photons, to estimate the background and to compare PSFs of other indices of the sample; try other
-        PSFs after a misfit. Without it a stack takes two thirds of the time, or less.
+        PSFs after a misfit. Without it a stack takes three quarters of the time, or less.
     memory
         Limit of the memory besides the stack, gigabytes; by default 2.
 

@@ -174,18 +174,17 @@ class PoissonLikelihood:
         """Return `added`, the read variance in units of light, of a part of a plane."""
         return _map_part(self._added, rows, columns)
 
-    def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
-        """Return recorded light, its difference from the model divided by the noise, and 1 for known voxels (else 0).
+    def whitened(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
+        """Return recorded light, its difference from the model divided by the noise, and 1 / noise (0 if unknown).
 
         `light` is the image of the specimen in this part of a plane.
         """
         counts, weight = self.part(plane, rows, columns)
         added = _map_part(self._added, rows, columns)
         model = np.maximum(light + added + _map_part(np.asarray(self.background, np.float32), rows, columns), TINY)
-        known = np.broadcast_to(weight > 0.0, counts.shape)
         # Divided by the standard deviation of a Poisson count, the square root of its mean in electrons.
-        residual = (counts - model) * np.sqrt(self.white * weight / model)
-        return np.where(known, np.maximum(counts - added, 0.0), 0.0), residual, known.astype(np.float32)
+        scale = np.sqrt(self.white * weight / model)
+        return np.where(scale > 0.0, np.maximum(counts - added, 0.0), 0.0), (counts - model) * scale, scale
 
     def scene(self, planes: int, pixels: int) -> Values:
         """Return the recorded light as a specimen with a margin of `planes` planes and `pixels` pixels.

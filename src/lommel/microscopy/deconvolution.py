@@ -24,10 +24,10 @@ from lommel.fit.findings import Finding, Findings
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.microscopy.chunks import Course, Outcome, chunk_side, restore_chunks
 from lommel.microscopy.depth_model import MAX_RIM, DepthModel, GivenPSF, PSFs
-from lommel.microscopy.held_out import estimated_held_out_steps
+from lommel.microscopy.held_out import HeldOut, estimated_held_out_steps
 from lommel.microscopy.light_checks import Floor, plane_light_findings
 from lommel.microscopy.preparation import Remarks, compare_held_out, oriented, prepared
-from lommel.microscopy.refinement import DIRECTION_STEPS, StackContext, rank_alternatives, select_crop
+from lommel.microscopy.refinement import DIRECTION_STEPS, StackContext, select_crop
 from lommel.microscopy.restored_stack import INTERRUPTED, ProjectionBuilder, RestoredChannel, RestoredStack
 from lommel.microscopy.sampling import Stated, sampled
 from lommel.microscopy.store import Target, checksum, destination
@@ -117,8 +117,8 @@ class DeconvolveOptions(Options):
         chunk separately, and is best used without chunks.
     diagnosis : bool, default True
         Whether to hold out some photons, to estimate the background and the number of steps and to compare PSFs for
-        other sample indices in a part of the stack; and whether to try other PSFs after a misfit. The computing time
-        increases by a factor of about 1.6, or more after a misfit.
+        other sample indices in a part of the stack; and whether to compare more PSFs after a misfit. The computing
+        time increases by a factor of about 1.3, or 1.7 after a misfit.
     memory : float, optional
         Limit of the memory in addition to input and output, bytes; by default 2 GiB. Without `out`, input in chunks
         is in memory as a whole. A chunk larger than an eighth of the limit is nevertheless read as a whole.
@@ -414,9 +414,9 @@ def _restored(
     shared.direction, shared.noise = "down" if model.is_reversed else "up", context.camera
     margin = tuning.margin or (min(model.window[0] // 2, max(_MIN_MARGIN, shape[0] // 4)), model.window[1] // 2)
     background = _background(options.background)
-    level, best_steps = None, 0
+    level, best_steps, comparison = None, 0, None
     if options.diagnosis:
-        level, best_steps = compare_held_out(
+        level, best_steps, comparison = compare_held_out(
             context,
             margin,
             remarks.findings,
@@ -454,7 +454,8 @@ def _restored(
             f"{text} counts per voxel was estimated, which the restored values exclude; set background= for another "
             "level, 0 for none."
         )
-    _conclude(outcome, floor, context, options, remarks, shared, _within(report, min(last_fraction, 0.5), 1.0))
+    report = _within(report, min(last_fraction, 0.5), 1.0)
+    _conclude(outcome, floor, context, options, remarks, shared, comparison, report)
     return RestoredChannel(
         discrepancy=outcome.deviance_after / outcome.voxels,
         before=outcome.deviance_before / outcome.voxels,
@@ -527,6 +528,7 @@ def _conclude(
     options: DeconvolveOptions,
     remarks: Remarks,
     shared: _Shared,
+    comparison: HeldOut | None,
     report: Report,
 ) -> None:
     """Add the findings of the restoration. A misfit lists the alternative PSFs that fit the stack better."""
@@ -535,7 +537,8 @@ def _conclude(
         can_try = isinstance(model, DepthModel) and options.diagnosis and "hot_pixels" not in remarks.doubts
         if finding.code == "misfit" and can_try:
             if shared.alternatives is None:
-                shared.alternatives = rank_alternatives(context, report, try_reversed=options.direction != "auto")
+                comparison = comparison or HeldOut(context, report)
+                shared.alternatives = comparison.alternatives(report, try_reversed=options.direction != "auto")
             finding = _explain_misfit(finding, shared.alternatives)
         if finding.code == "misfit" and isinstance(model, DepthModel):
             text = f"{finding.text}; next, measure the PSF with beads (--psf, lm.PSF.measured)"

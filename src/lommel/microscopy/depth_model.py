@@ -45,7 +45,7 @@ _MAX_MISFIT = 0.01  # largest rms deviation of a transfer function from rotation
 _MIN_HALF, _MAX_HALF_PLANES, _MAX_HALF_PIXELS = 8, 64, 48  # half widths of PSF windows, planes and pixels
 _SAMPLES_PER_NODE, _MAX_HALF_NODES = 3, 48  # coarse grid, along an axis: samples per node, largest half width
 _SHEET_END = 4.0  # distance from a light sheet, in thicknesses, beyond which its intensity is treated as constant
-_FOCUS_TABLE = 33  # number of depths at which the best focus is computed
+_FOCUS_TABLE = 11  # number of depths at which the best focus is computed
 _SPLINE_DEGREES = (3, 2)  # degrees of B-splines, in the order tried
 _BATCH = 2**21  # values of PSFs that are computed together
 MAX_RIM = 0.02
@@ -264,10 +264,11 @@ class DepthModel:
         table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, _FOCUS_TABLE)
         table = np.unique(np.append(table, self.depth))
         focus = self.objective.pupil(depth=table, wavelength=wave).focus
-        # np.interp needs ascending positions; at the glass the focus may jump back by nanometres.
-        best_focus = np.maximum.accumulate(focus)
-        middle = float(np.interp(self.depth, table, best_focus))
-        return np.asarray(np.interp(middle + offset, best_focus + 1e-15 * np.arange(len(best_focus)), table))
+        # Interpolation needs ascending positions; at the glass the focus may jump back by nanometres.
+        best_focus = np.maximum.accumulate(focus) + 1e-15 * np.arange(len(focus))
+        middle = float(scipy.interpolate.pchip_interpolate(table, best_focus, self.depth))
+        positions = np.clip(middle + offset, best_focus[0], best_focus[-1])
+        return np.asarray(scipy.interpolate.pchip_interpolate(best_focus, table, positions))
 
     def psfs(self, margin: int, slabs: int | None = None) -> PSFs:
         """Return the depths of the PSFs for a stack with `margin` more planes on each side.

@@ -10,32 +10,50 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
+from functools import cached_property
 from typing import NamedTuple, cast
 
 import numpy as np
 
 from lommel.base.arrays import Array, Values
+from lommel.base.units import format_length
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
-from lommel.deconvolve.iterations import Background, Iteration, State, StepSettings
+from lommel.deconvolve.iterations import Background, Iteration, State
 from lommel.deconvolve.likelihood import TINY, PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import DepthModel, GivenPSF
+from lommel.microscopy.psf_scores import PSFScores, Score
 from lommel.microscopy.refinement import NARROWEST, Progress, StackContext, TrialDeconvolution, Work, brightest
 from lommel.recorded.noise import Noise
 
 SIDE = 40
 """Side, in pixels, of the region in which PSFs are compared."""
+LARGEST_SIDE = 64
+"""Largest side, in pixels, of a stack in which PSFs are compared as a whole, if its background is estimated."""
 MAX_VOXELS = 500_000
 """Largest number of voxels of a stack whose background is estimated from held-out photons of the whole stack."""
 _STEPS, _PATIENCE = 150, 6  # largest number of iterations, and of iterations after the best one
 _USUAL_STEPS = 55  # typical number of iterations
 _RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # background steps: relative size, largest number, iterations after each
 _MAX_LOSS = 2.0  # accepted decrease of lnL (log likelihood), relative to the best background
-_INDEX_STEP, _MORE_CHANGES = 0.005, 4  # tested change of the sample index, and number of further changes
+_INDEX_STEP = 0.005  # tested change of the sample index
 _SIGNIFICANT, _MIN_GAIN = 3.0, 5.0  # least increase of lnL by a better PSF: standard errors, and absolute
-_UNCERTAIN = -1.0, 4.0  # significance range, standard errors, in which the halves are exchanged for a second test
-_USUAL_RUNS = 8.0  # typical number of deconvolutions
+_USUAL_RUNS = 2.5  # typical number of deconvolutions
+# Alternatives after a misfit: a change of each parameter, and its name in words.
+_ALTERNATIVES = {
+    "sample": (6e-3, "index of the sample"),
+    "NA": (0.02, "NA"),
+    "depth": (6e-7, "depth"),
+    "wavelength": (0.03, "wavelength"),
+    "step": (0.03, "step of z"),
+}
+_FARTHEST = 0.25  # largest relative change of NA, wavelength and step: 525 nm is not light of 273 nm
+_REVERSED_STEPS = 10, 20  # iterations with reversed planes, and of these if the first ones agree better
+_SCORE_STEPS = 10  # steps that take as long as a score test, for the progress
+_MIN_EXPLAINED = 0.03  # least decrease of the deviance by a better PSF, as a fraction of its excess
+_COMPARABLE = 0.5  # PSFs whose decrease is at least this fraction of the largest decrease are reported, too
 _ESTIMATED, _UNIFORM = Background(None), State()
 
 
@@ -44,11 +62,9 @@ class Best(NamedTuple):
 
     loss: float  # negative log likelihood of the held-out photons, up to a constant
     steps: int
-    losses: Values  # loss of each voxel
-    electrons: Values  # expected electrons of each voxel
     level: float  # estimated background of the half that was deconvolved
     state: State
-    course: list[StepSettings]  # settings of all iterations
+    losses: list[float]  # after each iteration so far
 
 
 class _Half(PoissonLikelihood):
@@ -58,8 +74,9 @@ class _Half(PoissonLikelihood):
         self._validation: Values | None = None
         super().__init__(recorded, noise)
         self._validation = validation
-        self._losses, self._electrons = (np.zeros(validation.shape, np.float32) for _ in range(2))
-        self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0, State(), [])
+        self._voxel_losses = np.zeros(validation.shape, np.float32)
+        self.losses: list[float] = []
+        self.best = Best(math.inf, 0, 0.0, State(), self.losses)
 
     def _deviance_sums(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
         sums = super()._deviance_sums(plane, rows, columns, light, misfit)
@@ -71,23 +88,15 @@ class _Half(PoissonLikelihood):
             counts = np.where(valid, counts, light)  # `light` now holds the model
             # The Poisson deviance m - y + y ln(y / m) of the held-out counts y.
             loss = light - counts + counts * np.log(np.maximum(counts, TINY) / light)
-            self._losses[position] = np.where(valid, self.white * weight * loss, 0.0)
-            self._electrons[position] = self.white * weight * light
+            self._voxel_losses[position] = np.where(valid, self.white * weight * loss, 0.0)
         return sums
 
     def is_past_best(self, step: int, iteration: Iteration) -> bool:
         """Update the best iteration; return whether it was _PATIENCE or more iterations ago."""
-        loss = float(self._losses.sum(dtype=np.float64))
+        loss = float(self._voxel_losses.sum(dtype=np.float64))
+        self.losses.append(loss)
         if loss < self.best.loss:
-            self.best = Best(
-                loss,
-                step,
-                self._losses.copy(),
-                self._electrons.copy(),
-                float(self.background),
-                iteration.state,
-                iteration.course,
-            )
+            self.best = Best(loss, step, float(self.background), iteration.state, self.losses)
         return step - self.best.steps >= _PATIENCE
 
 
@@ -113,13 +122,16 @@ class Halves:
         self.noise = Noise(white=camera.white, read=np.asarray(camera.read) / math.sqrt(2.0))
 
     def deconvolve_half(
-        self, blur: PlaneOperator, progress: Callable[[int, float, float], object], *, fold: int = 0,
+        self, blur: PlaneOperator, progress: Callable[[int, float, float], object], *, reverse: bool = False,
         background: Background = _ESTIMATED, start: State = _UNIFORM, steps: int = _STEPS,
-        course: list[StepSettings] | None = None,
     ) -> Best:  # fmt: skip
-        """Deconvolve a half, and return the iteration that agrees best with the other half."""
-        half = _Half(self.parts[fold], self.parts[1 - fold], self.noise)
-        iteration = Iteration(blur, half, course, background=background)
+        """Deconvolve a half, and return the iteration that agrees best with the other half.
+
+        The planes are reversed if `reverse`.
+        """
+        recorded, validation = (part[::-1] if reverse else part for part in self.parts)
+        half = _Half(recorded, validation, self.noise)
+        iteration = Iteration(blur, half, background=background)
         iteration.start_from(start)
         iteration.enough = lambda step, _: half.is_past_best(step, iteration)
         iteration.solve(RichardsonLucy(steps=steps, target=0.0), progress)
@@ -188,121 +200,147 @@ class HeldOut(TrialDeconvolution):
         super().__init__(context, brightest(context.stack, side, context.saturation), widest=NARROWEST)
         self._model, self._work = cast("DepthModel", context.model), Work(progress, _USUAL_RUNS * _USUAL_STEPS)
         self._halves = Halves(self._values, self._camera, context.saturation)
+        self._scores: dict[str, Score | None] = {}
 
     @property
     def is_uniform(self) -> bool:
         """Whether a uniform specimen agrees with the counts of the region within their noise."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
-    def best(self, label: str, model: DepthModel, fold: int = 0, similar: Best | None = None) -> Best:
-        """Deconvolve a half, and return the iteration that agrees best with the other half.
+    @cached_property
+    def best(self) -> Best:
+        """Iteration with the stated PSF that agrees best with the held-out photons."""
+        progress = self._work("held-out photons, the PSF as given", _USUAL_STEPS)
+        return self._halves.deconvolve_half(self._stated_blur, progress)
 
-        With the result of a `similar` PSF its steps are taken, with its extrapolation: lnL is then a smooth function
-        of the index.
+    @cached_property
+    def _stated_blur(self) -> PlaneOperator:
+        return self.blur(self._model, len(self._values))
+
+    @cached_property
+    def _tests(self) -> PSFScores:
+        counted = PoissonLikelihood(self._halves.parts[1], self._halves.noise)
+        return PSFScores(self._stated_blur, counted, self.best.state, self.best.level)
+
+    def score(self, name: str) -> Score | None:
+        """Return the score of the held-out photons along a parameter, None if it does not change the image.
+
+        It is that of `changed` of the model: depth and index have values, all others are changed by a factor. Images
+        are not linear in a parameter: differences towards the side of the estimate are preferred.
         """
-        progress = self._work(f"held-out photons, {label}", _USUAL_STEPS)
-        blur = self.blur(model, len(self._values))
-        if similar is None:
-            return self._halves.deconvolve_half(blur, progress, fold=fold)
-        steps = max(similar.steps, 1)
-        return self._halves.deconvolve_half(blur, progress, fold=fold, course=similar.course, steps=steps)
+        if name not in self._scores:
+            change, title = _ALTERNATIVES[name]
+            self._work(f"held-out photons, another {title}", _SCORE_STEPS)
+            found: list[Score] = []
+            for step in (change, -change):
+                if (model := self._changed(name, step)) is not None:
+                    score = self._tests.of(self.blur(model, len(self._values)), step)
+                    found += [score] if score is not None else []
+                    if found and found[-1].slope * step > 0.0:
+                        break
+            self._scores[name] = max(found, key=lambda score: score.deviance, default=None)
+        return self._scores[name]
 
-    def level(self, joint: Best) -> float:
-        """Return the background of the stack from `joint`, its estimate together with the specimen."""
-        blur = self.blur(self._model, len(self._values))
+    def _changed(self, name: str, change: float) -> DepthModel | None:
+        """Return the model with a changed parameter, None if it is out of range."""
+        try:
+            return self._model.changed(name, _start(self._model, name) + change)
+        except ValueError:
+            return None
+
+    def level(self) -> float:
+        """Return the background of the stack from that of the best iteration."""
 
         def continue_iteration(background: Background, start: State, steps: int) -> Best:
             progress = self._work("held-out photons, background", steps)
-            return self._halves.deconvolve_half(blur, progress, background=background, start=start, steps=steps)
+            return self._halves.deconvolve_half(
+                self._stated_blur, progress, background=background, start=start, steps=steps
+            )
 
-        return highest_level(joint, continue_iteration)
+        return highest_level(self.best, continue_iteration)
 
-    def finding(self, reference: Best) -> Finding | None:
-        """Compare PSFs for other refractive indices of the sample with `reference`, the result for the given index.
+    def finding(self) -> Finding | None:
+        """Compare PSFs for other refractive indices of the sample with that of the given one.
 
-        Return None if no other index is valid.
+        Return None if no other index is valid, or if none changes the images.
         """
-        start = self._model.objective.sample
-        results: dict[float, Best] = {start: reference}
-
-        def result_for(change: float, similar: Best, fold: int = 0) -> Best | None:
-            value = start + change
-            try:
-                model = self._model.changed("sample", value)
-            except ValueError:
-                return None
-            return self.best(f"index of the sample {value:.4g}", model, fold, similar)
-
-        for change in (-_INDEX_STEP, _INDEX_STEP):
-            if result := result_for(change, reference):
-                results[start + change] = result
-        gains = {value: _gain(reference, result) for value, result in results.items() if value != start}
-        if not gains:
+        score, start = self.score("sample"), self._model.objective.sample
+        if score is None:
             return None
+        changes = (step for step in (-_INDEX_STEP, _INDEX_STEP) if self._changed("sample", step) is not None)
+        gains = {start + change: score.gain(change) for change in changes}
         value = max(gains, key=lambda value: gains[value][0] / gains[value][1])
         gain, error = gains[value]
-        if _UNCERTAIN[0] < gain / error < _UNCERTAIN[1]:
-            second = self.best("the PSF as given", self._model, 1)
-            second_other = result_for(value - start, second, 1)
-            assert second_other is not None
-            more_gain, more_error = _gain(second, second_other)
-            gains[value] = gain, error = gain + more_gain, math.hypot(error, more_error)
-        numbers: dict[str, float] = {"sample": start, "lnL": gain, "lnL_error": error}
+        preferred = start + score.change
+        numbers = {
+            "sample": start, "lnL": gain, "lnL_error": error, "preferred": preferred, "preferred_error": score.error
+        }  # fmt: skip
         if gain <= max(_SIGNIFICANT * error, _MIN_GAIN):
-            changes = " and ".join(f"{x:+.0f} +- {sigma:.0f} with {index:.4g}" for index, (x, sigma) in gains.items())
+            parts = " and ".join(f"{x:+.0f} +- {sigma:.0f} with {index:.4g}" for index, (x, sigma) in gains.items())
             text = (
-                f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {changes}"
+                f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {parts}"
             )
             excluded = [f"{i:.4g}" for i, (x, sigma) in gains.items() if x <= -max(_SIGNIFICANT * sigma, _MIN_GAIN)]
             text += f", which excludes {' and '.join(excluded)}" if excluded else ""
             return Finding("psf_compared", "note", text, numbers)
-        change, best = value - start, results[value]
-        for farther in range(2, 2 + _MORE_CHANGES):
-            farther_result = result_for(farther * change, reference)
-            if farther_result is None:
-                break
-            results[start + farther * change] = farther_result
-            if farther_result.loss > best.loss:
-                break
-            best = farther_result
-        preferred, width = _least({index: result.loss for index, result in results.items()})
-        numbers |= {"preferred": preferred, "preferred_error": width}
-        farthest = "" if math.isfinite(width) else " or beyond"
         text = (
             f"held-out photons agree better with an index of the sample of {value:.4g} than of {start:.4g} (lnL by "
-            f"{gain:.0f} +- {error:.0f}), and of the indices tried best with one near {preferred:.4g}{farthest}: the "
-            "PSF may be wrong; only the index was varied, and another depth, spherical aberration, pixel or NA has a "
-            "similar effect"
+            f"{gain:.0f} +- {error:.0f}), and best with one near {preferred:.4g}: the PSF may be wrong; only the "
+            "index was varied, and another depth, spherical aberration, pixel or NA has a similar effect"
         )
         return Finding("psf_doubtful", "doubt", text, numbers)
+
+    def alternatives(self, progress: Progress, *, try_reversed: bool) -> list[str]:
+        """Return descriptions of PSFs with one changed parameter that fit held-out photons better, the best first.
+
+        Points between voxels cause a misfit with any PSF, but hardly change which PSF is the best. Reversed planes
+        are tried if `try_reversed`. Spherical aberration is not tried: its effect is similar to another index. Errors
+        of index, depth and step have similar effects: all PSFs are returned that lower the deviance by at least half
+        as much as the best PSF.
+        """
+        self._work = Work(
+            progress, _USUAL_STEPS + _REVERSED_STEPS[0] * try_reversed + _SCORE_STEPS * len(_ALTERNATIVES)
+        )
+        decreases: dict[str, float] = {}  # decrease of the deviance by each change
+        if try_reversed:
+            model = replace(self._model, is_reversed=not self._model.is_reversed)
+            label, blur = "planes in reverse order", self.blur(model, len(self._values))
+            for steps in _REVERSED_STEPS:
+                other = self._halves.deconvolve_half(blur, self._work(label, steps), reverse=True, steps=steps)
+                if other.losses[-1] > self.best.losses[min(len(other.losses), len(self.best.losses)) - 1]:
+                    break
+            decreases[label] = 2.0 * (self.best.loss - other.loss)
+        for name, (_, title) in _ALTERNATIVES.items():
+            if (score := self.score(name)) is not None:
+                label = f"a {'smaller' if score.change < 0.0 else 'larger'} {title}"
+                value = _value_in_words(self._model, name, _start(self._model, name) + score.change)
+                decreases[f"{label} (about {value})"] = score.deviance
+        largest, chi2 = max(decreases.values(), default=0.0), self._tests.chi2
+        least = max(_SIGNIFICANT**2 * chi2, _MIN_EXPLAINED * (chi2 - 1.0) * self.known, _COMPARABLE * largest)
+        return sorted((label for label in decreases if decreases[label] > least), key=lambda label: -decreases[label])
+
+
+def _start(model: DepthModel, name: str) -> float:
+    """Return the value of a parameter from which it is changed; 1 where it is changed by a factor."""
+    if name == "depth":
+        return model.depth
+    return model.objective.sample if name == "sample" else 1.0
+
+
+def _value_in_words(model: DepthModel, name: str, value: float) -> str:
+    """Return a parameter in words; for wavelength, step and NA `value` is a factor of the value of the model."""
+    if name == "depth":
+        return format_length(max(value, 0.0), digits=3)
+    if name == "sample":
+        return f"{value:.4g}"
+    factor = min(max(value, 1.0 - _FARTHEST), 1.0 + _FARTHEST)
+    return (
+        f"{factor * model.objective.NA:.4g}"
+        if name == "NA"
+        else format_length(factor * getattr(model, name), digits=3)
+    )
 
 
 def estimated_held_out_steps(shape: tuple[int, ...]) -> float:
     """Return the cost of the comparison of PSFs, in iterations on the whole stack."""
     return _USUAL_RUNS * _USUAL_STEPS * math.prod(min(side, SIDE) for side in shape[1:]) / math.prod(shape[1:])
-
-
-def _gain(reference: Best, other: Best) -> tuple[float, float]:
-    """Return the increase of lnL of the held-out photons with another PSF, and its standard error.
-
-    For counts y and expected counts m and m' the increase is ``sum y ln(m'/m)``, with variance ``sum m ln(m'/m)^2``.
-    """
-    gain = float((reference.losses.astype(np.float64) - other.losses).sum())
-    valid = (reference.electrons > 0.0) & (other.electrons > 0.0)
-    a, b = reference.electrons[valid].astype(np.float64), other.electrons[valid].astype(np.float64)
-    return gain, max(math.sqrt(float((0.5 * (a + b) * np.log(a / b) ** 2).sum())), 1e-9)
-
-
-def _least(losses: dict[float, float]) -> tuple[float, float]:
-    """Return the minimum of a parabola through the smallest loss and its neighbours, and twice its standard error.
-
-    In simulated stacks twice the standard error was the actual error. It is inf if the smallest loss is at an end.
-    """
-    values = sorted(losses)
-    k = min(range(len(values)), key=lambda index: losses[values[index]])
-    if not 0 < k < len(values) - 1:
-        return values[k], math.inf
-    nearest = values[k - 1 : k + 2]
-    curvature, slope, _ = np.polyfit(np.array(nearest) - values[k], [losses[value] for value in nearest], 2)
-    # The minimum of b x^2 + s x is at -s / (2 b), and lnL falls by 1/2 at 1 / sqrt(2 b) from it.
-    return float(values[k] - 0.5 * slope / curvature), float(2.0 / math.sqrt(2.0 * curvature))

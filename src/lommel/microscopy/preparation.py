@@ -14,7 +14,7 @@ from lommel.base.arrays import Values
 from lommel.base.units import with_error
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import DepthModel, GivenPSF
-from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, held_out_background
+from lommel.microscopy.held_out import LARGEST_SIDE, MAX_VOXELS, SIDE, HeldOut, held_out_background
 from lommel.microscopy.refinement import Progress, StackContext, estimate_z_direction
 from lommel.recorded.camera_noise import (
     MAX_HOT_FRACTION,
@@ -165,34 +165,32 @@ def compare_held_out(
     flat: bool,
     pixel_doubt: str,
     steps: int | None = None,
-) -> tuple[float | None, int]:
+) -> tuple[float | None, int, HeldOut | None]:
     """Compare PSFs by held-out photons, unless `steps` are those that an earlier time point took.
 
-    Return the background level where a `flat` one is estimated from them, else None, and the number of steps after
-    which the result agrees best with them, 0 if it is not known. `pixel_doubt` is a sentence on the pixel.
+    Return the background level where a `flat` one is estimated from them, else None; the number of steps after which
+    the result agrees best with them, 0 if it is not known; and the comparison. `pixel_doubt` is a sentence on the
+    pixel.
     """
-    model, is_small = context.model, math.prod(context.stack.shape) <= MAX_VOXELS
-    if steps is not None and not (flat and is_small):
-        return None, steps
+    model, estimate = context.model, flat and math.prod(context.stack.shape) <= MAX_VOXELS
+    if steps is not None and not estimate:
+        return None, steps, None
     if isinstance(model, GivenPSF):
-        if not (flat and is_small and model.is_contained):
-            return None, 0
-        return held_out_background(context, model, margin)
-    comparison = HeldOut(context, report)
+        if not (estimate and model.is_contained):
+            return None, 0, None
+        return *held_out_background(context, model, margin), None
+    # Estimate the background from the whole stack: a part also contains light blurred into it from outside.
+    side = max(context.stack.shape[1:])
+    comparison = HeldOut(context, report, side=side if estimate and side <= LARGEST_SIDE else SIDE)
     if comparison.is_uniform:
         text = "a flat scene explains the brightest part of the stack: other PSFs were not compared"
         findings.append(Finding("untested", "note", text))
-        return None, 0
-    reference = comparison.best("the PSF as given", model)
-    if steps is None and (finding := comparison.finding(reference)):
+        return None, 0, comparison
+    if steps is None and (finding := comparison.finding()):
         if finding.code == "psf_doubtful" and pixel_doubt:
             finding = replace(finding, text=f"{finding.text} ({pixel_doubt.removesuffix('.')})")
         findings.append(finding)
-    # Estimate the background from the whole stack: a part also contains light blurred into it from outside.
-    if not flat or not is_small:
-        return None, reference.steps
-    side = max(context.stack.shape[1:])
-    if side > SIDE:
-        comparison = HeldOut(context, report, side=side)
-        reference = comparison.best("background", model)
-    return comparison.level(reference), reference.steps
+    if not estimate:
+        return None, comparison.best.steps, comparison
+    whole = comparison if side <= LARGEST_SIDE else HeldOut(context, report, side=side)
+    return whole.level(), whole.best.steps, comparison

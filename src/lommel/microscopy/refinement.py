@@ -1,11 +1,7 @@
-"""Comparison of PSFs by a stack: direction of z, and what explains a misfit.
-
-Trial deconvolutions of a part of the stack with different PSFs are compared by their discrepancy after equal steps.
-"""
+"""Trial deconvolutions of a part of a stack, and the direction of z: that of the lower discrepancy."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple, cast
@@ -13,7 +9,6 @@ from typing import NamedTuple, cast
 import numpy as np
 import scipy
 
-from lommel.base.units import format_length
 from lommel.deconvolve.algorithms import RichardsonLucy
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings
 from lommel.deconvolve.likelihood import PoissonLikelihood
@@ -30,26 +25,11 @@ DIRECTION_STEPS = 2.0 * _STEPS
 """Number of steps that determine the direction of z, for the progress."""
 
 _SIDES = 48, 64  # pixels: smallest and largest side of the part of the stack that is used
-NARROWEST = 33
+NARROWEST = 25
 """Smallest side of PSFs of trials, pixels."""
 _WIDEST = 49  # largest side, pixels
-_FIRST_SIDE = 40  # pixels: side of the part in which alternatives are compared, with the narrowest PSFs
-_MIN_MARGIN = 8  # planes
-_FAR_DEPTHS = 3  # number of depths of the tails of PSFs, which change slowly
-# Alternatives after a misfit: first change of each parameter, doubled while the fit improves, and name in words.
-_ALTERNATIVES = {
-    "sample": (6e-3, "index of the sample"),
-    "NA": (0.02, "NA"),
-    "depth": (6e-7, "depth"),
-    "wavelength": (0.03, "wavelength"),
-    "step": (0.03, "step of z"),
-}
-_MAX_CHANGES = 5  # largest number of changes of a parameter in one direction
-_FARTHEST = 0.25  # largest relative change of NA, wavelength and step: 525 nm is not light of 273 nm
-_USUAL_CHANGES = 2.6  # average number of trials of a parameter, for the progress
-_SIGNIFICANT = 9.0  # least decrease of the deviance by a better PSF: three standard deviations
-_MIN_EXPLAINED = 0.03  # least decrease of the discrepancy by a better PSF, as a fraction of its excess over 1
-_COMPARABLE = 0.5  # PSFs whose decrease is at least this fraction of the largest decrease are reported, too
+_MIN_MARGIN = 4  # planes
+_DEPTHS = 3  # number of depths of PSFs, between which they are interpolated
 
 
 def select_crop(stack: Stack, side: int, saturation: float) -> tuple[slice, slice]:
@@ -165,11 +145,8 @@ class TrialDeconvolution:
         narrow_model = replace(model, window=(window_planes, side), planes=planes, degrees=self._degrees)
         # All models have the same splines, since other splines would change the discrepancy.
         self._degrees = narrow_model.splines
-        margin = min(window_planes // 2, max(_MIN_MARGIN, planes // 4)), side // 2
-        psfs = narrow_model.psfs(margin[0])
-        if psfs.radial is not None:
-            tail_nodes = np.linspace(0, len(psfs.nodes) - 1, min(_FAR_DEPTHS, len(psfs.nodes))).astype(int)
-            psfs = psfs._replace(nodes=psfs.nodes[tail_nodes])
+        margin = min(window_planes // 2, max(_MIN_MARGIN, planes // 8)), side // 2
+        psfs = narrow_model.psfs(margin[0], _DEPTHS)
         shape = self._values.shape
         return narrow_model.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
 
@@ -195,87 +172,3 @@ def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], progr
     if up_discrepancy < down_discrepancy:
         return "up", f"The planes run from the cover glass into the sample ({comparison})."
     return "down", (f"The planes run towards the cover glass ({comparison}): the last plane is the nearest to it.")
-
-
-def rank_alternatives(context: StackContext, progress: Progress, *, try_reversed: bool) -> list[str]:
-    """Return descriptions of PSFs with one changed parameter that fit the stack better, the best first.
-
-    Points between voxels cause a misfit with any PSF, but hardly change which PSF is the best. Reversed planes are
-    tried if `try_reversed`. Spherical aberration is not tried: its effect is similar to another index. Errors of
-    index, depth and step have similar effects: all PSFs are returned that lower the discrepancy by at least half
-    as much as the best PSF.
-    """
-    model, steps = cast("DepthModel", context.model), _STEPS
-    crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
-    trial = TrialDeconvolution(context, crop, widest=NARROWEST)
-    track = Work(progress, steps * (1.0 + try_reversed + _USUAL_CHANGES * len(_ALTERNATIVES)))
-
-    def cost(changed: DepthModel, label: str, *, reverse: bool = False) -> float:
-        discrepancies = trial.discrepancies(changed, steps, track(label, steps), reverse=reverse)
-        # A mean over steps, since the discrepancy of a single step depends on its extrapolation.
-        return float(np.mean(discrepancies[steps // 2 :]))
-
-    start_cost = cost(model, "the PSF as given")
-    decreases: dict[str, float] = {}  # decrease of the cost by each change
-    if try_reversed:
-        label = "planes in reverse order"
-        decreases[label] = start_cost - cost(model, label, reverse=True)
-    for name, (first_change, title) in _ALTERNATIVES.items():
-        # Depth and index have values; all others are changed by a factor.
-        start = {"depth": model.depth, "sample": model.objective.sample}.get(name, 1.0)
-
-        def cost_of_change(value: float, name: str = name, title: str = title, start: float = start) -> float:
-            if start == 1.0 and abs(value - start) > _FARTHEST:  # a factor
-                return math.inf
-            try:
-                alternative = model.changed(name, value)
-            except ValueError:
-                return math.inf
-            return cost(alternative, f"another {title}: {_value_in_words(model, name, value)}")
-
-        value, lowest_cost = _line_search(cost_of_change, start, first_change, start_cost)
-        if value != start:
-            change = "smaller" if value < start else "larger"
-            label = f"a {change} {title} (about {_value_in_words(model, name, value)})"
-            decreases[label] = start_cost - lowest_cost
-    largest = max(decreases.values(), default=0.0)
-    least = max(_SIGNIFICANT * start_cost / trial.known, _MIN_EXPLAINED * (start_cost - 1.0), _COMPARABLE * largest)
-    return sorted((label for label in decreases if decreases[label] > least), key=lambda label: -decreases[label])
-
-
-def _line_search(
-    cost: Callable[[float], float], start: float, first_change: float, start_cost: float
-) -> tuple[float, float]:
-    """Return the value with the lowest cost, and that cost, after few evaluations.
-
-    From `start` the change is doubled while the cost falls, in the first of two directions in which it falls. An
-    infinite cost marks a value out of range and ends the search in a direction.
-    """
-    for step in (first_change, -first_change):
-        values, costs = [start], [start_cost]
-        for doublings in range(_MAX_CHANGES):
-            value = start + 2**doublings * step
-            if math.isinf(value_cost := cost(value)):
-                break
-            values.append(value)
-            costs.append(value_cost)
-            if value_cost >= costs[-2]:
-                break
-        if len(costs) > 1 and costs[1] < start_cost:
-            k = int(np.argmin(costs))
-            if k == len(costs) - 1:
-                return values[k], costs[k]
-            # Minimum of the parabola through the lowest point and its neighbours.
-            neighbours = slice(k - 1, k + 2)
-            curvature, slope, height = np.polyfit(np.array(values[neighbours]) - values[k], costs[neighbours], 2)
-            return float(values[k] - 0.5 * slope / curvature), float(height - 0.25 * slope**2 / curvature)
-    return start, start_cost
-
-
-def _value_in_words(model: DepthModel, name: str, value: float) -> str:
-    """Return a parameter in words; for wavelength, step and NA `value` is a factor of the value of the model."""
-    if name == "depth":
-        return format_length(value, digits=3)
-    if name in ("wavelength", "step"):
-        return format_length(value * getattr(model, name), digits=3)
-    return f"{value * (model.objective.NA if name == 'NA' else 1.0):.4g}"

@@ -238,10 +238,10 @@ class ProjectionBuilder:
         lock = Lock()
 
         def compare(plane: int, y: slice, x: slice, model: Values) -> None:
-            counts, residuals, weights = counted.residuals(plane, y, x, model)
+            counts, residuals, scale = counted.whitened(plane, y, x, model)
             top, left = y.start - y_offset, x.start - x_offset
             inner = np.s_[max(-top, 0) : max(height - top, 0), max(-left, 0) : max(width - left, 0)]
-            counts, residuals, weights = counts[inner], residuals[inner], weights[inner]
+            counts, residuals, weights = counts[inner], residuals[inner], scale[inner] > 0.0
             rows_at = slice(max(top, 0), max(top, 0) + len(residuals))
             target = rows_at, slice(max(left, 0), max(left, 0) + residuals.shape[1])
             with lock:

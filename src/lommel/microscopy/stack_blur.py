@@ -108,6 +108,8 @@ class _TileJob(NamedTuple):
 
 _MAX_MEMORY_RATIO = 3.0  # largest number of values in the transforms of a tile, relative to the recording
 _MIN_VALUES = 2**23  # number of values that these transforms may have in any case
+_MAX_KEPT = 2**22  # voxels of a specimen up to which the recorded fraction of the light of each is kept
+_TILE_PIXELS_TOGETHER = 2**16  # pixels of tiles of several planes that are transformed together
 _COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # order of the eight columns of a transform that the core filters together
 _MIRROR_TOLERANCE = 1e-6  # largest difference between a kernel and its mirror image, relative to its largest value
 
@@ -171,6 +173,7 @@ class TiledBlur(PlaneOperator):
                 for side, kernel_side in zip(self.whole[1:], sides[1:], strict=True)
             )
             self._tile = tile_height, tile_width
+        self._together = max(1, _TILE_PIXELS_TOGETHER // math.prod(self._tile))
         self._limits, self._indices = self._recorded_ranges()
         # Recorded fraction of a point's light, (planes, ranges along y, ranges along x): see `_recorded_ranges`.
         self._seen = np.zeros((self.whole[0], *(limits.shape[1] for limits in self._limits)), np.float32)
@@ -319,25 +322,28 @@ class TiledBlur(PlaneOperator):
             self._spectra = np.empty((self.whole[0], self._tile[0], self._tile[1] // 2 + 1), np.complex64)
         spectra = self._spectra
 
-        def transform(plane: int) -> None:
-            tile = np.zeros(self._tile, np.float32)
-            tile[job.source_in_tile] = values[plane, *job.source]
-            spectra[plane] = scipy.fft.rfft2(tile)
+        def transform(first: int) -> None:
+            some = slice(first, min(first + self._together, planes))
+            tiles = np.zeros((some.stop - first, *self._tile), np.float32)
+            tiles[:, *job.source_in_tile] = values[some, *job.source]
+            spectra[some] = scipy.fft.rfft2(tiles)
 
-        side_by_side(transform, range(planes), self._threads)
+        side_by_side(transform, range(0, planes, self._together), self._threads)
 
     def _consume_planes(self, planes: int, job: _TileJob, consume: PartConsumer[Result]) -> list[Result]:
         """Transform the first `planes` spectra back, and call `consume` with the output of the tile in each plane."""
         spectra = self._spectra
         assert spectra is not None
 
-        def transform_back(plane: int) -> Result:
+        def transform_back(first: int) -> list[Result]:
+            some = slice(first, min(first + self._together, planes))
+            tiles = scipy.fft.irfft2(spectra[some], self._tile, overwrite_x=True)
             # Consumers are faster in contiguous memory.
-            tile = scipy.fft.irfft2(spectra[plane], self._tile, overwrite_x=True)
-            light = np.ascontiguousarray(tile[job.output_in_tile])
-            return consume(plane, *job.output, light)
+            light = np.ascontiguousarray(tiles[:, *job.output_in_tile])
+            return [consume(first + k, *job.output, each) for k, each in enumerate(light)]
 
-        return side_by_side(transform_back, range(planes), self._threads)
+        parts = side_by_side(transform_back, range(0, planes, self._together), self._threads)
+        return list(chain.from_iterable(parts))
 
     def _filter_along_z(self, *, transposed: bool) -> None:
         """Convolve the spectra of the planes along z, in place, or apply the transpose."""
@@ -618,10 +624,16 @@ class WideBlur(PlaneOperator):
 
     def weigh(self, weight: float) -> None:
         """Set the weight by which :meth:`per_seen` divides."""
-        self._weight = weight
+        self._weight, self._per = weight, None
+        if math.prod(self.whole) <= _MAX_KEPT:
+            rows, columns = slice(0, self.whole[1]), slice(0, self.whole[2])
+            self._per = np.stack([self._per_seen(plane, rows, columns) for plane in range(self.whole[0])])
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return ``1 / (seen * weight)``, or 0 where hardly any light is recorded (`UNSEEN`)."""
+        return self._per_seen(plane, rows, columns) if self._per is None else self._per[plane, rows, columns]
+
+    def _per_seen(self, plane: int, rows: slice, columns: slice) -> Values:
         return reciprocal(self.seen(plane, rows, columns) * np.float32(self._weight))
 
     @property

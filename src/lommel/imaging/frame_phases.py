@@ -19,7 +19,7 @@ _CERTAIN = 5.0  # standard errors of a displacement that is told
 _COHERENT = 4.0  # standard deviations of the mean cosine of phases of noise, above which phases are of a displacement
 _FREQUENCY, _SIDE = 0.12, 1024  # cycles per pixel, up to which phases are used, and side of the square for shifts
 _LOWEST, _FIRST = 2.5, 8.0  # periods in a window: least, and most in the first step
-_STEPS = 4
+_STEPS, _LEAST_SHARE = 4, 0.05
 _UNKNOWN = 1e3  # pixels: standard error of displacements of noise
 _MIN_WINDOW = 96  # pixels: least side of the four windows of a frame, from which its magnification follows
 
@@ -78,7 +78,7 @@ def _displacement(
     """Return the displacement of a frame in a window, pixels, and its covariance.
 
     Phases of frequencies up to `tops` are used, one after the other, each less those of the displacement before.
-    Phases of noise ask for none, so that a step is too short: there are `_STEPS` more by the last.
+    Phases of noise ask for none: a step is divided by the share of the others, and `_STEPS` more follow by the last.
     """
     window = np.outer(*(np.hanning(side) for side in inside.shape)) * inside
     spectra = [
@@ -97,9 +97,10 @@ def _displacement(
         inverse = np.linalg.pinv(weighted @ slopes.T)
         step = inverse @ weighted @ phases
         gradients = inverse @ (weighted * (phases - step @ slopes))
-        shift, covariance = shift + step, gradients @ gradients.T
+        weights, left = np.abs(cross), np.cos(2.0 * (phases - step @ slopes))
+        share = max(_LEAST_SHARE, float(weights @ left) / float(weights.sum()))
+        shift, covariance = shift + step / share, gradients @ gradients.T / share**2
     # Phases of noise alone are about as likely at all displacements.
-    weights, left = np.abs(cross), np.cos(2.0 * (phases - step @ slopes))
     if weights @ left < _COHERENT * math.sqrt(0.5 * float(weights @ weights)):
         covariance = covariance + _UNKNOWN**2 * np.eye(2)
     return shift, covariance

@@ -121,7 +121,7 @@ def test_a_shift_of_fine_texture_in_noise_is_not_smaller():
         for blur in (2.5, 3.2)
     )
     for rows in (0, 1):
-        found = _shift(np.stack([near, np.roll(far, rows, axis=0)]), np.ones(scene.shape, dtype=bool), 5.0)
+        found = frame_shift(np.stack([near, np.roll(far, rows, axis=0)]), np.ones(scene.shape, dtype=bool), 5.0)
         np.testing.assert_allclose(found, (1.0, 0.0) if rows else (), atol=0.2)
 
 

@@ -34,14 +34,14 @@ _REFINED = np.linspace(-0.08, 0.08, 17)  # of ln(diameter), around the most like
 _ERROR_FACTOR = 1.3  # standard error of ln(diameter) / that of the likelihood
 _SOFTNESS = 1.4  # softness of scenes, pixels: an error of the diameter, added in quadrature
 _MOST_ERROR = 0.08  # largest standard error of ln(diameter) of a known blur
-_VALLEY = 5.0  # log-likelihood by which another diameter must be less likely
+_VALLEY = 4.5  # log-likelihood by which another diameter must be less likely
 _BEYOND = 3.0  # standard errors by which it must differ
 # The same where scenes may be soft: what softness gains less _CHANCE_GAIN, and at most _SOFT_GAIN, from which a scene
 # is soft.
 _CHANCE_GAIN, _SOFT_GAIN = 3.0, 10.0
-# Exponent of textures from which they may be soft scenes, unless light beyond the first zero of the blur shows, by a
-# gain in log-likelihood above _LOBE_GAIN.
-_STEEP, _LOBE_GAIN = 3.0, 3.5
+# Exponents of textures that are neither patterns nor soft scenes; others need light beyond the first zero of a blur,
+# by a gain in log-likelihood above _LOBE_GAIN.
+_NATURAL, _LOBE_GAIN = (1.5, 2.75), 3.5
 
 
 Blurs = Callable[[Array], Array]
@@ -193,7 +193,7 @@ def estimate_blur(curves_of: Blurs, symmetric: bool, unit: float, plane: Array, 
     # Without light beyond the first zero, a disc looks like the Gaussian of a soft scene, and its texture is steep.
     dark = np.logical_or.accumulate(curves[best] <= 0.0)
     lobes = rings.soft_likelihood(np.stack([curves[best], np.where(dark, 0.0, curves[best])]), 0)[1]
-    distinct = slopes[best] < _STEEP or float(lobes[0] - lobes[1]) > _LOBE_GAIN
+    distinct = _NATURAL[0] <= slopes[best] <= _NATURAL[1] or float(lobes[0] - lobes[1]) > _LOBE_GAIN
     opposite = np.sign(stack) != np.sign(value)
     likelihood = with_soft if soft else plain
     sign_known = not symmetric and bool(likelihood[opposite].max() < likelihood[best] - _VALLEY)

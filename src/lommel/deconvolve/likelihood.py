@@ -45,6 +45,7 @@ class PoissonLikelihood:
     """
 
     weakest = 1.0 / 512.0  # smallest strength of the total variation in a search, relative to the usual strength
+    judges_specimen = True  # whether `of_specimen` is computed, which a prescribed number of steps does not need
     settles = True  # whether steps with a prescribed strength end at convergence, even before their largest number
 
     def __init__(
@@ -264,7 +265,7 @@ class PoissonLikelihood:
         for plane, part_sums in blur.forward(specimen, compare):
             sums[plane] += part_sums[0]
             of_specimen += part_sums[1:]
-        if np.any(self.background):
+        if self.judges_specimen and np.any(self.background):
             deviance, weights, squares = of_specimen
             # A term of the deviance has the variance 2. The mean of terms with weights w has the variance
             # 2 sum(w^2) / sum(w)^2, and the slack is three standard deviations.
@@ -284,7 +285,7 @@ class PoissonLikelihood:
         offset = _map_part(self._added, rows, columns) + background
         # All in place, because allocating memory would take longer than the operations.
         at_least(light, TINY)  # narrowed kernels have negative values, which may prevail beside very bright voxels
-        squares = light.copy() if np.any(background) else None
+        squares = light.copy() if self.judges_specimen and np.any(background) else None
         model = np.add(light, offset, out=light)
         ratio = np.divide(counts, model, out=counts)
         np.minimum(ratio, np.full(ratio.shape[-1:], _MAX_RATIO, ratio.dtype), out=ratio)

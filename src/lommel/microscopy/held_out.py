@@ -70,11 +70,13 @@ class Best(NamedTuple):
 class _Half(PoissonLikelihood):
     """Counts of one half, and the deviance of its model from the other half."""
 
+    judges_specimen = False
+
     def __init__(self, recorded: Values, validation: Values, noise: Noise) -> None:
         self._validation: Values | None = None
         super().__init__(recorded, noise)
         self._validation = validation
-        self._voxel_losses = np.zeros(validation.shape, np.float32)
+        self._parts: dict[tuple[int, int, int], float] = {}  # loss in each part of a plane
         self.losses: list[float] = []
         self.best = Best(math.inf, 0, 0.0, State(), self.losses)
 
@@ -88,12 +90,13 @@ class _Half(PoissonLikelihood):
             counts = np.where(valid, counts, light)  # `light` now holds the model
             # The Poisson deviance m - y + y ln(y / m) of the held-out counts y.
             loss = light - counts + counts * np.log(np.maximum(counts, TINY) / light)
-            self._voxel_losses[position] = np.where(valid, self.white * weight * loss, 0.0)
+            loss = np.where(valid, weight * loss, 0.0)
+            self._parts[plane, rows.start, columns.start] = self.white * float(loss.sum(dtype=np.float64))
         return sums
 
     def is_past_best(self, step: int, iteration: Iteration) -> bool:
         """Update the best iteration; return whether it was _PATIENCE or more iterations ago."""
-        loss = float(self._voxel_losses.sum(dtype=np.float64))
+        loss = math.fsum(self._parts.values())
         self.losses.append(loss)
         if loss < self.best.loss:
             self.best = Best(loss, step, float(self.background), iteration.state, self.losses)
@@ -235,8 +238,10 @@ class HeldOut(TrialDeconvolution):
             for step in (change, -change):
                 if (model := self._changed(name, step)) is not None:
                     score = self._tests.of(self.blur(model, len(self._values)), step)
-                    found += [score] if score is not None else []
-                    if found and found[-1].slope * step > 0.0:
+                    if score is None:
+                        break
+                    found.append(score)
+                    if score.slope * step > 0.0:
                         break
             self._scores[name] = max(found, key=lambda score: score.deviance, default=None)
         return self._scores[name]

@@ -90,6 +90,7 @@ class PSFScores:
 
     def _imaged(self, blur: PlaneOperator, state: State) -> Values:
         """Return the image of a specimen and of the light beyond it."""
+        assert state.light is not None
         image = np.empty(blur.shape, np.float32)
 
         def store(plane: int, rows: slice, columns: slice, values: Values) -> None:

@@ -517,8 +517,10 @@ def test_sums_over_any_aperture_add_what_polynomials_sums_and_roundings_are_off_
 
 
 @pytest.mark.parametrize("single", [False, True])
-@pytest.mark.parametrize("room", [8.0001, 7.9999])
-def test_averages_of_any_aperture_are_off_by_polynomials_and_roundings_that_single_may_not_meet(single, room, swap):
+@pytest.mark.parametrize(("room", "image"), [(6.0001, 1e-3), (5.9999, 1e-3), (1.0, 9.99e-5), (1.0, 1.01e-4)])
+def test_averages_of_any_aperture_are_off_by_polynomials_and_roundings_that_single_may_not_meet(
+    single, room, image, swap
+):
     pupil, asked, tol = aperture(4), [], 1e-5
     swap(
         nonuniform_fft,
@@ -528,10 +530,10 @@ def test_averages_of_any_aperture_are_off_by_polynomials_and_roundings_that_sing
         _nodes_are_faster=lambda *_: True,
         roundings=lambda *_, single_precision=False: room * tol if single_precision else 1e-9,
     )
-    assert nonuniform_fft.averaged_apertures(pupil, Grid(5, 1.0, integrate=True), tol, Wanted(1.0)) is None
+    assert nonuniform_fft.averaged_apertures(pupil, Grid(5, 1.0, integrate=True), image, Wanted(1.0)) is None
     _, error, taken = asked[0](3.0, 2.0, tol, single, 5, 5)
     a = 0.15 * tol
     assert asked[1] == pytest.approx(a, rel=1e-12)
-    assert taken == (single and room < 8.0)
+    assert taken == (single and room < 6.0 and room * tol < 0.1 * image)
     expected = 2.2 * a + (1.0 + a) * a + (room * tol if taken else 1e-9)
     assert error == pytest.approx(expected, rel=1e-9, abs=0.0)

@@ -280,7 +280,8 @@ _SUM_BLOCK = 16  # number of terms that the core adds up at a time in single pre
 _MIN_IMAGES = 4  # number of images and derivatives that fill vector lanes
 _SUM_COST = 5.5e-8  # ms per product in the sums over nodes
 _SAMPLE_COST = 1.15e-4  # ms per filtered sample
-_SINGLE_SHARE = 8.0  # sums in single precision are tried up to this error over the requested one
+_SINGLE_SHARE = 6.0  # sums in single precision are tried up to this error over the requested one
+_SINGLE_IMAGE_SHARE = 0.1  # and up to this error over the tolerance, above which few pupils meet it
 _MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors dominate
 
 
@@ -298,9 +299,9 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
     growth = _growth_of(stack, wanted.threads)
 
     def rule(
-        down: float, across: float, tol: float, float32: bool, rows: int, columns: int
+        down: float, across: float, field_tol: float, float32: bool, rows: int, columns: int
     ) -> tuple[Array, float, bool] | None:
-        allowed = 0.15 * tol
+        allowed = 0.15 * field_tol
         if allowed < _MIN_NODE_ERROR:
             return None
         degree, rule_degree, approximation_error = degrees_and_error(
@@ -312,7 +313,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         moments = moment_rule(pupil.opening, degree + highest, rule_degree + highest, allowed)
         reach = math.hypot(down, across)
         rounding = roundings(moments, pupil, reach, single_precision=True)
-        float32 = float32 and rounding < _SINGLE_SHARE * tol
+        float32 = float32 and rounding < min(_SINGLE_SHARE * field_tol, _SINGLE_IMAGE_SHARE * tol)
         error = approximation_error + 1.1 * allowed + (rounding if float32 else roundings(moments, pupil, reach))
         return quadrant_weights(moments, pupil), error, float32
 
@@ -321,7 +322,7 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
     images = aperture_averages(
         transposed(stack),
         window._replace(shape=window.shape[::-1], center=window.center[::-1]),
-        pupil.likely_strehl,
+        pupil.likely_strehl * pupil.opening.likely_strehl,
         pupil.transmission,
         tol,
         wanted._replace(out=None, terms=tuple((int(n), int(m)) for n, m in core_terms)),

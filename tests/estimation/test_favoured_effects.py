@@ -109,6 +109,9 @@ def test_an_error_contains_the_stated_value_where_another_effect_explains_the_im
     assert told.severity == "note"
     assert "or instead scale 0.9800 +- 0.0010 (stated 1) or drift, each if the others are as stated" in told.text
     assert "moves spherical by 7.8 standard errors" in told.text
-    (doubtful,) = estimated_findings([ratio], moves, ["scale"], [scale], {"coma": 0.1, "tilt": 1.4})
+    (told,) = estimated_findings([ratio], moves, ["scale"], [scale], {"coma": 0.1, "tilt": 1.4})
+    assert told.severity == "note"
+    assert "but tilt differs by 1.4 standard errors, which its error includes" in told.text
+    (doubtful,) = estimated_findings([ratio], moves, ["scale"], [scale], {"coma": 0.1, "tilt": 2.4})
     assert doubtful.severity == "doubt"
-    assert "but tilt differs by 1.4 standard errors" in doubtful.text
+    assert "but tilt differs by 2.4 standard errors" in doubtful.text

@@ -35,6 +35,9 @@ _SETTLED = 0.3  # distance of an estimated effect from its best value, standard 
 # Largest log Bayes factor of an effect that is compared with a model error, which takes about as long as a refit.
 _CLEAR = 50.0
 _NEARLY = 0.5  # part of this logarithm that the gain of a model error exceeds if it explains the images as well
+_SAME = (
+    2.0  # difference of a term between rivals, standard errors, up to which the answer is good: its error includes it
+)
 _MAX_ESTIMATES = 3  # largest number of estimates, or of rivals, in a message
 
 
@@ -259,6 +262,6 @@ def estimated_findings(
     text = f"estimated besides: {found}: terms allow for {either}{moved}"
     severity: Severity = "note"
     if difference > CLOSED:
-        severity = "doubt"
+        severity = "doubt" if difference > _SAME else "note"
         text += f", but {open_name} differs by {difference:.2g} standard errors, which its error includes"
     return [Finding("estimated", severity, text, numbers | {"move": move})] if shown else []

@@ -69,12 +69,12 @@ _TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; fu
 _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
 # Measured part of the remaining time that each phase takes, and its typical number of steps; the fraction of the time
-# that has passed when the first refit with another effect begins.
+# that has passed when the first refit with another effect begins. Before, it is the mean with and without a refit.
 _PHASES = {
-    "first": (0.16, 6), "single stars": (0.16, 15), "starts": (0.05, 15), "joint": (0.16, 11), "signs": (0.27, 15),
-    "profiles": (0.45, 18), "refit": (0.2, 10), "end": (0.9, 7),
+    "first": (0.08, 6), "single stars": (0.16, 15), "starts": (0.05, 15), "joint": (0.16, 11), "signs": (0.27, 15),
+    "profiles": (0.2, 18), "refit": (0.13, 10), "end": (0.9, 7),
 }  # fmt: skip
-_BEFORE_REFITS = 0.45
+_BEFORE_REFITS = 0.37
 _TOO_STRONG = "aberrations are too strong for the tolerance; pass a design as pupil"
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, {}or terms are missing"
 

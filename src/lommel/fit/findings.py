@@ -81,7 +81,7 @@ _DATA = ("flat_top", "multiples", "no_counts", "unit_sum")
 # Findings that name what is wrong: they are printed before the statistics that show that something is.
 _CAUSES = (
     "contradiction", "pixel_pitch", "reversed_z", "exchanged", "opposite_astigmatism", "excess_noise",
-    "gain", "missed_light", "other_explanation", "hot_pixels", "pattern", "lens_scale",
+    "gain", "other_explanation", "hot_pixels", "pattern", "lens_scale",
 )  # fmt: skip
 _MOST_CHARACTERS = 800  # of the texts of findings that are printed: ten lines
 _MOST_LINES = 12  # of a result

@@ -119,6 +119,27 @@ def test_a_wrong_f_number_is_estimated_behind_vanes(aperture):
 STRIPS = lm.Polygon.strip((-1.2, 0.0), (1.2, 0.0), 0.04) | lm.Polygon.strip((0.0, -1.2), (0.0, 1.2), 0.04)
 
 
+@pytest.mark.parametrize("world", [{"waves": (*WAVES, (22, 0.25))}, {"blocked": 0.3}])
+def test_the_shape_of_blur_is_chosen_anew_once_its_cause_is_estimated(world):
+    fit = found(recorded(sigma=0.6, seed=1, **world), blur=True)
+    assert fit.reliable
+    assert fit.findings.get("estimated")
+    # Before, seeing stood for the ring of light besides.
+    (first,), (second,) = fit.blurs
+    for blur, (error,) in zip((first, second), fit.blur_errors, strict=True):
+        assert isinstance(blur, lm.Jitter)
+        assert blur.sigma == pytest.approx(0.6 * 2.4e-6, abs=4.0 * error)
+
+
+def test_vanes_that_are_turned_are_named_first():
+    turned = lm.Spider(0.06, tuple(np.radians(3.0) + np.arange(4) * np.pi / 2.0))
+    fit = found(recorded(vanes=0.06), {"spider": turned})
+    one = seen(fit)["vanes turned about the axis"]
+    assert next(iter(seen(fit))) == "vanes turned about the axis"
+    assert abs(one["size"][0] + 3.0) < 0.6 + 3.0 * one["errors"][0]
+    assert "vanes turned about the axis, by a linear estimate = -" in fit.message
+
+
 @pytest.mark.parametrize("aperture", [{"spider": lm.Spider.equal(4, width=0.04)}, {"stop": lm.Disc() - STRIPS}])
 def test_a_wrong_obscuration_is_estimated_behind_vanes(aperture):
     fit = found(recorded(blocked=0.25, vanes=0.04), aperture)

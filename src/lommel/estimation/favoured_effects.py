@@ -26,7 +26,7 @@ from lommel.fit.score_tests import CLOSED, RIVAL, ScoreTest, seen
 from lommel.fit.scoring import RowModel, Scores
 
 # Effects that are added, refits in turn, and candidates of which each refit is the best.
-_MAX_EFFECTS, _MAX_ROUNDS, _MAX_CANDIDATES = 2, 4, 4
+_MAX_EFFECTS, _MAX_ROUNDS, _MAX_CANDIDATES = 2, 5, 4
 _MIN_GAIN = 0.5  # smallest gain of lnL, divided by the logarithm of the Bayes factor
 # Refits are compared after further steps if they gain less than the best by this many times RIVAL, or by this part.
 _NEAR, _NEAR_SHARE = 2.0, 0.1

@@ -69,10 +69,10 @@ _TRIAL_STEPS, _BEST_STEPS = 2, 5  # steps of each search with a negated sign; fu
 _RIVAL_STEPS = 12  # further steps of a search that ended at another minimum
 _MAX_RIVAL_COST, _MIN_RIVAL_DISTANCE = 8.0, 3.0  # another minimum: largest loss of lnL; least distance, std. errors
 # Measured part of the remaining time that each phase takes, and its typical number of steps; the fraction of the time
-# that has passed when the first refit with another effect begins. Before, it is the mean with and without a refit.
+# that has passed when the first refit with another effect begins. Before, none is expected.
 _PHASES = {
-    "first": (0.08, 6), "single stars": (0.16, 15), "starts": (0.05, 15), "joint": (0.16, 11), "signs": (0.27, 15),
-    "profiles": (0.2, 18), "refit": (0.13, 10), "end": (0.9, 7),
+    "first": (0.13, 6), "single stars": (0.16, 15), "starts": (0.05, 15), "joint": (0.16, 11), "signs": (0.27, 15),
+    "profiles": (0.36, 18), "refit": (0.13, 10), "end": (0.9, 7),
 }  # fmt: skip
 _BEFORE_REFITS = 0.37
 _TOO_STRONG = "aberrations are too strong for the tolerance; pass a design as pupil"
@@ -829,7 +829,9 @@ def estimated_effects(rounds: Sequence[Round], coefficients: Array, errors: Arra
         one, unit = changed.model.stars.first_star, unit_of(test.name)
         stated, value = (value_of(star, test.name, first_star) for star in (first_star, one))
         is_unsure = test.name in doubted or test.name in rivals
-        return Estimate(test.name, value + size, float(test.errors[0]), stated, unit, unsure=is_unsure)
+        # A step that the last refit would still take is not settled.
+        error = math.hypot(float(test.errors[0]), size)
+        return Estimate(test.name, value + size, error, stated, unit, unsure=is_unsure)
 
     estimates += [
         constant(test, fit, float(test.size[0])) for test in tests if test.name in names and test.name != ELLIPSE

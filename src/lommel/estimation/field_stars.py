@@ -35,7 +35,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 
 _BLOCK_VALUES = 3e6  # number of samples of PSFs and of derivatives that are computed together
-_OTHERS_SHARE = 0.5  # measured part of a fit's remaining time that the derivatives "others" take
+_OTHERS_SHARE = 0.55  # measured part of a fit's remaining time that the derivatives "others" take
 _ZERO_LIMIT = 0.02  # squared width of blur, pixels^2, below which a step may set it to 0
 _MIN_BRIGHT = 50.0  # chi2 of bright pixels requires this many more of them than twice the number of parameters
 _FIRST_ANGLE = 4  # number of parameters of each image (row, column, flux, background) before the angles

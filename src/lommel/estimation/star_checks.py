@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -45,6 +46,7 @@ from lommel.fit.score_tests import (
     untested_findings,
 )
 from lommel.methods.derivative_names import Name, Term
+from lommel.optics.aperture.shapes import Polygon, Spider
 from lommel.optics.pupil import Pupil
 from lommel.psf import cached_plan
 from lommel.special import zernike
@@ -58,6 +60,7 @@ _DEFOCI, _ONE_DEFOCUS = "defocus scale", "defocus of image "
 _CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, _DEFOCI: 0.05}  # relative; that of the obscuration is absolute
 # Relative amplitude at the pupil edge (SLANT, FOLDS), pupil radii (SHIFT), relative lengths (OVAL, ASPECT).
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
+_VANE_ANGLE = 2.0  # degrees
 _TRAIL = 0.01  # fraction of the charge that is deferred
 _DRIFT = 0.03  # half the change of a Zernike term from the first to the last image, radians rms
 _RIPPLES = 0.1  # all ripples of the wavefront together, radians rms
@@ -66,8 +69,9 @@ _DEFOCUS = 0.1  # defocus of one image, radians at the pupil edge
 _CONSTANT_FACTOR, _TRAIL_FACTOR, _RIPPLE_FACTOR = 0.5, 0.25, 0.2
 _TRAIL_DECAY, _TRAIL_LENGTH = 2.0, 8  # trail of deferred charge: decay to 1/e and length, pixels
 _STATED_ERROR = 0.01  # relative error of a stated number for which the bias of the estimates is reported
+VANES = "vanes turned about the axis"
 _UNITS = {
-    "f_number": "", OBSCURATION: "", "wavelength": "m", _DEFOCI: "", "apodization": "",
+    "f_number": "", OBSCURATION: "", "wavelength": "m", _DEFOCI: "", "apodization": "", VANES: "degrees",
     "blur": "pixels", "r0 of seeing": "m",
     "row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel",
 }  # fmt: skip
@@ -78,6 +82,7 @@ _MAX_PHASE_ERROR = 0.25
 # Largest factor by which a valid standard error may change within one standard deviation of the estimate.
 _MAX_ERROR_CHANGE = 1.125
 APODIZED = 0.1  # apodization coefficient g: the amplitude is exp(-g) at the pupil edge
+_TURNED = 0.5  # angle of vanes in differences of images, degrees
 _OBSCURED = 0.01  # change of an obscuration in differences of images, pupil radii
 _GAUSSIAN, ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
 _UNEVEN = "blur that varies over the field"
@@ -114,6 +119,7 @@ _DESCRIPTIONS = {
     SLANT: ("light that slopes across the pupil as exp(-a y - b x): a, b", ""),
     SHIFT: ("a decentred obscuration: rows, columns", " radii"),
     **{name: (f"{name}: amplitude at the edge by cosine and sine", "") for name in FOLDS},
+    VANES: (f"{VANES}, by a linear estimate", " degrees"),
     ASPECT: ("an image that is longer along y and shorter along x than stated: relative change", ""),
     OVAL: ("an aperture that is not round, with the radius 1 + s cos 2t + u sin 2t: s, u", ""),
     **{name: (f"{name}: fraction", "") for name in _TRAILS.values()},
@@ -149,7 +155,26 @@ def changed_pupils(pupil: Pupil) -> dict[str, tuple[Pupil, float]]:
     if pupil.obscuration and OBSCURATION not in changes_of(pupil):
         change = min(_OBSCURED, 0.5 * (1.0 - pupil.obscuration))
         pupils[OBSCURATION] = replace(pupil, obscuration=pupil.obscuration + change), change
+    if pupil.strips is not None:
+        pupils[VANES] = _turned(pupil, _TURNED), _TURNED
     return pupils
+
+
+def _turned(pupil: Pupil, degrees: float) -> Pupil:
+    """Return the pupil with its vanes turned about the axis."""
+    angle, spider = math.radians(degrees), pupil.spider
+    spider = spider and Spider(spider.width, tuple(a + angle for a in spider.angles))
+    return replace(pupil, spider=spider, stop=pupil.stop and pupil.stop.turned(angle))
+
+
+def _vane_angle(pupil: Pupil) -> float:
+    """Return the direction of the first vane, degrees."""
+    if pupil.spider is not None:
+        return math.degrees(pupil.spider.angles[0])
+    corners = (
+        next(part.corners for part in pupil.stop.parts if isinstance(part, Polygon)) if pupil.stop else ((1.0, 0.0),)
+    )
+    return math.degrees(math.atan2(corners[-1][1], corners[-1][0]))
 
 
 def tested_names(star: StarImages) -> tuple[tuple[Term, ...], tuple[Name, ...], tuple[Term, ...]]:
@@ -202,7 +227,10 @@ def missing_effects(
             if exposures == 2 and term == (2, 0) and (2, 0) in constants:
                 continue  # the same images as those of another scale of the defoci
             add(label(term) + DRIFTS, _DRIFT, slope * time * zernike.rms_factor(*term))
-    remaining, scales = iter(illumination), {**_UNEVEN_LIGHT, **_CONSTANTS, "apodization": APODIZED}
+    remaining, scales = (
+        iter(illumination),
+        {**_UNEVEN_LIGHT, **_CONSTANTS, "apodization": APODIZED, VANES: _VANE_ANGLE},
+    )
     for name, count in changes_of(star.pupil).items():
         images = [*itertools.islice(remaining, count)]
         if name not in unknowns.pupil:
@@ -269,6 +297,8 @@ def changed(model: StarImages, name: str, size: float) -> tuple[Unknowns, Pupil,
     with suppress(ValueError):  # a value that no pupil has
         if name in (*OF_PUPIL, "apodization"):
             return unknowns, replace(pupil, **cast("Any", {name: getattr(pupil, name) + size})), defoci
+        if name == VANES:
+            return unknowns, _turned(pupil, size), defoci
         if (focus := _foci(model).get(name)) is not None:
             return unknowns, pupil, defoci + size * focus.weights
         if not name.endswith(DRIFTS) and (free := freed(model, name)) is not None:
@@ -278,6 +308,8 @@ def changed(model: StarImages, name: str, size: float) -> tuple[Unknowns, Pupil,
 
 def value_of(model: StarImages, name: str, stated: StarImages) -> float:
     """Return the value of a constant that `changed` supports; the scale of defoci is relative to `stated`."""
+    if name == VANES:
+        return (_vane_angle(model.pupil) - _vane_angle(stated.pupil) + 180.0) % 360.0 - 180.0
     if (focus := _foci(stated).get(name)) is None:
         return float(getattr(model.pupil, name))
     change = (model.known_defoci - stated.known_defoci) @ focus.weights

@@ -46,7 +46,7 @@ from lommel.fit.score_tests import (
     untested_findings,
 )
 from lommel.methods.derivative_names import Name, Term
-from lommel.optics.aperture.shapes import Polygon, Spider
+from lommel.optics.aperture.shapes import Polygon, Shape, Spider
 from lommel.optics.pupil import Pupil
 from lommel.psf import cached_plan
 from lommel.special import zernike
@@ -162,18 +162,17 @@ def changed_pupils(pupil: Pupil) -> dict[str, tuple[Pupil, float]]:
 
 def _turned(pupil: Pupil, degrees: float) -> Pupil:
     """Return the pupil with its vanes turned about the axis."""
-    angle, spider = math.radians(degrees), pupil.spider
+    angle, spider, stop = math.radians(degrees), pupil.spider, pupil.stop
     spider = spider and Spider(spider.width, tuple(a + angle for a in spider.angles))
-    return replace(pupil, spider=spider, stop=pupil.stop and pupil.stop.turned(angle))
+    return replace(pupil, spider=spider, stop=stop.turned(angle) if isinstance(stop, Shape) else stop)
 
 
 def _vane_angle(pupil: Pupil) -> float:
     """Return the direction of the first vane, degrees."""
     if pupil.spider is not None:
         return math.degrees(pupil.spider.angles[0])
-    corners = (
-        next(part.corners for part in pupil.stop.parts if isinstance(part, Polygon)) if pupil.stop else ((1.0, 0.0),)
-    )
+    parts = pupil.stop.parts if isinstance(pupil.stop, Shape) else ()
+    corners = next(part.corners for part in parts if isinstance(part, Polygon))
     return math.degrees(math.atan2(corners[-1][1], corners[-1][0]))
 
 

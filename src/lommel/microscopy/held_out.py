@@ -278,7 +278,8 @@ class HeldOut(TrialDeconvolution):
         gain, error = gains[value]
         preferred = start + score.change
         numbers = {
-            "sample": start, "lnL": gain, "lnL_error": error, "preferred": preferred, "preferred_error": 2.0 * score.error
+            "sample": start, "lnL": gain, "lnL_error": error,
+            "preferred": preferred, "preferred_error": 2.0 * score.error,
         }  # fmt: skip
         if gain <= max(_SIGNIFICANT * error, _MIN_GAIN):
             parts = " and ".join(f"{x:+.0f} +- {sigma:.0f} with {index:.4g}" for index, (x, sigma) in gains.items())

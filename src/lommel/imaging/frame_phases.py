@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 
 _LEAST = 0.5  # pixels, rms over the frame: least displacement that is told
-_CERTAIN = 5.0  # standard errors of a displacement that is told
+_CERTAIN = 7.0  # standard errors of a displacement that is told, as of independent frequencies, which windows mix
 _COHERENT = 4.0  # standard deviations of the mean cosine of phases of noise, above which phases are of a displacement
 _FREQUENCY, _SIDE = 0.12, 1024  # cycles per pixel, up to which phases are used, and side of the square for shifts
 _LOWEST, _FIRST = 2.5, 8.0  # periods in a window: least, and most in the first step

@@ -98,7 +98,7 @@ def _displacement(
         step = inverse @ weighted @ phases
         gradients = inverse @ (weighted * (phases - step @ slopes))
         weights, left = np.abs(cross), np.cos(2.0 * (phases - step @ slopes))
-        share = max(_LEAST_SHARE, float(weights @ left) / float(weights.sum()))
+        share = max(_LEAST_SHARE, float(weights @ left) / max(float(weights.sum()), 1e-300))
         shift, covariance = shift + step / share, gradients @ gradients.T / share**2
     # Phases of noise alone are about as likely at all displacements.
     if weights @ left < _COHERENT * math.sqrt(0.5 * float(weights @ weights)):

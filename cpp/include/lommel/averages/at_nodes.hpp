@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-#include "lommel/averages/window_nodes.hpp"
+#include "lommel/pixels/window_nodes.hpp"
 #include "lommel/base/pi.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/chordal/averages.hpp"

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lommel/averages/window_nodes.hpp"
+#include "lommel/pixels/window_nodes.hpp"
 #include "lommel/bounds/strips.hpp"
 #include "lommel/bounds/transfer_rule.hpp"
 #include "lommel/base/cache.hpp"

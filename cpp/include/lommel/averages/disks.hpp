@@ -53,13 +53,15 @@ class DiskAverages {
     static constexpr int tries = 3;  // maximum number of box sizes tried for each pupil
     static constexpr double power = 4.0;  // errors fall at least with this power of the side of a box
     static constexpr double worth = 0.9;  // error aimed at with a larger box, as a fraction of the tolerance
+    static constexpr double least_behind = 3e-6;  // smallest tolerance at which strips' averages are computed from rims
     static constexpr double farthest = 16.0;  // largest ratio of error to tolerance assumed in choosing the next box
 
     bool from_rims(const AverageAnswer& answer) {
         const double room = asked_.before_storing();
         const DiskStack stack = moved(all_);
         RimBoxes boxes(stack, pupils_.window, room, least_average(asked_.step));
-        if (!(room > 0.0) || !boxes.choose(asked_.threads)) {
+        // Tables of fields behind strips take longer than other nodes of the aperture for errors this small.
+        if (!(room > (stack.strips.empty() ? 0.0 : least_behind)) || !boxes.choose(asked_.threads)) {
             return false;
         }
         std::fill_n(answer.errors, pupils_.count, std::numeric_limits<double>::infinity());

@@ -46,6 +46,7 @@ CODES: Mapping[str, str] = {
     "no_light": "the light of a source is within the noise",
     "not_flat": "a plane, or z over the field of a movie, is tilted or curved",
     "not_settled": "the steps of the search did not settle",
+    "one_focus": "all depths are where frames are blurred alike, as with frames of one focus",
     "opposite_astigmatism": "the astigmatism is of the opposite sign, and z is reversed",
     "other_explanation": "an effect that the model lacks, or another value of a constant, explains the data better",
     "outliers": "single values are far from their neighbours",
@@ -81,7 +82,7 @@ _DATA = ("flat_top", "multiples", "no_counts", "unit_sum")
 # Findings that name what is wrong: they are printed before the statistics that show that something is.
 _CAUSES = (
     "contradiction", "pixel_pitch", "reversed_z", "exchanged", "opposite_astigmatism", "excess_noise",
-    "gain", "other_explanation", "hot_pixels", "pattern", "lens_scale",
+    "gain", "other_explanation", "hot_pixels", "pattern", "lens_scale", "one_focus",
 )  # fmt: skip
 _MOST_CHARACTERS = 800  # of the texts of findings that are printed: ten lines
 _MOST_LINES = 12  # of a result

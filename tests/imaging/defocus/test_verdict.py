@@ -187,6 +187,21 @@ def test_exchanged_foci_are_named_where_spherical_aberration_tells_them(spherica
         assert "in the other order the images agree" in found.message
 
 
+@pytest.mark.parametrize(
+    ("changed", "distance", "doubtful"),
+    [(False, 1.4, True), (False, 1.6, True), (True, 1.6, False), (True, 1.45, False)],
+)
+def test_two_frames_of_one_focus_are_in_doubt(changed, distance, doubtful, monkeypatch):
+    monkeypatch.setattr("lommel.imaging.defocus_verdict._scale_minima", lambda *_: [])
+    made = [ThinLens(35e-3, 5.6, focus, 540e-9, PIXEL) for focus in (FOCI if changed else FOCI[:1] * 2)]
+    found = live(record(plane(texture("leaves", 96, 3), made, distance, LIGHT), seed=5), lenses(5.6)).verdict()
+    assert found.agrees != doubtful
+    assert (found.findings.get("one_focus") is not None) == doubtful
+    if doubtful:
+        assert found.findings.get("misfit") is None  # noise tells nothing
+        assert "as with two frames of one focus: check that the focus changed" in found.message
+
+
 def test_depth_of_a_few_blocks_is_none():
     flat = [np.random.default_rng(seed).poisson(LIGHT, (128, 128)).astype(np.uint16) + 100 for seed in (1, 2)]
     made = live(flat, lenses(8.0))

@@ -25,3 +25,14 @@ def test_an_error_is_one_line_and_its_code_says_whose_it_is(error, told, code, c
     lines = capsys.readouterr().err
     assert lines.startswith(f"Note: a note\nError: {told}")
     assert lines.count("\n") == 2
+
+
+@pytest.mark.parametrize("headed", [True, False])
+def test_a_cause_is_printed_once_in_the_first_line_or_with_the_findings(headed):
+    finding = {"code": "exchanged", "severity": "error", "text": "the photographs seem exchanged"}
+    facts = {
+        "message": f"exchanged: {finding['text']}; 2 planes", "reliable": False, "converged": False,
+        "findings": [finding], "notes": [],
+    }  # fmt: skip
+    lines = [part.text for part in messages.report_findings(facts, headed=headed).parts]
+    assert lines == ([] if headed else ["exchanged: the photographs seem exchanged"])

@@ -88,4 +88,5 @@ def calibrate(
         )
         if output is not None:
             found.save(output, lens)
-    return report_findings(found.to_dict() | {"notes": []}, *str(found).splitlines()) + written([output])
+    facts = found.to_dict() | {"notes": []}
+    return report_findings(facts, *str(found).splitlines(), headed=False) + written([output])

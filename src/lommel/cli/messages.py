@@ -165,23 +165,25 @@ def verdict_lines(facts: Facts, summary: str) -> list[Wrapped]:
     return [Wrapped(with_options(head), "bold"), *second, Wrapped("")]
 
 
-def finding_lines(facts: Facts) -> list[Wrapped]:
-    """Return the findings and notes of a result, one line each, in the order of the message, at most ten lines."""
+def finding_lines(facts: Facts, *, headed: bool = True) -> list[Wrapped]:
+    """Return the findings and notes of a result, one line each, in the order of the message, at most ten lines.
+
+    Without the cause that a line above has, of a report that is `headed` by the message.
+    """
     from lommel.fit.findings import place_of, shortened  # late: only fits have findings
 
     reliable, head = facts["reliable"], facts["message"].partition("; ")[0].partition(": ")[2]
-    # Not again the cause that the first line has.
-    others = [f for f in facts["findings"] if f["text"] != head]
+    others = [f for f in facts["findings"] if not headed or f["text"] != head]
     others.sort(key=lambda f: place_of(f["code"], f["severity"], reliable))
     names = {f["code"]: f"{f['code'].replace('_', ' ')}: " for f in others} | {"untested": ""}
     texts = [(f["code"], names[f["code"]] + with_options(f["text"])) for f in others]
     return [Wrapped(line) for line in (*shortened(texts), *facts["notes"])]
 
 
-def report_findings(facts: Facts, *parts: RenderableType) -> Report:
+def report_findings(facts: Facts, *parts: RenderableType, headed: bool = True) -> Report:
     """Return the report of a fit with findings and notes, which come last and name the options of the command."""
     facts = facts | {"notes": [with_options(note) for note in facts["notes"]]}
-    return Report(facts, [*parts, *finding_lines(facts)], facts["converged"])
+    return Report(facts, [*parts, *finding_lines(facts, headed=headed)], facts["converged"])
 
 
 def run_job(

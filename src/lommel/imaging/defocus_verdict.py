@@ -206,9 +206,10 @@ class DefocusVerdict(FitReport):
                 add("misfit", "error", text, {"excess": total, "shift": tuple(shift)})
             elif total > (wrong if compressed else _DOUBTFUL_EXCESS):
                 text = (
-                    f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted, "
-                    "something moved, the lens or its foci are wrong, or they were denoised; noise and errors of "
-                    "depth are estimated from this difference"
+                    f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted "
+                    "or magnified (focus breathing, which lommel calibrate names with its size), something moved, the "
+                    "lens or its foci are wrong, or they were denoised; noise and errors of depth are estimated from "
+                    "this difference"
                 )
                 add("misfit", "error" if total > wrong else "doubt", text, {"excess": total})
             untested.insert(0, "registration and noise (the noise is estimated from the images)")

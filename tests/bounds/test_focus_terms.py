@@ -38,7 +38,7 @@ def test_a_scale_is_told_where_its_error_is_a_tenth_or_its_deviation_over_two_an
     vergence, slopes = np.array([[1.0, 1.0], [2.0, 4.0]]), np.array([[8.0, -40.0, 5.0], [2.0, 3.0, 1.0]])
     engine = SimpleNamespace(
         lens_derivatives=lambda at: slopes, lens_errors=lambda at, *_: 0.3 * at**2, binning=1,
-        task=SimpleNamespace(blur=1.0, scales=None),
+        task=SimpleNamespace(blur=1.0, scales=None, lenses=()),
     )  # fmt: skip
     minima = [_Minimum(scale, error, 1.0, 0, 0.0), _Minimum(1.9, 0.1, 1.0, 8, 0.0)]
     weights = []

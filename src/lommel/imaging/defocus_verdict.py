@@ -207,9 +207,9 @@ class DefocusVerdict(FitReport):
             elif total > (wrong if compressed else _DOUBTFUL_EXCESS):
                 text = (
                     f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted "
-                    "or magnified (focus breathing, which lommel calibrate names with its size), something moved, the "
-                    "lens or its foci are wrong, or they were denoised; noise and errors of depth are estimated from "
-                    "this difference"
+                    "or magnified (focus breathing, which lommel calibrate names with its size), something moved, "
+                    "the lens or its foci are wrong, or they were denoised; noise and errors of depth are estimated "
+                    "from this difference"
                 )
                 add("misfit", "error" if total > wrong else "doubt", text, {"excess": total})
             untested.insert(0, "registration and noise (the noise is estimated from the images)")

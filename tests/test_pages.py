@@ -239,7 +239,7 @@ def write_files(place: Path) -> None:
         tifffile.imwrite(f"{name}.tif", (blurred / 4.0).astype(np.float32))
         pair = [(64.0 * each).astype(np.uint8) for each in (texture + 1.0, blurred)]
         write_video(place / f"{name}.mkv", [pair[k]] * 3)
-    camera, scene = lm.load_instrument("lens.toml"), np.random.default_rng(1).random((192, 192))
+    camera, scene = lm.load_instrument("lens.toml"), np.random.default_rng(1).random((320, 320))
     scene = sum(np.roll(scene, k, axis=(0, 1)) for k in range(3)) / 3.0
     for k, distance in enumerate((0.6, 1.5), 1):
         for name, focus in (("near", 0.5), ("far", 2.0)):

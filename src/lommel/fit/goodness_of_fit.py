@@ -51,10 +51,8 @@ _MAX_DEFECT = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
 _MIN_OUTLIER, _OUTLIER_SHARE = 8.0, 0.5
 # A second star: smallest distance in pixels, and smallest part of (chi2 - 1) and gain in chi2 that it explains.
 _NEAREST, _NEIGHBOUR_SHARE, _NEIGHBOUR_GAIN = 3.0, 0.5, 100.0
-_ALONE, _MOST_PLACES = (
-    3.0,
-    4,
-)  # smallest ratio of an outlier to its neighbours but one; number of places that are told
+# Smallest ratio of an outlier to its neighbours but one, and number of places that are told.
+_ALONE, _MOST_PLACES = 3.0, 4
 _FINE_STEPS = np.linspace(-0.5, 0.5, 9)  # wave vectors about the most significant one, periods in the window
 # Smallest part of a misfit that a pattern explains, and the misfit, standard deviations, from which this is required.
 _PATTERN_SHARE, _LARGE_MISFIT = 0.3, 4.0

@@ -86,6 +86,12 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
     });
 }
 
+Out<double, 1> growth_curves() {
+    auto made = new_array<double, 1>({lommel::ChordCurves::count});
+    std::copy(lommel::chord_curves.b.begin(), lommel::chord_curves.b.end(), made.data());
+    return made;
+}
+
 double stack_growth(In<std::int32_t, 2> terms, In<double, 2> edge, std::size_t curve, std::pair<double, double> reach,
                     int threads) {
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
@@ -138,6 +144,7 @@ void bindings::define_aperture(nb::module_& m) {
     m.def("row_images", &images, "rules"_a, "phases"_a, "stack"_a, "window"_a, "precision"_a, "threads"_a,
           "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "losses"_a.noconvert(),
           "Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.");
+    m.def("growth_curves", &growth_curves, "Heights of the complex curves of stack_growth.");
     m.def("stack_growth", &stack_growth, "terms"_a, "edge"_a, "curve"_a, "reach"_a, "threads"_a,
           "Bound on the logarithm of the mean of |exp(i Phi - i v.rho)| on the chords of a curve, |v| up to `reach` along x "
           "and y.");

@@ -142,6 +142,9 @@ def row_images(rules: Sequence[RowRule], phases: Annotated[NDArray[numpy.float64
     Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.
     """
 
+def growth_curves() -> Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]:
+    """Heights of the complex curves of stack_growth."""
+
 def stack_growth(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], curve: int, reach: tuple[float, float], threads: int) -> float:
     """
     Bound on the logarithm of the mean of |exp(i Phi - i v.rho)| on the chords of a curve, |v| up to `reach` along x and y.

@@ -312,7 +312,7 @@ def fit_field(
     shown: list[Any] = [*verdict_lines(facts, result.summary), *middle, ""]
     for name, wave in facts["waves"].items():
         found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
-        place = {"corner": "corner at the last row and column"}.get(name, name)
+        place = {"corner": "bottom right corner"}.get(name, name)
         shown += [*tables({f"waves rms, {place}": found, "errors": errors}), ""]
     shown += [*blurs_in_words(result, pitch, focal_length), Wrapped(targets.message)]
     return report_findings(facts, *shown, *tables(facts), "") + files

@@ -261,7 +261,7 @@ def aperture_averages(
 
 def growth_curves() -> Array:
     """Return the heights b of the complex curves of :func:`stack_growth`."""
-    return 2e-3 * 2000.0 ** (np.arange(64) / 63.0)
+    return _core.growth_curves()
 
 
 def stack_growth(stack: DiskStack, curve: int, reach: tuple[float, float], threads: int) -> float:

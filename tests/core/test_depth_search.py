@@ -34,26 +34,34 @@ def textures(seed: int) -> np.ndarray:
     return across @ (first + broad) + 0.03 * draw.standard_normal((40, 40, IMAGES, SIDE**2))
 
 
-def found(blocks: np.ndarray, leak: float, low: float = 0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Position, standard error and misfit of blocks; every other block is dark, so that none has a neighbour."""
+def searched(
+    blocks: np.ndarray, leak: float, low: float = 0.0, weights: tuple[float, ...] = (1.0, 0.0)
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Position, standard error and misfit of blocks in windows of these weights."""
     down, across = blocks.shape[:2]
-    frames = np.zeros((IMAGES, 2 * down, SIDE, 2 * across, SIDE), dtype=np.float32)
-    frames[:, ::2, :, ::2] = blocks.reshape(down, across, IMAGES, SIDE, SIDE).transpose(2, 0, 3, 1, 4)
-    frames = np.ascontiguousarray(frames.reshape(IMAGES, 2 * down * SIDE, 2 * across * SIDE))
+    frames = blocks.reshape(down, across, IMAGES, SIDE, SIDE).transpose(2, 0, 3, 1, 4)
+    frames = np.ascontiguousarray(frames.reshape(IMAGES, down * SIDE, across * SIDE), dtype=np.float32)
     residuals = np.zeros((1, IMAGES, IMAGES, 2), dtype=np.float32)
     residuals[0, :, :, 0] = np.eye(IMAGES)  # images are the frames
     rows = [NOISE, 0.0, NOISE**2, 1.0, 0.0, USUAL, leak, 0.0]  # measured curvature, of noise alone
     stream = FocalStream(
-        (2 * down * SIDE, 2 * across * SIDE, 1, SIDE, 1, 0, 1), np.float32([0.5, 0.25]), residuals,
-        np.zeros((0, IMAGES, 2), np.float32), np.float32([1.0, 0.0]), FORMS.astype(np.float32),
+        (down * SIDE, across * SIDE, 1, SIDE, 1, 0, 1), np.float32([0.5, 0.25]), residuals,
+        np.zeros((0, IMAGES, 2), np.float32), np.float32(weights), FORMS.astype(np.float32),
         np.repeat(np.float32(rows)[:, None], COUNT, axis=1), (1.0, PIXELS, 1.0, 0.1, low, COUNT - 1.0, 8.0),
     )  # fmt: skip
     gains = np.zeros((IMAGES, 6), dtype=np.float32)
     gains[:, 0] = 1.0
     stream.take(list(frames), gains, 0.0, np.inf, None)
-    maps = np.empty((3, 2 * down, 2 * across), dtype=np.float32)
+    maps = np.empty((3, down, across), dtype=np.float32)
     stream.places(*maps)
-    position, error, misfit = maps[:, ::2, ::2].astype(float)
+    return tuple(maps)
+
+
+def found(blocks: np.ndarray, leak: float, low: float = 0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Position, standard error and misfit of blocks; every other block is dark, so that none has a neighbour."""
+    spread = np.zeros((2 * blocks.shape[0], 2 * blocks.shape[1], *blocks.shape[2:]))
+    spread[::2, ::2] = blocks
+    position, error, misfit = (each[::2, ::2].astype(float) for each in searched(spread, leak, low))
     return position, error, misfit
 
 
@@ -123,3 +131,17 @@ def test_positions_outside_of_the_range_are_not_known(blocks):
     position, error, _ = found(blocks, 0.0)
     _, within, _ = found(blocks, 0.0, low=20.0)
     np.testing.assert_array_equal(np.isfinite(within), np.isfinite(error) & (np.nan_to_num(position) >= 20.0))
+
+
+def test_depth_beside_a_border_does_not_depend_on_the_opposite_one():
+    draw, rejecting = np.random.default_rng(1), directions()[20]
+    across = np.eye(IMAGES) - rejecting[:, None] * rejecting
+    texture = across @ draw.standard_normal((40, 40, IMAGES, SIDE**2))
+    noise = 0.03 * draw.standard_normal(texture.shape)
+    texture[:, 35:] = 0.0
+    errors = []
+    for first in (0, 12):
+        texture[:, :first] = 0.0
+        errors.append(searched(texture + noise, 0.0, weights=(0.5, 0.25))[1][:, 20:])
+    assert np.isfinite(errors[0]).mean() > 0.7
+    np.testing.assert_array_equal(*errors)

@@ -498,7 +498,8 @@ class FocalStream {
                    columns = static_cast<Index>(across()), room = std::min({i, j, rows - 1 - i, columns - 1 - j});
         const FocalPlace& here = places_[y * across() + x];
         const auto at = [&](Index dy, Index dx) {
-            const bool inside = room >= 2 * reach || (i + dy >= 0 && j + dx >= 0 && i + dy < rows && j + dx < columns);
+            const bool inside = room >= std::max(std::abs(dy), std::abs(dx)) ||
+                                (i + dy >= 0 && j + dx >= 0 && i + dy < rows && j + dx < columns);
             return inside ? &here + dy * columns + dx : nullptr;
         };
         const auto known = [](const FocalPlace* one) { return one && std::isfinite(one->error); };

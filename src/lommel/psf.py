@@ -68,8 +68,9 @@ def psf(
         Method that evaluates the diffraction integral, by its name in lower case, such as "hankel" or
         "nijboer-zernike", or with options, such as ``lommel.methods.Hankel(tol=1e-12)``. By default it is chosen for
         pupil and window: NijboerZernike for circular apertures; ChordalGauss instead if the wavefront is not radially
-        symmetric and ChordalGauss is likely to be faster; NonuniformFFT for apertures with a spider, vignetting or a
-        mask. `PSF.method` is the method used.
+        symmetric and ChordalGauss is likely to be faster; of ChordalGauss and NonuniformFFT the one that is likely to
+        be faster behind straight vanes (those that ChordalGauss supports); NonuniformFFT for other vanes, vignetting,
+        segments, stops and masks. `PSF.method` is the method used.
     tol : float, optional
         Tolerance relative to the peak of the PSF, which may lie outside the window; if `normalize` is "peak",
         relative to the largest value in the window. By default the tolerance of the method, or 1e-6 without a method.

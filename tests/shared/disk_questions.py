@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 import lommel as lm
+from lommel.optics.aperture.shapes import Shape
 from lommel.optics.grid import Grid
 
 TERMS = [(n, m) for n in range(2, 15) for m in range(-n, n + 1, 2)]
@@ -85,3 +86,44 @@ def camera_question(index: int) -> DiskQuestion:
     wavefront = lm.Wavefront.zernike(terms, order="noll")
     grid = Grid(side, between(0.7, 8.0), center=(row, column), integrate=True)
     return DiskQuestion(lm.Pupil(wavefront, obscuration=obscuration), grid, 10.0 ** rng.uniform(-6.5, -2.5))
+
+
+APERTURES = ("annulus", "vanes", "three vanes", "vlt", "jwst", "hexagon", "off axis")
+
+
+def aperture(kind: str, wavefront: lm.Wavefront) -> lm.Pupil:
+    """Return a pupil behind the aperture of this name, one of APERTURES."""
+    if kind == "annulus":
+        return lm.Pupil(wavefront, obscuration=0.3)
+    if kind == "vanes":
+        return lm.Pupil(wavefront, obscuration=0.3, spider=lm.Spider.equal(4, 0.02))
+    if kind == "three vanes":  # two off the axis, of three widths
+        stop: Shape = lm.Disc() - lm.Disc(0.28)
+        for angle, offset, width in ((90.0, 0.0, 0.03), (212.0, 0.06, 0.02), (328.0, 0.0, 0.045)):
+            c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+            x, y = -offset * s, offset * c
+            stop = stop - lm.Polygon.strip((x, y), (x + 2.5 * c, y + 2.5 * s), width)
+        return lm.Pupil(wavefront, stop=stop)
+    if kind in ("hexagon", "off axis"):
+        disc = lm.Disc() - lm.Disc(0.28, center=(0.1, 0.05))
+        return lm.Pupil(wavefront, stop=lm.Polygon.regular(6, 1.0) if kind == "hexagon" else disc)
+    return lm.Pupil(wavefront, stop=lm.telescopes.jwst() if kind == "jwst" else lm.telescopes.vlt())
+
+
+def aperture_question(index: int) -> tuple[str, DiskQuestion]:
+    """Return an aperture's name and a question about it, the same for the same index.
+
+    Windows of 9² to 128², samples or averages of 0.25 to 4 lambda N, 1 to 1000 pupils of 1 to 29 Zernike terms.
+    """
+    rng = np.random.default_rng([index, 100])
+    kind = str(rng.choice(APERTURES))
+    side, pixel = int(rng.choice([9, 33, 65, 128])), float(rng.choice([0.25, 0.5, 1.0, 2.0, 4.0]))
+    integrate, tol = bool(rng.random() < 0.5), 10.0 ** -float(rng.uniform(3.0, 8.0))
+    pupils, count = int(rng.choice([1, 20, 60, 1000])), int(rng.choice([1, 7, 29]))
+    # Stacks that take seconds are cut.
+    pupils = min(pupils, max(1, int(1.5e5 / (side * max(1.0, pixel / 0.5)) ** 2)))
+    c = rng.standard_normal((count, pupils))
+    c *= 2.0 * math.pi * float(np.exp(rng.uniform(np.log(0.01), np.log(0.4)))) / np.sqrt((c**2).sum(axis=0))
+    terms = dict(zip(range(5, 5 + count), c if pupils > 1 else c[:, 0], strict=True))
+    wavefront = lm.Wavefront.zernike(terms, order="noll", normalization="rms")
+    return kind, DiskQuestion(aperture(kind, wavefront), Grid(side, pixel, integrate=integrate), tol)

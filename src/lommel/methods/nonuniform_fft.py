@@ -44,7 +44,8 @@ _MAX_WAVES = 2**24  # largest number of tabulated cosines and sines of the nodes
 _MAX_DEGREE = 400  # largest degree of a moment rule
 _SAMPLES_SHARE = 0.25  # fraction of the time of sums for sampling the growth of pupil functions
 _USUAL_GROWTH = 0.4  # typical logarithm of the mean growth over the bound by the maxima of all terms
-_STEPS = 8  # assumed number of stacks or steps of a fit with the same rule
+_STEPS = 24  # assumed number of stacks or steps of a fit with the same rule
+_SINGLE_ERROR = 3e-7  # likely least error of sums in single precision
 _RULE_COST = 1.0  # factor of the time of a rule
 _DEGREE_STEP = 8  # degrees are rounded up to multiples of this
 _MOMENT_STEP = 32  # the same for degrees up to which moments are computed
@@ -65,19 +66,53 @@ def moment_rule_is_faster(
     pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, rule_degree: int, error: float
 ) -> bool:
     """Return True if the moment rule of these degrees and this error takes less time than transforms of rows."""
-    count, fields, (height, width) = math.prod(pupil.shape), 1 + len(terms), grid.shape
+    height = grid.shape[0]
     rows = degree + 0.5 * _DEGREE_STEP + 2.0
     if degree > _MAX_DEGREE or rows**2 * height > _MAX_WAVES or error < _MIN_FIELD_ERROR * pupil.amplitude:
         return False
-    # Microseconds, fitted to timings of stacks of 1 to 64 PSFs of 33 to 129 pixels a side: the rule, sums with it,
-    # transforms of rows.
-    _, rounded_degree, power = _round_up_degrees(degree, rule_degree, error)
-    nodes_in_rows = _count_nodes(pupil.opening, rounded_degree, power)
-    rule = _RULE_COST * (0.5 * rows**2 + 0.0025 * nodes_in_rows * rows)
-    batch = 1e-3 * (rows**2 * (6.0 + 0.6 * height) + (0.2 * rows + 18.0) * width * height)
-    sums = 700.0 + batch * (1.0 + count * fields / 12)
-    transforms = 0.08 * count * ((fields + 0.3) * nodes_in_rows + fields * (0.8 * height * width + 1700.0))
-    return rule + _STEPS * sums < _STEPS * transforms
+    times = _Times.of(pupil, len(terms), degree, rule_degree, error)
+    return times.rule + _STEPS * times.sums(*grid.shape) < _STEPS * times.transforms(*grid.shape)
+
+
+class _Times(NamedTuple):
+    """Estimated times in microseconds, fitted to those of 200 questions about five apertures, of 9 to 400 pixels."""
+
+    rows: float  # of the moment rule
+    nodes: int  # in the rows of the aperture
+    lines: int  # rows of the aperture, of all regions
+    images: int  # images and derivatives
+    vectors: int  # vectors of pupils for images and derivatives
+
+    @classmethod
+    def of(cls, pupil: Pupil, terms: int, degree: int, rule_degree: int, error: float) -> _Times:
+        """Return the times for `terms` derivatives; other arguments are those of :func:`moment_rule`."""
+        _, rounded_degree, power = _round_up_degrees(degree, rule_degree, error)
+        count, lanes = math.prod(pupil.shape), 16 if error >= _SINGLE_ERROR else 8
+        rows = degree + 0.5 * _DEGREE_STEP + 2.0
+        sizes = _count_nodes(pupil.opening, rounded_degree, power)
+        return cls(rows, *sizes, count * (1 + terms), math.ceil(count / lanes) * (1 + terms))
+
+    @property
+    def rule(self) -> float:
+        """Time of a moment rule."""
+        return 350.0 + _RULE_COST * (
+            (0.015 + 5.6e-4 * self.rows) * self.rows**2 + (0.16 + 1.4e-3 * self.rows) * self.nodes
+        )
+
+    def sums(self, height: float, width: float) -> float:
+        """Time of samples by the moment rule."""
+        products = (0.023 + 6e-4 * height) * self.rows**2
+        return 900.0 + self.vectors * products + 0.012 * self.images * height * width
+
+    def transforms(self, height: float, width: float) -> float:
+        """Time of samples by transforms of rows."""
+        each = 0.036 * self.nodes + (0.06 * self.lines + 0.015 * height) * width
+        return 1700.0 + self.images * each
+
+    def averages(self, height: int, width: int, rows: int, columns: int) -> float:
+        """Time of averages over ``height x width`` pixels from samples at nodes."""
+        filters = 8e-4 * rows * height * (columns + width)
+        return 450.0 + self.vectors * ((0.05 + 6e-4 * columns) * self.rows * rows + filters)
 
 
 class MomentRule(NamedTuple):
@@ -191,9 +226,10 @@ def _round_up_degrees(degree: int, rule_degree: int, error: float) -> tuple[int,
 
 
 @lru_cache(maxsize=16)
-def _count_nodes(opening: Opening, rule_degree: int, power: int) -> int:
-    """Return the number of nodes in all rows."""
-    return sum(rule.nodes.shape[1] for rule in opening.rows(rule_degree, 10.0**power))
+def _count_nodes(opening: Opening, rule_degree: int, power: int) -> tuple[int, int]:
+    """Return the numbers of nodes in all rows, and of rows."""
+    heights = [rule.nodes[1] for rule in opening.rows(rule_degree, 10.0**power)]
+    return sum(map(len, heights)), sum(int(np.count_nonzero(np.diff(y))) + 1 for y in heights)
 
 
 @lru_cache(maxsize=16)
@@ -277,9 +313,7 @@ def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single_precision:
 
 
 _SUM_BLOCK = 16  # number of terms that the core adds up at a time in single precision
-_MIN_IMAGES = 4  # number of images and derivatives that fill vector lanes
-_SUM_COST = 5.5e-8  # ms per product in the sums over nodes
-_SAMPLE_COST = 1.15e-4  # ms per filtered sample
+_SAMPLE_COST = 0.014  # microseconds to filter a sample
 _SINGLE_SHARE = 6.0  # sums in single precision are tried up to this error over the requested one
 _SINGLE_IMAGE_SHARE = 0.1  # and up to this error over the tolerance, above which few pupils meet it
 _MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors dominate
@@ -292,8 +326,7 @@ _MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors domina
 def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Samples | None:
     """Return pixel averages with bounds below `tol`; None if not applicable, or slower than filtered samples."""
     highest = max((n for n, _ in wanted.terms), default=0)
-    fields = math.prod(pupil.shape) * (1 + len(wanted.terms))
-    if pupil.mask is not None or wanted.powers or fields < _MIN_IMAGES:
+    if pupil.mask is not None or wanted.powers:
         return None
     stack, window = disk_stack(pupil), window_of(pupil, grid)
     growth = _growth_of(stack, wanted.threads)
@@ -307,10 +340,13 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         degree, rule_degree, approximation_error = degrees_and_error(
             pupil, (down, across), allowed, (rows, columns), growth
         )
-        sums = _SUM_COST * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
-        if degree + highest > _MAX_DEGREE or not _nodes_are_faster(fields, degree + highest + 20.0, sums, window):
+        degree, rule_degree = degree + highest, rule_degree + highest
+        if degree > _MAX_DEGREE:
             return None
-        moments = moment_rule(pupil.opening, degree + highest, rule_degree + highest, allowed)
+        times = _Times.of(pupil, len(wanted.terms), degree, rule_degree, allowed)
+        if not _nodes_are_faster(times, window, rows, columns):
+            return None
+        moments = moment_rule(pupil.opening, degree, rule_degree, allowed)
         reach = math.hypot(down, across)
         rounding = roundings(moments, pupil, reach, single_precision=True)
         float32 = float32 and rounding < min(_SINGLE_SHARE * field_tol, _SINGLE_IMAGE_SHARE * tol)
@@ -342,10 +378,13 @@ def _transposed_back(images: Samples, signs: Array, out: Pixels | None) -> Sampl
     return images._replace(values=values, slopes=slopes)
 
 
-def _nodes_are_faster(count: int, rows: float, sums: float, window: Window) -> bool:
+def _nodes_are_faster(times: _Times, window: Window, rows: int, columns: int) -> bool:
     """Return whether sums over nodes take less time than filtering samples, with a rule shared by several stacks."""
-    samples = _SAMPLE_COST * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
-    return 8e-6 * _RULE_COST * rows**3 < _STEPS * count * (samples - sums)
+    height, width = (window.step / 1.2 * n + 20.0 for n in window.shape)
+    by_rule = times.rule + _STEPS * times.sums(height, width)
+    filtered = min(by_rule, _STEPS * times.transforms(height, width))
+    filters = 450.0 + _SAMPLE_COST * times.images * height * width
+    return times.rule + _STEPS * times.averages(*window.shape, rows, columns) < filtered + _STEPS * filters
 
 
 def exchange_axes(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:

@@ -111,7 +111,7 @@ def test_derivatives_are_those_of_samples():
     }
     made = lm.psf(pupil, (5, 8), 1.3, tol=1e-6, **more)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(nonuniform_fft, "_MIN_IMAGES", 10**9)
+        patch.setattr(nonuniform_fft, "_nodes_are_faster", lambda *_: False)
         exact = lm.psf(pupil, (5, 8), 1.3, tol=1e-9, **more)
     for name in more["derivatives"]:
         off = np.abs(made.derivatives[name] - exact.derivatives[name]).max(axis=(1, 2))
@@ -126,7 +126,6 @@ def test_apertures_that_do_not_serve_have_none():
     wanted = Wanted(dtype=np.float64, threads=1)
     grid = Grid(5, 1.0, integrate=True)
     assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), grid, 1e-4, wanted) is not None
-    assert averaged_apertures(pupils(rng, 3, 0.1, spider=VANES), grid, 1e-4, wanted) is None
     assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), grid, 1e-4, wanted._replace(powers=(1,))) is None
     assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), Grid(90, 4.0, integrate=True), 1e-4, wanted) is None
 

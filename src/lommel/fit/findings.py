@@ -16,7 +16,7 @@ CODES: Mapping[str, str] = {
     "another_minimum": "another set of parameters, far from the estimate, fits as well",
     "below_offset": "most counts are below the offset that was stated",
     "blur_compared": "other blurs were compared with the stated one",
-    "blur_doubtful": "the images agree better with a smaller blur than the stated one",
+    "blur_doubtful": "the images agree better with a smaller blur than the stated one, or with motion",
     "blur_shape": "the most likely shape of the blur",
     "compressed": "the images are compressed (JPEG), which changes their blur and noise",
     "contradiction": "values that were stated contradict each other, or what the images show",

@@ -14,6 +14,7 @@ maximised over c and s for each blur. Gains in likelihood are divided by the dis
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from functools import cache, lru_cache
 from typing import NamedTuple, Self
 
@@ -29,12 +30,13 @@ _LARGEST = 1.6  # largest alias frequency, cycles per pixel
 _GRID = 128  # frequencies along each axis of a quadrant, of which the shares of rings are computed
 _SLOPES = np.arange(0.0, 4.01, 0.25)  # exponents s of the texture
 # Soft scenes behind an unknown blur: rms widths (pixels) of their Gaussians, each for every second exponent.
-_SOFT = np.array([0.35, 0.5, 0.7, 0.9, 1.2, 1.6, 2.2, 3.0, 4.0])
+SOFT = np.array([0.35, 0.5, 0.7, 0.9, 1.2, 1.6, 2.2, 3.0, 4.0])
 _MIN_PERIODS = 2.5  # smallest frequency that is compared, periods per side of the photograph
 _NOISES = np.geomspace(0.5, 2.0, 13)  # noise variance in units of the stated variance
 _MORE_NOISES = 2.0, 2.8, 4.0, 5.7, 8.0  # the same, of noise that is stated too low
 _MIN_NOISE_GAIN = 5.0  # gain in log-likelihood that another noise variance than the stated one needs
 _JOINED = 8  # rings whose mean power limits the noise
+_FEW_SLOPES = np.arange(0.5, 3.6, 0.5)  # exponents of the textures of parts
 _TINY, _TINY_SINGLE = 1e-300, 1e-30
 # Steps of the fit of the power, the longest of its logarithm, and the least excess over noise from which it starts.
 _SCORINGS, _LONGEST, _LEAST_EXCESS = 5, 2.0, 1e-3
@@ -98,8 +100,27 @@ def _expected(curves: Array, slopes: Array, spread: float) -> Array:
 @lru_cache(maxsize=4)
 def _soft_expected(curves: bytes, blurs: int, spread: float) -> Array:
     """Return the same for textures that also fall as Gaussians; all parts of a photograph have the first stack."""
-    falls = np.exp(-0.5 * np.square(2.0 * np.pi * _SOFT[:, None, None] * FREQUENCIES))
+    falls = np.exp(-0.5 * np.square(2.0 * np.pi * SOFT[:, None, None] * FREQUENCIES))
     return _expected(np.frombuffer(curves).reshape(blurs, -1) * falls, _SLOPES[::2], spread)
+
+
+def _periodogram(planes: Array, variances: Array) -> tuple[Array, Array, Array, float]:
+    """Return the arguments of a `BlurSpectrum` of planes in a Hann window."""
+    sides = planes.shape[1:]
+    window = np.outer(*(np.hanning(side + 2)[1:-1] for side in sides))
+    squares = np.square(window)
+    means = (planes * window).sum((1, 2)) / window.sum()
+    noise = (variances * squares).sum((1, 2))
+    spectra = np.fft.rfft2((planes - means[:, None, None]) * window)
+    power = (np.square(spectra.real) + np.square(spectra.imag)) / np.maximum(noise, _TINY)[:, None, None]
+    fx = np.fft.rfftfreq(sides[1])
+    f = np.hypot(np.fft.fftfreq(sides[0])[:, None], fx)
+    # All but the first and last column of half a spectrum stand for two; a real image has equal values at f and
+    # -f; and the window correlates neighbours.
+    counts = np.where((fx > 0.0) & (fx < 0.5), 1.0, 0.5) * (f >= _MIN_PERIODS / min(sides))
+    counts *= squares.sum() ** 2 / (np.square(squares).sum() * planes[0].size)
+    # The mean square of the slope of a Hann window is that of its values times 4 pi^2 / (3 side^2).
+    return power, f, counts, sum(1.0 / (3.0 * side**2) for side in sides) / 2.0
 
 
 class BlurSpectrum:
@@ -132,21 +153,32 @@ class BlurSpectrum:
 
         Without a window the jump between opposite edges would appear as a texture of slope 2.
         """
-        sides = planes.shape[1:]
-        window = np.outer(*(np.hanning(side + 2)[1:-1] for side in sides))
-        squares = np.square(window)
-        means = (planes * window).sum((1, 2)) / window.sum()
-        noise = (variances * squares).sum((1, 2))
-        spectra = np.fft.rfft2((planes - means[:, None, None]) * window)
-        power = (np.square(spectra.real) + np.square(spectra.imag)) / np.maximum(noise, _TINY)[:, None, None]
-        fx = np.fft.rfftfreq(sides[1])
-        f = np.hypot(np.fft.fftfreq(sides[0])[:, None], fx)
-        # All but the first and last column of half a spectrum stand for two; a real image has equal values at f and
-        # -f; and the window correlates neighbours.
-        counts = np.where((fx > 0.0) & (fx < 0.5), 1.0, 0.5) * (f >= _MIN_PERIODS / min(sides))
-        counts *= squares.sum() ** 2 / (np.square(squares).sum() * planes[0].size)
-        # The mean square of the slope of a Hann window is that of its values times 4 pi^2 / (3 side^2).
-        return cls(power, f, counts, sum(1.0 / (3.0 * side**2) for side in sides) / 2.0)
+        return cls(*_periodogram(planes, variances))
+
+    @classmethod
+    def sectors(cls, plane: Array, variance: Array, number: int) -> list[Self]:
+        """Return the spectra of a plane in sectors of half a turn of frequencies, from rows towards lower ones."""
+        power, f, counts, spread = _periodogram(plane[None], variance[None])
+        angle = np.arctan2(np.fft.fftfreq(plane.shape[0])[:, None], np.fft.rfftfreq(plane.shape[1]))
+        sector = (angle % np.pi * (number / np.pi)).astype(np.intp) % number
+        return [cls(power[:, part], f[part], counts[part], spread) for part in (sector == k for k in range(number))]
+
+    def mean_powers(self, edges: Sequence[float]) -> Array:
+        """Return the mean power of the first channel between frequencies, cycles per pixel, at least 1e-3."""
+        starts = np.searchsorted((np.flatnonzero(self._known) + 0.5) * _WIDTH, edges)
+        means = [self._power[0, low:high] @ self._counts[low:high] for low, high in itertools.pairwise(starts)]
+        sums = [self._counts[low:high].sum() for low, high in itertools.pairwise(starts)]
+        return np.asarray(np.maximum(means, 1e-3) / np.maximum(sums, 1e-3))
+
+    @staticmethod
+    def of_parts(parts: Sequence[BlurSpectrum], curves: Array) -> tuple[Array, Array]:
+        """Return the log-likelihood of blurs in each part of a spectrum, and the dispersion of the best of each.
+
+        Parts have textures of their own. The log-likelihood is not divided by the dispersion.
+        """
+        expected = _expected(curves, _FEW_SLOPES, parts[0]._spread)
+        fits = [_Fit.of(part._power[0], part._counts, expected[..., part._known], _FEW_SLOPES, 1.0) for part in parts]
+        return np.array([-f.cost for f in fits]), np.array([f.dispersion[f.cost.argmin()] for f in fits])
 
     @classmethod
     def cosine(cls, planes: Values, variances: Array) -> Self:

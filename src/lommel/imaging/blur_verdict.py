@@ -13,6 +13,7 @@ import scipy
 from lommel.base.arrays import Array
 from lommel.estimation.focal_model import Spectrum, pupil_curve
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
+from lommel.imaging.motion import Motion, likely_motion
 from lommel.measures.transfer import otf
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -60,7 +61,8 @@ class BlurVerdict(NamedTuple):
     is that in log-likelihood, and `sharpness` the power that the blur transmits, divided by that of the stated blur.
     `sharpening` is the gain of an unsharp mask over these blurs. `noise` is the most likely variance of the noise
     above the stated one, by the stated blur, and `noise_gain` its gain. Of a mask and noise the less likely
-    explanation has a gain of 0. `slope` is the exponent of the texture behind the stated blur.
+    explanation has a gain of 0. `slope` is the exponent of the texture behind the stated blur. A photograph that was
+    moved has its `motion`.
     """
 
     factor: float
@@ -71,21 +73,27 @@ class BlurVerdict(NamedTuple):
     noise: float
     noise_gain: float
     slope: float
+    motion: Motion | None = None
 
     @property
     def doubtful(self) -> bool:
-        """True if the photograph is sharper than stated: its restoration may be farther from the scene than it is."""
+        """True if the photograph is sharper than stated: its restoration may be farther from the scene than it is.
+
+        Or if it was moved.
+        """
+        if self.motion is not None:
+            return True
         return self.gain > (_FLAT_GAIN if self.slope < _FLAT else _MIN_GAIN) and self.sharpness > 1.0
 
     @property
     def implausible(self) -> bool:
         """True if the stated blur leaves more fine detail than scenes have: any share of its result may harm."""
-        return self.doubtful and (self.slope < _WHITE or self.gain <= _MIN_GAIN)
+        return self.motion is None and self.doubtful and (self.slope < _WHITE or self.gain <= _MIN_GAIN)
 
     @property
     def softer(self) -> bool:
         """True if the photograph, or its scene, is softer than stated."""
-        return self.gain > _MIN_GAIN and self.sharpness < 1.0
+        return self.gain > _MIN_GAIN and self.sharpness < 1.0 and self.motion is None
 
     @property
     def noisier(self) -> bool:
@@ -133,8 +141,9 @@ def compare_blurs(
     elif noise_gain > _MIN_GAIN:
         sharpening = 0.0
     return BlurVerdict(
-        float(factors[best]), float(waves[best]), gain, sharpness, sharpening, more, noise_gain, texture.slope
-    )
+        float(factors[best]), float(waves[best]), gain, sharpness, sharpening, more, noise_gain, texture.slope,
+        likely_motion(curves, plane, variance),
+    )  # fmt: skip
 
 
 class BlurEstimate(NamedTuple):

@@ -48,6 +48,7 @@ from lommel.imaging.blur import DepthBlur, require_lens, warn_of_depths
 from lommel.imaging.blur_verdict import BlurEstimate, BlurVerdict, is_sharpened
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.measured_blur import MeasuredBlur
+from lommel.imaging.motion import Motion
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
@@ -315,6 +316,8 @@ def restore(
                     blur, method = scene.blur, Blend()
                 else:
                     blur = Occlusion(DepthBlur(distances, lens, pixel, channels=channels, energy=o.energy))
+        if estimate is not None and estimate.motion is not None and o.accept:
+            blur, method = estimate.motion.blur(blur.shape, blur.channels), o.method or RichardsonLucy()
     observed = PhotographLikelihood(blur, light, noise, limit)
     before = observed.mean(observed.discrepancies_of(observed.image))
     result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
@@ -322,7 +325,8 @@ def restore(
         result, share, stopped = _without_ringing(observed, (result, share, stopped), progress or silent)
     verdict = None
     if estimate is not None:
-        share, stopped = (share, stopped) if estimate.known else (1.0, UNDETERMINED)
+        if not (estimate.known or (o.accept and estimate.motion)):
+            share, stopped = 1.0, UNDETERMINED
     elif uniform is not None:
         verdict = uniform.verdict(observed, result.light)
     if (
@@ -332,13 +336,16 @@ def restore(
     ):
         more = 1.0 if verdict.doubtful else max(verdict.noise, _SHARPENED_NOISE)
         noisier = replace(noise, white=observed.white / more, read=noise.read / math.sqrt(more))
-        likelier = PhotographLikelihood(uniform.preferred(verdict).blur, light, noisier, limit)
-        other, of_photograph, reason = _solved(likelier, Blend(), progress or silent)
+        likelier = PhotographLikelihood(uniform.preferred(verdict), light, noisier, limit)
+        # A blend takes textures as equal in all directions, which those behind motion, and its zeros, are not.
+        other = _solved(likelier, RichardsonLucy() if verdict.motion else Blend(), progress or silent)
         if o.accept and verdict.doubtful:
             observed = likelier
-            result, share, stopped = _without_ringing(observed, (other, of_photograph, reason), progress or silent)
+            result, share, stopped = (
+                other if verdict.motion else _without_ringing(observed, other, progress or silent)
+            )
         else:
-            share = max(share, _milder(observed, result.light, blend(likelier, other.light, of_photograph)))
+            share = max(share, _milder(observed, result.light, blend(likelier, other[0].light, other[1])))
             images = blend(observed, result.light, share), observed.image
             fits = [likelier.mean(likelier.discrepancies_of(image)) for image in images]
             if share > _MOST_PHOTOGRAPH or fits[0] > fits[1] or verdict.implausible:
@@ -349,7 +356,7 @@ def restore(
     values, clipped = encode_light(restored, encoding, image.dtype)
     findings = _findings(stopped, share, discrepancy, 1.0 + observed.slack, verdict is not None)
     if estimate is not None:
-        findings = _estimate_findings(estimate, lens is None, findings)
+        findings = _estimate_findings(estimate, lens is None, findings, o.accept, share)
     if isinstance(blur, MeasuredBlur):
         findings = [*blur.findings, *findings]
     return Restoration(
@@ -465,9 +472,13 @@ def _findings(stopped: str, share: float, discrepancy: float, limit: float, blur
     return findings
 
 
-def _estimate_findings(estimate: SceneEstimate, alone: bool, findings: list[Finding]) -> list[Finding]:
+def _estimate_findings(
+    estimate: SceneEstimate, alone: bool, findings: list[Finding], accepted: bool, share: float
+) -> list[Finding]:
     """Return the findings of a photograph of unknown distance, or `alone`, given those of its restoration."""
     blur, numbers = estimate.blur, dict[str, Any](blur=estimate.blur.diameter)
+    if estimate.motion is not None:
+        return [*(findings if accepted else []), _motion_finding(estimate.motion, accepted, share)]
     if not estimate.known:
         hint = "state lens and distance, or a measured PSF, if it is not sharp" if alone else "state the distance"
         text = (
@@ -494,6 +505,19 @@ def _estimate_findings(estimate: SceneEstimate, alone: bool, findings: list[Find
     return [*findings, Finding("distance_estimated", "note", text, numbers)]
 
 
+def _motion_finding(motion: Motion, accepted: bool, share: float) -> Finding:
+    """Return the finding on a photograph that was moved during the exposure."""
+    numbers = {"motion": motion.length, "angle": math.degrees(motion.angle), "gain": motion.over_blurs}
+    gain = f"(log-likelihood {motion.over_blurs:.2g} higher)"
+    if accepted:
+        return Finding("estimated", "note", f"restored by {motion.words} {gain}", numbers)
+    text = (
+        f"the photograph agrees better with {motion.words}, than with defocus {gain}, so {100.0 * share:.0f} % of it "
+        "are mixed in: accept=True restores by that motion"
+    )
+    return Finding("blur_doubtful", "doubt", text, numbers)
+
+
 def _sharpened(compared: BlurEstimate | BlurVerdict | None) -> list[Finding]:
     """Return the finding on a photograph that was sharpened."""
     if compared is None or not is_sharpened(compared.sharpening):
@@ -514,6 +538,8 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
     if verdict.waves:
         better = f"{verdict.waves:+g} waves of spherical aberration"
     gain = f"(log-likelihood {verdict.gain:.2g} higher)"
+    if verdict.motion is not None:
+        return [_motion_finding(verdict.motion, accepted, share)]
     if verdict.doubtful and accepted:
         return [Finding("estimated", "note", f"restored by a blur of {better} {gain}", numbers)]
     if verdict.doubtful:

@@ -14,6 +14,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import silent
 from lommel.deconvolve.likelihood import PhotographLikelihood
+from lommel.deconvolve.linear import LinearBlur
 from lommel.estimation.focal_model import Spectrum, pupil_curve
 from lommel.imaging.blended import Blend, TiledBlur, UniformBlur, radial_curve, tiles_of
 from lommel.imaging.blur import require_depth
@@ -29,6 +30,7 @@ from lommel.imaging.blur_verdict import (
     estimate_blur,
 )
 from lommel.imaging.measured_blur import MeasuredBlur
+from lommel.imaging.motion import Motion, likeliest_motion
 from lommel.imaging.one_pass import fill_unknown
 from lommel.measures.transfer import disc_transfer
 from lommel.optics.lens import Lens, require_round
@@ -38,6 +40,8 @@ from lommel.recorded.noise import Noise
 _VARIANCE_RMS = 2.0  # pixels: rms width of the Gaussian that smooths the light of which the noise is computed
 _BLOCK = 128  # stride and overlap (pixels) of the blocks of which distances are estimated
 _VARIES = 4.0  # mean squared deviation of the blurs of blocks / their variance, from which depth varies
+# Blurs that compete with motion: factors of the likeliest diameter, and others, pixels.
+_NEAR, _RIVALS = np.array([0.96, 1.0, 1.04]), np.array([0.1, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0])
 _ONE_BLUR = 0.1  # largest variation of the diameter of the blur, pixels, of a scene at one distance
 
 
@@ -70,9 +74,11 @@ class UniformScene(NamedTuple):
         """Blur of the scene."""
         return UniformBlur.of(self.shape, self.pupil, self.pixel, self.spectra)
 
-    def preferred(self, verdict: BlurVerdict) -> Self:
-        """Return the scene with the blur that a verdict prefers."""
-        return self._replace(pupil=verdict.applied(self.pupil, self.defocus))
+    def preferred(self, verdict: BlurVerdict) -> LinearBlur:
+        """Return the blur that a verdict prefers."""
+        if verdict.motion is not None:
+            return verdict.motion.blur(self.shape, len(self.spectra))
+        return self._replace(pupil=verdict.applied(self.pupil, self.defocus)).blur
 
     def verdict(self, observed: PhotographLikelihood, light: Values) -> BlurVerdict:
         """Compare the blur with others, given the restored light, by the middle channel of the photograph."""
@@ -91,9 +97,9 @@ class MeasuredScene(NamedTuple):
 
     blur: MeasuredBlur
 
-    def preferred(self, verdict: BlurVerdict) -> Self:
-        """Return the scene with the PSF scaled as a verdict prefers."""
-        return self._replace(blur=self.blur.scaled(verdict.factor))
+    def preferred(self, verdict: BlurVerdict) -> LinearBlur:
+        """Return the blur by the PSF scaled as a verdict prefers."""
+        return self.blur.scaled(verdict.factor)
 
     def verdict(self, observed: PhotographLikelihood, light: Values) -> BlurVerdict:
         """Compare the PSF with scaled ones, given the restored light, by the middle channel of the photograph."""
@@ -102,14 +108,17 @@ class MeasuredScene(NamedTuple):
         def of_factors(factors: Array) -> Array:
             return np.array([np.interp(factor * FREQUENCIES, FREQUENCIES, curve, right=0.0) for factor in factors])
 
-        return compare_blurs(of_factors, None, *_middle(observed, observed.blur.forward(light)))
+        # A measured PSF may itself have a direction.
+        verdict = compare_blurs(of_factors, None, *_middle(observed, observed.blur.forward(light)))
+        return verdict._replace(motion=None)
 
 
 class SceneEstimate(NamedTuple):
     """Estimated blur, and the distances (metres) at which the lens has it, the likeliest first, with standard errors.
 
     Without a lens the blur is a disc, and there are no distances. Where depth varies,
-    `blocks` has the centre of each block (pixels), its blur (None if it is not known), distances and errors.
+    `blocks` has the centre of each block (pixels), its blur (None if it is not known), distances and errors. A
+    photograph that was moved has its `motion`.
     """
 
     blur: BlurEstimate
@@ -117,10 +126,12 @@ class SceneEstimate(NamedTuple):
     errors: tuple[float, ...] = ()
     blocks: tuple[Mapping[str, Any], ...] = ()
 
+    motion: Motion | None = None
+
     @property
     def known(self) -> bool:
         """True if the photograph determines its blur, or those of some blocks."""
-        return bool(self.blocks) or self.blur.known
+        return self.motion is None and (bool(self.blocks) or self.blur.known)
 
 
 def estimate_scene(
@@ -139,10 +150,22 @@ def estimate_scene(
         plane, variance = _middle(observed, first)
         blur, estimate = (search.whole if search else _estimated_disc)(blur, plane, variance)
         if observed.full is None or first is not None:
+            motion = likeliest_motion(_others(search, estimate.blur), plane, variance)
+            if motion.likely:
+                return blur, estimate._replace(motion=motion)
+            if motion.possible:
+                return blur, estimate._replace(blur=estimate.blur._replace(known=False))
             return (search and search.blocks(blur, estimate, plane, variance)) or (blur, estimate)
         # Saturated pixels, which make the photograph sharper, are raised by a first restoration.
         observed = PhotographLikelihood(blur, photo, noise, limit)
         first = blur.forward(Blend().solve(observed, silent).light)
+
+
+def _others(search: _Search | None, found: BlurEstimate) -> Array:
+    """Return the transfer functions of blurs around the likeliest one, and of others, that compete with motion."""
+    if search is None:
+        return disc_transfer(np.append(found.diameter * _NEAR, _RIVALS)[:, None], FREQUENCIES)
+    return search.curves(np.append(found.value * _NEAR, _RIVALS / search.unit))
 
 
 def _estimated_disc(blur: UniformBlur, plane: Array, variance: Array) -> tuple[UniformBlur, SceneEstimate]:

@@ -29,6 +29,7 @@ from lommel.estimation.options import (
 from lommel.estimation.phase_retrieval import retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
+from lommel.imaging.slanted_edge import sfr as sfr
 from lommel.io.opd_files import load_opd as load_opd, save_opd as save_opd
 from lommel.io.zernike_tables import load_zernike as load_zernike, save_zernike as save_zernike
 from lommel.lensfiles import example_files as example_files
@@ -46,7 +47,6 @@ from lommel.measures.aperture_means import (
 )
 from lommel.measures.energy import best_focus as best_focus
 from lommel.measures.errors import peak_error as peak_error
-from lommel.measures.slanted_edge import sfr as sfr
 from lommel.measures.transfer import (
     focus_tolerance as focus_tolerance,
     mtf as mtf,

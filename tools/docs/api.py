@@ -146,7 +146,7 @@ SECTIONS = [
         " measures.energy.image_centroid measures.energy.window_centroid"
         " measures.spot.axis_strehl measures.spot.peak_strehl measures.spot.fwhm measures.spot.energy_diameter"
         " measures.transfer.image_otf"
-        " measures.errors.mse measures.slanted_edge.EdgeResponse psf.Measured",
+        " measures.errors.mse imaging.slanted_edge.EdgeResponse psf.Measured",
     ),
     Section(
         "Fisher information and phase retrieval",

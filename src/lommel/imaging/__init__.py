@@ -14,11 +14,11 @@ from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass
 from lommel.imaging.photograph import BlurOptions, FocusPlan, Rendered, depth_of_field, field_photograph
 from lommel.imaging.restoration import RestoreOptions, restore
+from lommel.imaging.slanted_edge import EdgeResponse, slanted_edge
 from lommel.imaging.traced_blur import traced_blur
 from lommel.imaging.traced_sensor import traced_noise
 from lommel.io.depth_maps import DepthMapOptions, read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Photograph, read_photo, write_photo
-from lommel.measures.slanted_edge import slanted_edge
 from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
 __all__ = [
@@ -33,6 +33,7 @@ __all__ = [
     "DefocusVerdict",
     "DepthBlur",
     "DepthMapOptions",
+    "EdgeResponse",
     "Exif",
     "FieldBlur",
     "FocalCalibration",

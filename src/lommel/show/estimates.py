@@ -402,6 +402,22 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
     return axes
 
 
+def responses(curves: Mapping[str, tuple[Array, Array, Array]], unit: str, ax: Axes | None = None) -> Axes:
+    """Draw spatial frequency responses (frequencies, values, standard errors) by name, in bands of one error."""
+    axes = drawing.new_axes(ax, (6.4, 4.2))
+    colours = {"red": "C3", "green": "C2", "blue": "C0"}
+    for k, (name, (frequencies, values, errors)) in enumerate(curves.items()):
+        colour = colours.get(name, f"C{k}")
+        axes.plot(frequencies, values, color=colour, label=name)
+        axes.fill_between(frequencies, values - errors, values + errors, color=colour, alpha=0.3, linewidth=0.0)
+    axes.axhline(0.5, color="0.5", linewidth=0.8, linestyle=":")
+    axes.set(xlabel=f"spatial frequency ({unit})", ylabel="response", xlim=(0.0, None), ylim=(0.0, None))
+    axes.grid(alpha=0.3)
+    if any(curves):
+        axes.legend(fontsize=9)
+    return axes
+
+
 _MAX_IMAGES = 8  # largest number of images in one figure
 
 

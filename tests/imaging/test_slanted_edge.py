@@ -4,25 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.special import erf
 
 import lommel as lm
+from slanted_edges import gaussian, picture
 
 PIXEL = 4e-6
-
-
-def picture(degrees, sigma=0.5, shape=(80, 120), fine=16):
-    """Return an edge blurred by a Gaussian (pixels rms); each pixel is the mean of many points of the integral."""
-    y, x = ((np.arange(side * fine) + 0.5) / fine - 0.5 * side for side in shape)
-    turn = np.radians(degrees)
-    points = 0.5 + 0.4 * erf((x + np.tan(turn) * y[:, None]) * np.cos(turn) / sigma / np.sqrt(2.0))
-    return points.reshape(shape[0], fine, shape[1], fine).mean(axis=(1, 3))
-
-
-def gaussian(frequencies, angle, sigma=0.5):
-    """Return the response of this blur and of the pixel, at cycles per pixel."""
-    pixel = np.sinc(frequencies * np.cos(angle)) * np.sinc(frequencies * np.sin(angle))
-    return np.exp(-2.0 * (np.pi * sigma * frequencies) ** 2) * pixel
 
 
 @pytest.mark.parametrize("degrees", [2.5, 5.0, 12.0, 15.0, 20.0, 35.0])  # 15, 20 and 35: near 4/15, 4/11 and 7/10
@@ -94,6 +80,7 @@ EDGE = picture(5.0)
         (EDGE[:10], "20 pixels or more"),
         (EDGE[..., None], "20 pixels or more"),
         (np.where(EDGE > 0.89, np.nan, EDGE), "image"),
+        (np.full((40, 40), 65535, np.uint16), "overexposed"),
     ],
 )
 def test_pictures_without_a_slanted_edge_are_refused(image, message):
@@ -111,3 +98,73 @@ def test_a_target_is_covered_by_the_share_of_the_light_side():
     assert edge.shape == (40, 120)
     assert (edge.min(), edge.max()) == pytest.approx((0.1, 0.9))
     assert edge.mean() == pytest.approx(0.5, abs=1e-6)
+
+
+COLOURS = np.stack([picture(5.0, sigma, (60, 60), 8) for sigma in (0.7, 0.5, 0.6)], axis=-1)
+
+
+def test_without_a_pixel_frequencies_are_in_cycles_per_pixel():
+    found = lm.sfr(COLOURS[..., 0])
+    assert found.frequencies[-1] == 0.5
+    frequency, error = found.mtf50
+    assert found(frequency) == pytest.approx(0.5)
+    assert error < 1e-3
+    assert "cycles/pixel" in repr(found)
+    with pytest.raises(ValueError, match=r"0\.5 cycles/pixel"):
+        found(0.6)
+    with pytest.raises(ValueError, match=r"pixel must be in metres and at most 0\.1, got 1; leave it out"):
+        lm.sfr(EDGE, 1.0)
+
+
+def test_the_frequency_of_one_half_is_infinite_beyond_that_of_nyquist():
+    assert lm.sfr(picture(5.0, 0.1, (40, 40), 8)).mtf50 == (np.inf, np.inf)
+
+
+def test_each_colour_has_its_response_and_the_whole_that_of_green():
+    found = lm.sfr(COLOURS)
+    assert list(found.channels) == ["red", "green", "blue"]
+    np.testing.assert_array_equal(found.values, found.channels["green"].values)
+    for sigma, one in zip((0.7, 0.5, 0.6), found.channels.values(), strict=True):
+        np.testing.assert_allclose(one.values, gaussian(one.frequencies, one.angle, sigma), atol=2e-3)
+
+
+def test_each_colour_of_a_mosaic_has_the_nyquist_frequency_of_its_pixels():
+    y, x = np.indices(COLOURS.shape[:2])
+    mosaic = np.take_along_axis(COLOURS, (y % 2 + x % 2)[..., None], axis=-1)[..., 0] * np.where(
+        (y + x) % 2, 1.0, 0.6
+    )
+    found = lm.sfr(mosaic, mosaic="RGGB")
+    for sigma, limit, one in zip((0.7, 0.5, 0.6), (0.25, 0.5**1.5, 0.25), found.channels.values(), strict=True):
+        assert one.frequencies[-1] == pytest.approx(limit)
+        np.testing.assert_allclose(one.values, gaussian(one.frequencies, one.angle, sigma), atol=4e-3)
+    with pytest.raises(ValueError, match=r"got a mosaic.*state the mosaic"):
+        lm.sfr(mosaic)
+    with pytest.raises(ValueError, match="mosaic must have the letters"):
+        lm.sfr(mosaic, mosaic="RGB")
+
+
+def test_frames_are_averaged_and_masked_pixels_left_out():
+    frames = np.stack([COLOURS[..., 0] + 0.02 * shift for shift in (-1, 1)])
+    expected = lm.sfr(COLOURS[..., 0])
+    np.testing.assert_allclose(lm.sfr(frames).values, expected.values, atol=1e-6)
+    hidden = np.zeros(frames.shape[1:], bool)
+    hidden[20:23, 28:31] = True
+    found = lm.sfr(np.ma.masked_array(np.where(hidden, 9.0, COLOURS[..., 0]), hidden))
+    assert found.findings.codes == ("left_out",)
+    np.testing.assert_allclose(found.values, expected.values, atol=2e-3)
+
+
+def test_the_offset_of_counts_is_no_light():
+    noise = lm.Noise(white=1.0, read=3.0, offset=100.0)
+    counts = lm.Counts.of(1000.0 * COLOURS[..., 0] + 100.0, noise=noise)
+    assert lm.sfr(counts).contrast == pytest.approx(0.8, abs=1e-3)
+
+
+def test_results_are_plain_data_and_plots():
+    found = lm.sfr(COLOURS, PIXEL)
+    data = found.to_dict()
+    assert data["converged"]
+    assert data["channels"]["red"]["mtf50"] < data["mtf50"]
+    axes = found.plot()
+    assert [line.get_label() for line in axes.lines[:3]] == ["red", "green", "blue"]
+    assert axes.get_xlabel() == "spatial frequency (cycles/mm)"

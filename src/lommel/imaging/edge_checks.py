@@ -1,0 +1,232 @@
+"""Checks of the picture of a slanted edge: clipping, sharpening, denoising, JPEG, encoding, uneven light."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.base.encoding import Encoding, named
+from lommel.fit.findings import Finding
+from lommel.imaging.edge_profile import MIN_TREND, SIGMA, Edge, Mask, response
+from lommel.imaging.pair_noise import is_compressed
+
+_EFFECT = 0.02  # change of the response from which a fault is a doubt
+_CURVATURE = 0.15  # least that is told, pixels
+_MANY = 0.01  # fraction of outliers from which they are a doubt
+_OVERSHOOT = 0.015  # fraction of the step
+_CORRELATION, _ROUNDING = (
+    0.04,
+    0.3,
+)  # least correlation of neighbours; smallest noise in units of integers that is tested
+_POWERS = np.concatenate([np.geomspace(0.35, 0.8, 6), np.geomspace(1.25, 2.9, 6)])
+_GAIN = 12.0  # least gain in chi-squared / 2 by another encoding
+_FEW = 64  # pixels of a side from which noise is tested
+_PHASES = 0.02  # least relative difference of the pixels of a mosaic
+
+
+def require_one_colour(image: Array, known: Mask) -> None:
+    """Raise ValueError if pixels of one of four positions differ from their neighbours: a mosaic of colours."""
+    height, width = (side // 2 * 2 for side in image.shape)
+    blocks = np.where(known, image, np.nan)[:height, :width].reshape(height // 2, 2, width // 2, 2)
+    quads = blocks.transpose(1, 3, 0, 2).reshape(4, -1)
+    with np.errstate(invalid="ignore"):
+        ratios = quads / quads.mean(axis=0)
+    ratios = ratios[:, np.isfinite(ratios).all(axis=0)]
+    if ratios.shape[1] < 16:
+        return
+    # Medians, over pixels of which few are at the edge.
+    middle, spread = np.median(ratios, axis=1), np.median(np.abs(ratios - np.median(ratios, axis=1)[:, None]), axis=1)
+    error = 1.86 * spread / math.sqrt(ratios.shape[1])
+    if np.ptp(middle) > _PHASES and np.ptp(middle) > 3.0 * SIGMA * float(error.max()):
+        raise ValueError(
+            "image must be of one colour, got a mosaic: pixels of even and odd rows and columns differ by "
+            f"{100 * np.ptp(middle):.0f} %; state the mosaic, such as mosaic='RGGB'"
+        )
+
+
+def edge_findings(
+    edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array], pitch: float, *, rounded: bool
+) -> list[Finding]:
+    """Return the findings on an edge; `found` are its response and the errors, `rounded` if `stored` are integers."""
+    findings = []
+    total = int(edge.used.sum()) + edge.outliers
+    if edge.outliers:
+        many = edge.outliers > _MANY * total
+        text = f"{edge.outliers} of {total} pixels are far from the profile, as hot pixels are: left out"
+        findings.append(
+            Finding("outliers", "doubt" if many else "note", text, {"pixels": edge.outliers, "of": total})
+        )
+    if edge.trend > MIN_TREND:
+        text = f"the light is uneven, by {100 * edge.trend:.0f} % across the picture: a linear trend was divided out"
+        findings.append(Finding("uneven_light", "note", text, {"trend": edge.trend}))
+    if edge.tail:
+        text = (
+            f"both sides change by {100 * edge.tail:.0f} % of the step over the picture: part of the light lies "
+            "beyond it, or the light is uneven; take a larger picture"
+            if edge.tail > 0.0
+            else f"both sides fall by {-100 * edge.tail:.0f} % of the step: a linear trend was subtracted"
+        )
+        findings.append(Finding("uneven_light", "doubt" if edge.tail > 0.0 else "note", text, {"tail": edge.tail}))
+    if edge.curvature > _CURVATURE:
+        text = f"the edge is curved, by {edge.curvature:.2g} pixels (distortion): a polynomial was fitted"
+        findings.append(Finding("curved_edge", "note", text, {"curvature": edge.curvature}))
+    findings += _of_processing(edge, stored, found, pitch, rounded)
+    if not any(finding.code == "sharpened" for finding in findings):
+        findings += _of_symmetry(edge, stored, encoding, found)
+    return findings
+
+
+def _of_processing(
+    edge: Edge, stored: Array, found: tuple[Array, Array], pitch: float, rounded: bool
+) -> list[Finding]:
+    """Return findings on sharpening, denoising and compression, by overshoot, noise of neighbours and blocks of 8."""
+    findings = []
+    overshoot = _overshoot(edge)
+    correlations = _correlations(edge, stored, pitch, rounded)
+    most = max(correlations or [(0.0, 1.0)], key=lambda pair: abs(pair[0]))
+    values, errors = found
+    above = float(np.max(values[1:] - 1.0 - SIGMA * errors[1:]))
+    numbers = {"overshoot": overshoot, "correlation": most[0]}
+    significant = abs(most[0]) > max(SIGMA * most[1], _CORRELATION)
+    if overshoot > 0.0 or above > _EFFECT or (significant and most[0] < 0.0):
+        signs = [f"the profile overshoots by {100 * overshoot:.1f} % of the step"] * (overshoot > 0.0)
+        signs += [f"the response exceeds 1 by {above:.2g}"] * (above > _EFFECT)
+        signs += [f"noise of neighbours has the correlation {most[0]:.2f}"] * significant
+        findings.append(Finding("sharpened", "doubt", f"the picture was sharpened: {', '.join(signs)}", numbers))
+    elif significant:
+        text = (
+            f"noise of neighbours has the correlation {most[0]:.2f}: the picture was denoised, demosaiced, resized "
+            "or compressed, which changes the response"
+        )
+        findings.append(Finding("correlated_noise", "doubt", text, numbers))
+    elif rounded and not correlations:
+        text = "not tested: whether the picture was denoised, since its noise is below the rounding of its values"
+        findings.append(Finding("untested", "note", text, {"what": ["denoising"]}))
+    if is_compressed(stored):
+        findings.append(Finding("compressed", "doubt", "the picture has the blocks of 8 x 8 pixels of JPEG"))
+    return findings
+
+
+def _overshoot(edge: Edge) -> float:
+    """Return the largest amount by which the profile exceeds its sides, as a fraction of the step; 0 within noise."""
+    position, profile, counts, variances = edge.profile()
+    share = (profile - edge.levels[0]) / (edge.levels[1] - edge.levels[0])
+    bins = np.floor(2.0 * (position - position.min())).astype(int)
+    weights = np.bincount(bins, counts)
+    means = np.bincount(bins, counts * share) / np.maximum(weights, 1.0)
+    sigma = np.sqrt(np.bincount(bins, counts**2 * variances)) / np.maximum(weights, 1.0) / edge.step
+    middle = np.bincount(bins, counts * position) / np.maximum(weights, 1.0)
+    inside = (weights > 0.0) & (np.abs(middle) < min(edge.width + 6.0, 0.9 * edge.reach))
+    excess = np.maximum(means - 1.0, -means) - np.maximum(SIGMA * sigma, 0.0)
+    largest = np.where(inside, excess, -1.0).argmax()
+    size = float(np.maximum(means - 1.0, -means)[largest])
+    return size if excess[largest] > 0.0 and size > _OVERSHOOT else 0.0
+
+
+def _correlations(edge: Edge, stored: Array, pitch: float, rounded: bool) -> list[tuple[float, float]]:
+    """Return the correlations of the noise of neighbours, each with its standard error; none if there is no noise."""
+    flat = edge.used & (np.abs(edge.distance) > 0.5 * edge.reach)
+    residual = np.zeros_like(stored)
+    for sign in (-1.0, 1.0):
+        side = flat & (sign * edge.distance > 0.0)
+        rows, d = np.nonzero(side)[0] / len(stored) - 0.5, edge.distance[side] / edge.reach
+        design = np.stack([np.ones(rows.size), d, d * d, d**3, rows, d * rows])
+        values = stored[side] - stored[side].mean() if side.any() else stored[side]
+        part = values - np.linalg.pinv(design @ design.T) @ (design @ values) @ design
+        sigma = float(part.std()) if part.size > _FEW else 0.0
+        if sigma <= (_ROUNDING if rounded else 1e-4 * float(np.ptp(stored[edge.used]))):
+            return []
+        residual[side] = np.clip(part / sigma, -4.0, 4.0)
+    found = []
+    for down, right in ((0, 2), (2, 0)) if pitch == 2.0 else ((1, 1),) if pitch > 1.0 else ((0, 1), (1, 0)):
+        first = slice(None, -down or None), slice(None, -right or None)
+        second = slice(down, None), slice(right, None)
+        pairs = flat[first] & flat[second] & (edge.distance[first] * edge.distance[second] > 0.0)
+        count = max(int(pairs.sum()), 1)
+        found.append((float((residual[first] * residual[second])[pairs].sum()) / count, 1.0 / math.sqrt(count)))
+    return found
+
+
+def _of_symmetry(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]) -> list[Finding]:
+    """Return a finding if the profile is not symmetric, as clipped or wrongly encoded values are not.
+
+    The light of a symmetric blur at equal distances on both sides of an edge sums to that of both sides.
+    """
+    position, profile, counts, variances = edge.profile()
+    bright = max(edge.levels)
+    if not min(edge.levels) > 0.0 or position.size < 16:
+        return []
+    scaled, variance = np.maximum(profile / bright, 1e-6), variances / bright**2
+    low, high = (level / bright for level in edge.levels)
+    # Farther from the edge, errors of a trend of the light are larger than those of noise.
+    span = np.arange(0.125, min(edge.width, 0.6 * edge.reach), 0.25)
+    smooth = np.bincount(bins := np.floor(4.0 * (position - position.min())).astype(int), counts)
+    full = smooth > 0.0
+    nodes, values, spread = (
+        np.bincount(bins, counts * part)[full] / smooth[full] for part in (position, scaled, counts * variance)
+    )
+    spread = spread / smooth[full]
+
+    places = np.linspace(-0.3, 0.3, 25)[:, None] + [[[1.0]], [[-1.0]]] * span  # by side, shift and distance
+
+    def chi2(power: float) -> float:
+        """Return the least chi-squared of the sums of both sides, over shifts of the edge."""
+        light, slope = values**power, power * values ** (power - 1.0)
+        step = high**power - low**power
+        share = (light - low**power) / step
+        noise = slope**2 * spread / step**2 + 4e-6  # of which 0.002 of the step is the sampling
+        middle = float(np.interp(0.5, np.maximum.accumulate(share) + 1e-9 * np.arange(share.size), nodes))
+        sums, both = (np.interp(middle + places, nodes, part).sum(axis=0) for part in (share, noise))
+        return float((np.square(sums - 1.0) / both).sum(axis=1).min())
+
+    stated = chi2(1.0)
+    noisier, quieter = _noise_ratios(edge)
+    powers = _POWERS if stated > (0.5 if quieter else 2.0) * _GAIN else _POWERS[:0]
+    sizes = [chi2(float(power)) for power in powers]
+    gains = [
+        0.5 * (stated - size) - (_GAIN if power > 1.0 or not quieter else 0.25 * _GAIN)
+        for power, size in zip(powers, sizes, strict=True)
+    ]
+    power = float(powers[int(np.argmax(gains))]) if gains and max(gains) > 0.0 else 2.2 if noisier else 1.0
+    if power == 1.0:
+        return []
+    other = response(position, (np.maximum(profile, 0.0) / bright) ** power, variances, 0.5)[0]
+    size = min(other.size, found[0].size)
+    change = float(np.abs(other[:size] - found[0][:size]).max())
+    if change < _EFFECT:
+        return []
+    side = int(edge.levels[1] > edge.levels[0])
+    equal = [
+        float(np.mean(part == np.median(part))) if (part := stored[edge.used & mask]).size else 0.0
+        for mask in (edge.distance < -0.5 * edge.reach, edge.distance > 0.5 * edge.reach)
+    ]
+    if equal[side] > 0.5 > equal[1 - side]:
+        top = float(stored[edge.used].max())
+        text = (
+            f"the profile is not symmetric, and the bright side has one value, {top:.6g}: it is clipped; expose less"
+        )
+        return [Finding("flat_top", "error", text, {"change": change})]
+    text = (
+        f"the profile is not symmetric{' and the dark side is noisier' if noisier else ''}: values are not "
+        f"{named(encoding)} (light = value ** {power:.2g} would be), are clipped, or the lens has coma; "
+        f"the response changes by {change:.2g}"
+    )
+    return [Finding("asymmetric", "doubt", text, {"power": power, "change": change})]
+
+
+def _noise_ratios(edge: Edge) -> tuple[bool, bool]:
+    """Return if the noise of the dark side exceeds that of the bright side, as no light does, and if it is too small.
+
+    The variance of light is in proportion to it, or rises less (read noise), or with its square (uneven pixels).
+    """
+    dark, bright = np.argsort(edge.levels)
+    far = edge.used & (np.abs(edge.distance) > 0.6 * edge.reach)
+    counts = [max(int((far & (edge.distance * sign > 0.0)).sum()), 1) for sign in (-1.0, 1.0)]
+    if min(edge.variances) <= (1e-4 * edge.step) ** 2:
+        return False, False
+    ratio = math.log(edge.variances[bright] / edge.variances[dark])
+    error = math.sqrt(2.0 / counts[0] + 2.0 / counts[1])
+    most = math.log(3.0 * edge.levels[bright] / max(edge.levels[dark], 1e-12))
+    return ratio < min(-0.1, -SIGMA * error), ratio > most + SIGMA * error

@@ -1,0 +1,100 @@
+"""Checks of pictures of edges: each fault that changes the response has a finding, and right pictures have none."""
+
+from __future__ import annotations
+
+import io
+
+import numpy as np
+import pytest
+from PIL import Image
+from scipy.ndimage import convolve, gaussian_filter
+
+import lommel as lm
+from slanted_edges import gaussian, picture
+
+SIGMA = 0.6
+LIGHT = 0.25 + 0.5 * picture(5.0, SIGMA, (80, 80), 8)  # 0.3 and 0.7
+F = np.array([0.1, 0.2, 0.3, 0.4])
+
+
+def noisy(light, electrons=1e5, seed=0):
+    return np.random.default_rng(seed).poisson(np.maximum(light, 0.0) * electrons) / electrons
+
+
+PHOTO = noisy(LIGHT)
+
+
+def srgb(light):
+    return np.where(light < 0.0031308, 12.92 * light, 1.055 * np.maximum(light, 0.0) ** (1 / 2.4) - 0.055)
+
+
+def bytes_of(values):
+    return np.clip(255.0 * values, 0.0, 255.0).round().astype(np.uint8)
+
+
+def unsharp(image, amount=1.0):
+    return image + amount * (image - gaussian_filter(image, 1.0))
+
+
+def demosaiced(image):
+    y, x = np.indices(image.shape)
+    kernel = np.array([[0.0, 1.0, 0.0], [1.0, 4.0, 1.0], [0.0, 1.0, 0.0]]) / 4.0
+    return convolve(np.where((x + y) % 2, image, 0.0), kernel, mode="mirror")
+
+
+def jpeg(values, quality=60):
+    data = io.BytesIO()
+    Image.fromarray(bytes_of(values)).save(data, "JPEG", quality=quality)
+    return np.asarray(Image.open(data))
+
+
+def hot(image):
+    image = image.copy()
+    image[[30, 55], [42, 37]] = 6.0, 0.0
+    return image
+
+
+ACROSS = (np.arange(80) - 40.0) / 80.0
+BENT = 0.25 + 0.5 * picture(5.0, SIGMA, (80, 80), 8, curvature=1.0 / 1600)
+FAULTS = {
+    "clipped": (np.minimum(noisy(2.0 * LIGHT), 1.0), "flat_top"),
+    "clipped without noise": (np.minimum(2.0 * LIGHT, 1.0), "asymmetric"),
+    "dark with light": (noisy(np.sqrt(picture(5.0, 1.2, (80, 80), 8)), 20000.0), "asymmetric"),
+    "sharpened": (unsharp(PHOTO), "sharpened"),
+    "demosaiced": (demosaiced(PHOTO), "correlated_noise"),
+    "denoised": (gaussian_filter(PHOTO, 0.5), "correlated_noise"),
+    "compressed": (jpeg(PHOTO), "compressed"),
+    "hot pixels": (hot(PHOTO), "outliers"),
+    "shaded across": (noisy(LIGHT * (1.0 + 0.4 * ACROSS)), "uneven_light"),
+    "shaded along": (noisy(LIGHT * (1.0 + 0.2 * ACROSS[:, None])), "uneven_light"),
+    "curved": (noisy(BENT), "curved_edge"),
+    "rounded noise": (bytes_of(0.97 * noisy(LIGHT, 1e7)), "untested"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_of_the_picture_has_a_finding(fault):
+    image, code = FAULTS[fault]
+    found = lm.sfr(image)
+    assert code in found.findings.codes
+    # What is corrected is a note, and right; the rest is in doubt.
+    off = np.abs(found(F) - gaussian(F, found.angle, SIGMA)).max()
+    assert not found.reliable or off < 0.02
+
+
+def test_another_encoding_shows_in_the_symmetry_of_the_profile():
+    image = noisy(0.05 + 0.85 * picture(5.0, 1.5, (80, 80), 8))
+    assert lm.sfr(image).reliable
+    assert lm.sfr(bytes_of(srgb(image)), encoding="srgb").reliable
+    found = lm.sfr(srgb(image)).findings.get("asymmetric")
+    assert found.severity == "doubt"
+    assert found.numbers["power"] > 1.5
+    assert lm.sfr(bytes_of(image), encoding="srgb").findings.get("asymmetric").numbers["power"] < 0.7
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_right_pictures_have_no_findings(seed):
+    light = 0.05 + 0.85 * picture((3.0, -8.0)[seed % 2], (0.4, 0.8, 1.5)[seed % 3], (60, 70), 8)
+    image = noisy(light, (3000.0, 30000.0)[seed // 4], seed)
+    assert not lm.sfr(image).findings
+    assert not lm.sfr(bytes_of(srgb(image)), encoding="srgb").findings

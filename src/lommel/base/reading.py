@@ -13,7 +13,7 @@ import threading
 import warnings
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib.util import find_spec
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, TypeVar, cast
@@ -284,7 +284,12 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) 
 def tiff_array(page: TiffPage | TiffFrame) -> Values:
     """Return the values of a page; ValueError if neither tifffile nor, for LZW, Pillow can decode it."""
     if page.compression != _LZW or find_spec("imagecodecs"):
-        return np.asarray(page.asarray())
+        try:
+            return np.asarray(page.asarray())
+        except (NotImplementedError, ValueError) as error:  # such as of 12 packed bits, or a compression
+            if "imagecodecs" not in str(error) or find_spec("imagecodecs"):
+                raise
+            raise ValueError(f"{reason(error)}: pip install imagecodecs") from None
     from PIL.TiffImagePlugin import TiffImageFile
 
     values, dtype = np.empty(0), np.dtype(page.dtype).newbyteorder("=")
@@ -351,6 +356,19 @@ def is_raw(source: Path | bytes) -> bool:
         is_preview = page.is_reduced or any(part.size > page.size for part in page.pages or ())
         file.filehandle.seek(8)
         return bool(is_mosaic or is_preview or "DNGVersion" in page.tags or file.filehandle.read(2) == b"CR")
+
+
+def require_whole(data: bytes) -> None:
+    """Raise ValueError if strips or tiles of a TIFF file, such as a raw photograph, end beyond the file."""
+    import tifffile
+
+    ends = list[int]()
+    with suppress(Exception), quietly(), tifffile.TiffFile(io.BytesIO(data)) as file:
+        for page in list(file.pages):
+            for part in (page, *(page.pages or ())):
+                ends += [start + count for start, count in zip(part.dataoffsets, part.databytecounts, strict=True)]
+    if max(ends, default=0) > len(data):
+        raise ValueError(f"it is cut off: it has {len(data)} bytes, and states {max(ends)}")
 
 
 def hdf5(data: bytes) -> File:

@@ -343,7 +343,10 @@ class Photograph:
 
 
 def read_photo(path: str | PathLike[str], encoding: Encoding | None = None) -> Photograph:
-    """Read a photograph (PNG, JPEG, TIFF, EXR, BMP, HEIC) and rotate it upright as its EXIF states.
+    """Read a photograph (PNG, JPEG, TIFF, EXR, BMP, HEIC, raw) and rotate it upright as its EXIF states.
+
+    Raw photographs (DNG, NEF, CR2, CR3, ...) are demosaiced by LibRaw to linear RGB, with the white balance of the
+    camera and without automatic brightness.
 
     Parameters
     ----------
@@ -362,11 +365,11 @@ def read_photo(path: str | PathLike[str], encoding: Encoding | None = None) -> P
     Raises
     ------
     PhotoError
-        If the file is damaged, of another format, a raw photograph or animated; if it has over 16384^2 pixels or a
+        If the file is damaged, of another format or animated; if it has over 16384^2 pixels or a
         side over 65536; or if it has alpha that is not opaque everywhere, colours other than grey and RGB, or values
         other than uint8, uint16 and floats.
     ImportError
-        If Pillow, tifffile, OpenEXR or pillow-heif is not installed.
+        If Pillow, tifffile, OpenEXR, pillow-heif or rawpy is not installed.
     OSError
         If it cannot be read.
 
@@ -410,29 +413,22 @@ def recognized(source: Path, kind: str, data: bytes, part: str | None = None) ->
 
     The format reads the page of a TIFF file, or the channel of an EXR depth map, that `part` names.
     """
-    require_developed(source, data)
+    raw = is_raw(source, data)
+    if raw and kind != "photo":
+        raise PhotoError(f"{validation.line(source)} is a raw photograph, not a {kind}")
     try:
-        form = registry.identify(kind, data)
+        form = _RAW if raw else registry.identify(kind, data)
     except ValueError as error:
         raise PhotoError(f"{validation.line(source)} {error}") from None
-    file_kind = f"a {form.name} photograph" if kind == "photo" else f"a {kind}"
+    file_kind = f"a {'raw' if raw else form.name} photograph" if kind == "photo" else f"a {kind}"
     with reading.refused_as(PhotoError, source, f"cannot be read as {file_kind}"):
         if part is not None and form.starts != TIFF and (kind, form.starts) != ("depth map", START):
             raise ValueError(f"it holds one image: omit [{part}]")
         yield form if part is None else replace(form, read=partial(form.read, part=part))
 
 
-def require_developed(source: Path, data: bytes) -> None:
-    """Raise PhotoError for a raw photograph, from its name and its contents (or first bytes)."""
-    if _is_raw(source, data):
-        raise PhotoError(
-            f"{validation.line(source)} is a raw photograph, of which only a preview could be read. Develop it, "
-            "for example by rawpy.imread(path).postprocess(gamma=(1, 1), no_auto_bright=True, output_bps=16), and "
-            "save it as TIFF"
-        )
-
-
-def _is_raw(source: Path, data: bytes) -> bool:
+def is_raw(source: Path, data: bytes) -> bool:
+    """Return True for a raw photograph, from its name and its contents (or first bytes)."""
     if source.suffix.lower() in _RAW_SUFFIXES or data.startswith(_RAW_STARTS) or data[4:12] == b"ftypcrx ":
         return True
     try:
@@ -671,6 +667,38 @@ def read_tiff(
     return values.astype(values.dtype.newbyteorder("="), copy=False), tags, profile, data
 
 
+@contextmanager
+def open_raw(data: bytes) -> Iterator[Any]:
+    """Open a raw photograph by LibRaw; ValueError if it is too large or cut off, OSError if it is damaged."""
+    rawpy = library("rawpy", "raw photographs need", "raw")
+    if data.startswith(TIFF[:2]):
+        reading.require_whole(data)
+    with rawpy.imread(io.BytesIO(data)) as file:
+        reading.pixels(file.sizes.raw_width, file.sizes.raw_height)
+        if file.raw_type.name == "Flat" and not file.raw_image_visible[-1].any():  # as LibRaw leaves what is missing
+            raise ValueError("its last rows are empty: it is cut off")
+        yield file
+
+
+def raw_tags(data: bytes) -> Tags:
+    """Return the EXIF tags of a raw photograph that is a TIFF file (DNG, NEF, CR2, ...), without its orientation."""
+    from PIL import Image
+
+    tags = Image.Exif()
+    if data.startswith(TIFF[:2]):
+        tags.load(data)
+    tags.pop(0x0112, None)
+    return tags
+
+
+def _read_raw(data: bytes) -> tuple[Values, Tags, bytes | None, bytes]:
+    """Return (1) linear RGB, upright, (2) tags, (3) ICC profile, (4) EXIF of a raw photograph, as by LibRaw."""
+    options = {"gamma": (1, 1), "no_auto_bright": True, "output_bps": 16, "use_camera_wb": True}
+    with open_raw(data) as file:  # white is that of the sensor, not the brightest pixel of the photograph
+        values = file.postprocess(**options, adjust_maximum_thr=0.0)
+    return values, raw_tags(data), icc.profile_of([1.0], grey=False), data
+
+
 def write_png(values: Values, profile: bytes | None, block: bytes | None = None) -> bytes:
     """Return a PNG file, without loss."""
     if values.dtype.itemsize == 2:
@@ -757,6 +785,7 @@ def _write_pfm(values: NDArray[np.float32]) -> bytes:
     return f"Pf\n{width} {height}\n-1.0\n".encode() + values[::-1].astype("<f4").tobytes()
 
 
+_RAW = Format("photo", _RAW_SUFFIXES, read=_read_raw)
 read_png, _8, _16, _EXIF = partial(_decode, "Png"), "of uint8", "of uint16", "with EXIF"
 _photo, _depth = (partial(Format, kind) for kind in ("photo", "depth map"))
 registry.register(

@@ -1,6 +1,7 @@
 """Images of files and arrays, read on demand, also by several threads at the same time, with their metadata.
 
-Files are TIFF (plain, ImageJ, OME-TIFF, also of several files), folders of OME-Zarr, FITS, NPY and PNG.
+Files are TIFF (plain, ImageJ, OME-TIFF, also of several files), folders of OME-Zarr, FITS, NPY, PNG, and those of
+:mod:`lommel.recorded.instrument_files`.
 
 Metadata describe the recording: voxel sizes, channels, objective, camera. Each entry is absent (None), a value, or
 :class:`Unusable`.
@@ -30,9 +31,11 @@ from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.io import fits_images, icc, photos, registry, zarr_folders
 from lommel.io.registry import Format
+from lommel.recorded import instrument_files
 from lommel.recorded.counts import Counts, OnDemand
 from lommel.recorded.headers import (
     EXCESS,
+    MODES,
     NEGATIVE_STEP,
     Metadata,
     Unusable,
@@ -43,6 +46,7 @@ from lommel.recorded.headers import (
     metadata_of,
     number,
 )
+from lommel.recorded.instrument_files import MAX_CHANNELS
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -52,9 +56,6 @@ if TYPE_CHECKING:
 
 _RESOLUTION_UNITS = {2: 25.4e-3, 3: 1e-2}  # metres of values of the tag ResolutionUnit of TIFF: inch, centimetre
 _FINEST_PRINT = 1e-5  # metres: pixels of prints are larger (2540 per inch)
-# Kinds of microscopes by the AcquisitionMode of OME.
-_MODES = {"WideField": "widefield", "LaserScanningConfocalMicroscopy": "confocal", "SlitScanConfocal": "confocal"}
-_MODES |= {"SpinningDiskConfocal": "spinning disc", "MultiPhotonMicroscopy": "two-photon", "SPIM": "light sheet"}
 _IRREGULAR = 0.1  # deviation of steps between planes, relative to their mean, above which they are not regular
 
 
@@ -86,8 +87,8 @@ def ome_metadata(file: TiffFile, place: int) -> Metadata:
     for channel in channels[::-1]:  # the first one counts
         if pinhole := channel.get("PinholeSize"):
             metadata["modality"] = "confocal", f"PinholeSize {pinhole}"
-        if (mode := channel.get("AcquisitionMode")) in _MODES:
-            metadata["modality"] = _MODES[mode], f"AcquisitionMode {mode}"
+        if (mode := channel.get("AcquisitionMode")) in MODES:
+            metadata["modality"] = MODES[mode], f"AcquisitionMode {mode}"
     items = [*image.findall(".//{*}DetectorSettings"), *root.findall(".//{*}Instrument/{*}Detector")]
     unused = [f"{key} {item.get(key)}" for item in items for key in ("Binning", "Gain", "Offset") if item.get(key)]
     if (bits := pixels.get("SignificantBits")) not in (None, re.sub("[a-z]*", "", pixels.get("Type", ""))):
@@ -211,7 +212,6 @@ __all__ = ["Counts", "Frames", "RecordingError", "Unusable", "open_frames"]
 
 _NUMPY = b"\x93NUMPY"
 _MAX_BLOCK = 2**28  # largest block of images of an OME-Zarr that are read together, bytes
-_MAX_CHANNELS = 4096  # largest number of channels of an OME-Zarr
 _TOLERANCE = 1e-4  # relative difference up to which lengths count as equal
 # Lengths in files, in the words of messages; "down" is the height of a pixel.
 _LENGTHS = {"pixel": "a pixel size of", "down": "a pixel height of", "step": "a plane spacing of"}
@@ -264,7 +264,7 @@ class Frames(OnDemand):
         Type of the stored values, in the byte order of this machine.
     metadata : dict
         Metadata by name: "pixel", "step", "emission", "gain" and others, in metres and electrons; "format" is their
-        source: "OME", "ImageJ", "OME-Zarr" or "FITS".
+        source: "OME", "ImageJ", "OME-Zarr", "FITS", "ND2" and others.
     notes : tuple of str
         Sentences on the image that was chosen and on data that were left out.
     path : Path or None
@@ -558,6 +558,29 @@ class _ArrayPlanes(Planes):
         return validation.array(self._name, self._values[part], "counts").astype(self.dtype, copy=False)
 
 
+class _LibraryPlanes(_ArrayPlanes):
+    """Images that the library of a format reads, one at a time."""
+
+    path: Path
+
+    def __init__(self, opened: instrument_files.Opened, path: Path) -> None:
+        super().__init__(opened.values, "it", path)
+        self._close, self._lock, self.chunk_sizes = opened.close, threading.Lock(), ()
+
+    def close(self) -> None:
+        """Close the file."""
+        with self._lock:
+            self._close()
+
+    def plane(self, number: int) -> Values:
+        """Return one image."""
+        with errors_of(self.path, f"image {number}: "), self._lock:
+            values = super().plane(number)
+            if values.shape != self.sides:
+                raise ValueError(f"it has the shape {values.shape}, not {self.sides}: it is damaged")
+            return values
+
+
 def _sizes_of_chunks(
     shape: tuple[int, ...], chunks: tuple[int | tuple[int, ...], ...]
 ) -> tuple[tuple[int, ...], ...]:
@@ -668,9 +691,11 @@ def open_frames(*paths: str | PathLike[str] | ArrayLike) -> Frames:
     Parameters
     ----------
     *paths : path, array_like or Frames
-        A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content;
-        ``file.fits[SCI]``, ``file.tif[1]`` or ``file.zarr[0]`` selects one of several images; by default, in
-        OME-TIFF, the one of which the others are at most half as large. Or an array of NumPy, dask, Zarr or xarray,
+        A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content; with the
+        libraries of the extras "microscopes", "czi" and "raw" an ND2, LIF or CZI file or a raw photograph, with bioio
+        what its plugins read; a .dax with its .inf, or a .raw with its .yaml. ``file.fits[SCI]``, ``file.tif[1]``,
+        ``file.lif[bead]`` or ``photo.nef[G]`` selects one of several images; by default, in OME-TIFF, the one of
+        which the others are at most half as large. Or an array of NumPy, dask, Zarr or xarray,
         whose coordinates z, y and x, with units, state step and pixel, and "emission" the wavelength. Several files,
         of images of one size and type, are one stack, and are read at once.
 
@@ -714,7 +739,9 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
         with errors_of(source):
             return _zarr_frames(source, part)
     start = reading.start(source, 16)
-    photos.require_developed(source, start)
+    if open_file := instrument_files.opener(source, start):
+        with errors_of(source):
+            return _library_frames(source, open_file(source, part))
     if part is not None and start.startswith((_NUMPY, *photos.PNG)):
         raise RecordingError(f"{line(source)} holds one image: omit [{part}]")
     if start.startswith(_NUMPY):
@@ -773,6 +800,18 @@ def require_numbers(name: str, dtype: DTypeLike) -> None:
         raise TypeError(f"{name} must hold real numbers, got {np.dtype(dtype)}")
 
 
+def _library_frames(path: Path, opened: instrument_files.Opened) -> Frames:
+    """Return the images that a library reads, without axes of one image."""
+    shape = opened.values.shape[:-2]
+    kept = tuple(side for side in shape if side != 1)
+    letters = "".join(letter for letter, side in zip(opened.axes, shape, strict=True) if side != 1)
+    metadata = dict(opened.metadata)
+    notes = tuple(metadata.pop("notes", ()))
+    frames = replace(_array_frames(opened.values, "it", path), axes=f"{letters}YX", metadata=metadata, notes=notes)
+    numbers = frames.numbers.reshape(kept)
+    return replace(frames, planes=_LibraryPlanes(opened, path), numbers=numbers)
+
+
 def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
     """Return the images of a FITS or PNG file, which is read as a whole."""
     data = reading.contents(path)
@@ -780,7 +819,7 @@ def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
         file_format = registry.identify("images", data)
     except ValueError:
         problem = (
-            "is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr; save it as one of these"
+            "is not a TIFF, FITS, NPY, PNG, ND2, CZI or LIF file, nor a folder of OME-Zarr; save it as one of these"
             if data
             else "is empty"
         )
@@ -906,8 +945,8 @@ def _zarr_frames(path: Path, part: str | None) -> Frames:
     array, letters, notes = image.array, image.axes, image.notes
     order = "".join(letter for letter in letters if letter not in "YX") + "YX"
     require_numbers("it", array.dtype)
-    if "C" in order and (count := array.shape[letters.index("C")]) > _MAX_CHANNELS:
-        raise ValueError(f"it has {count} channels; the limit is {_MAX_CHANNELS}")
+    if "C" in order and (count := array.shape[letters.index("C")]) > MAX_CHANNELS:
+        raise ValueError(f"it has {count} channels; the limit is {MAX_CHANNELS}")
     sides: Metadata = {}
     if isinstance(image.scale, str):
         sides = dict.fromkeys(letters, Unusable(image.scale))

@@ -25,6 +25,10 @@ EXCESS = (
     2.0  # variance of an electron-multiplying register, divided by the variance of a Poisson variable of equal mean
 )
 _PIXELS = ("XPIXSZ", "PIXSIZE1", "PIXSIZE", "YPIXSZ")  # pitch of the pixels, micrometres, after binning
+MODES = {"WideField": "widefield", "LaserScanningConfocalMicroscopy": "confocal", "SlitScanConfocal": "confocal"}
+"""Kinds of microscopes by the AcquisitionMode of OME and CZI."""
+
+MODES |= {"SpinningDiskConfocal": "spinning disc", "MultiPhotonMicroscopy": "two-photon", "SPIM": "light sheet"}
 _ORDER = (
     "which was not applied: in the other order of rows, sine terms (m < 0: coma y, oblique astigmatism) change sign"
 )

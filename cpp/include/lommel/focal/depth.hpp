@@ -44,6 +44,8 @@ struct FocalPlace {
 // a single frequency, and about 1 / images for a texture of all frequencies, because the tables make such images uncorrelated. The
 // more concentrated a texture is, the more of its energy may be leak.
 class FocalSearch {
+    static constexpr std::size_t lanes_ = 16;
+
    public:
     // Products of the residual images k <= l of each channel, in the order of FocalStream.
     FocalSearch(const FocalCandidates& given, std::size_t channels, std::size_t images)
@@ -67,10 +69,16 @@ class FocalSearch {
 
     const FocalCandidates& candidates() const { return given_; }
 
+    // The lowest rough candidate of each block, the first and last one of its valley, and the lowest energy of those outside.
+    struct Valley {
+        float best[lanes_], low[lanes_], high[lanes_], second[lanes_];
+    };
     // Working memory of one thread.
     struct Scratch {
-        explicit Scratch(const FocalSearch& of) : energies(of.rough_width_ * lanes_), concentration(lanes_) {}
-        Floats energies, concentration;
+        explicit Scratch(const FocalSearch& of) : energies(of.rough_width_ * lanes_) {}
+        Floats energies;
+        float concentration[lanes_], mean[lanes_];
+        Valley valley;
     };
 
     // Estimate the depths of up to one vector of blocks. sums[product * pitch + block]: products of residual images, averaged
@@ -97,7 +105,8 @@ class FocalSearch {
                 store(energies + (c + t) * lanes, total[t]);
             }
         }
-        concentrate<V>(sums, pitch, scratch.concentration.data());
+        concentrate<V>(sums, pitch, scratch.concentration);
+        scan<V>(energies, scratch.valley, scratch.mean);
         for (std::size_t l = 0; l < std::min(lanes, blocks); ++l) {
             // Energies of `near` candidates, each in four partial sums to hide the latency of additions.
             const auto energy = [&](std::size_t start, float* to) LOMMEL_INLINE_LAMBDA {
@@ -117,17 +126,17 @@ class FocalSearch {
                     store(to + v * lanes, total - load<V>(noise_.data() + start + v * lanes));
                 }
             };
-            const auto rough = [&](std::size_t c) { return energies[c * lanes + l] - noise_[rough_step * c]; };
-            out[l] = trust[l] >= least_trust
-                         ? place(energy, rough, given_.pixels * more * wider[l] * trust[l], scratch.concentration[l])
-                         : FocalPlace{unknown, infinite, unknown, unknown};
+            const auto rough = [&](std::size_t c) { return energies[c * lanes + l]; };
+            out[l] = trust[l] >= least_trust ? place(energy, rough, scratch.valley, l, scratch.mean[l],
+                                                     given_.pixels * more * wider[l] * trust[l], scratch.concentration[l])
+                                             : FocalPlace{unknown, infinite, unknown, unknown};
         }
     }
 
    private:
     enum Row { ByTexture = 1, ByNoise, Steepness, OfCurvature, Concentration, Leak, Bias };
     static float square(float x) { return x * x; }
-    static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
+    static constexpr std::size_t rough_step = 4, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
     // Minimum fraction of trusted pixels in the window of a block; below it, the depth is unknown.
     static constexpr float least_trust = 0.5f;
@@ -167,17 +176,41 @@ class FocalSearch {
         store(to, splat<V>(static_cast<float>(channels_)) * (diagonal + others + others) / (trace * trace + tiny));
     }
 
-    template <class Energy, class Rough>
-    LOMMEL_INLINE FocalPlace place(const Energy& energy, const Rough& rough, float pixels, float concentration) const {
-        const std::size_t count = roughs(), last = given_.count - 1;
-        std::size_t best = 0;
-        float least = rough(0), sum = least;
-        for (std::size_t c = 1; c < count; ++c) {
-            const float e = rough(c);
-            sum += e;
-            best = e < least ? c : best;
-            least = e < least ? e : least;
+    // Subtract the energies of noise from those of the rough candidates, and find the valleys and means of one vector of blocks.
+    template <class V>
+    LOMMEL_INLINE void scan(float* energies, Valley& valley, float* mean) const {
+        constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+        const V zero{}, half = splat<V>(0.5f), one = splat<V>(1.0f), none = splat<V>(infinite);
+        V least{}, sum{}, previous{}, best{}, low{}, high{};
+        V start{};  // first candidate of the fall that leads to this one
+        V before = none, left = none, right = none;  // lowest energies: before `start`, and on either side of the valley
+        V past{};  // 1 beyond the crest that follows the lowest candidate
+        for (std::size_t c = 0; c < roughs(); ++c) {
+            const V e = load<V>(energies + c * lanes) - splat<V>(noise_[rough_step * c]), at = splat<V>(static_cast<float>(c));
+            store(energies + c * lanes, e);
+            sum = sum + e;
+            if (c == 0) {
+                least = previous = e;
+                continue;
+            }
+            start = below(previous, e, at, start), before = below(previous, e, least, before);
+            past = below(e, previous, one, past);
+            high = below(past, half, at, high), right = below(half, past, smaller(e, right), right);
+            best = below(e, least, at, best), past = below(e, least, zero, past);
+            low = below(e, least, start, low), left = below(e, least, before, left);
+            high = below(e, least, at, high), right = below(e, least, none, right);
+            least = smaller(e, least), previous = e;
         }
+        store(valley.best, best), store(valley.low, low), store(valley.high, high);
+        store(valley.second, smaller(left, right));
+        store(mean, sum / splat<V>(static_cast<float>(roughs())));
+    }
+
+    template <class Energy, class Rough>
+    LOMMEL_INLINE FocalPlace place(const Energy& energy, const Rough& rough, const Valley& valleys, std::size_t l, float mean,
+                                   float pixels, float concentration) const {
+        const std::size_t count = roughs(), last = given_.count - 1;
+        const auto best = static_cast<std::size_t>(valleys.best[l]);
         // Exact energies at the coarse minimum and five candidates on either side.
         const std::size_t middle = rough_step * best, start = middle > 5 ? middle - 5 : 0, end = std::min(middle + 5, last);
         float around[near];
@@ -189,7 +222,6 @@ class FocalSearch {
         const float noise = noise_[at];
         // The negative log-likelihood is pixels * energy / 2. Its minimum is below its value at the true depth by half a
         // chi-squared variable of one degree of freedom, on average by 1/2, which is 1 / pixels in energy.
-        const float mean = sum / static_cast<float>(count);
         FocalPlace found{unknown, infinite, 1.0f + (around[at - start] + 1.0f / pixels) / noise, mean};
         if (at == 0 || at == last || at == start || at == end) {
             return found;
@@ -227,23 +259,14 @@ class FocalSearch {
         if (!(better >= drop && better >= sure * std::sqrt(0.5f * noise * pixels))) {
             return found;
         }
-        std::size_t low = best, high = best;
-        while (low > 0 && rough(low - 1) >= rough(low)) {
-            --low;
-        }
-        while (high + 1 < count && rough(high + 1) >= rough(high)) {
-            ++high;
-        }
         // Other valleys must be higher than the minimum by more than noise and leak can make them.
         const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
         const float excess = std::min(single, std::max(0.0f, concentration - statistic(Concentration)));
         const float few = std::min(1.0f, std::max(0.0f, (excess - concentrated) / concentrating));
         const float strength = valley + std::max(0.0f, here), leak = statistic(Leak) * strength;
         const float least_second = here + distinct / likelihood + (apart + apart_of_few * few) * leak;
-        float second = infinite;
-        for (std::size_t c = 0; c < count; ++c) {
-            second = c < low || c > high ? std::min(second, rough(c)) : second;
-        }
+        const auto low = static_cast<std::size_t>(valleys.low[l]), high = static_cast<std::size_t>(valleys.high[l]);
+        float second = valleys.second[l];
         const float low_valley = least_second + hidden * strength;
         // A low valley can be lower between rough candidates.
         for (std::size_t c = 0; second < low_valley && second >= least_second && c < count; ++c) {

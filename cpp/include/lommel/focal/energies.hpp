@@ -29,6 +29,8 @@ class FocalMixture {
             const std::size_t left = images_ - k;
             if (left >= 6 && left != 7) {
                 combine<6>(isa, rows, y, k, out), k += 6;
+            } else if (left == 5) {
+                combine<5>(isa, rows, y, k, out), k += 5;
             } else if (left >= 4) {
                 combine<4>(isa, rows, y, k, out), k += 4;
             } else {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -67,12 +68,24 @@ class FocalReader {
         bool any = false;
         // Quick test before the search by pixel: if raw values are not negative, the sum of a square with a saturated pixel is at
         // least frame.full. The sum of a square with a non-finite pixel is not finite.
-        float most = -std::numeric_limits<float>::infinity(), all = 0.0f;
-        for (std::size_t x = 0; x < width_; ++x) {
-            most = out[x] > most ? out[x] : most;
-            all += out[x] * 0.0f;
+        constexpr std::size_t lanes = 2 * I::lanes;
+        float most[lanes], all[lanes] = {};
+        std::fill_n(most, lanes, -std::numeric_limits<float>::infinity());
+        const auto judge = [&](std::size_t x, std::size_t l) LOMMEL_INLINE_LAMBDA {
+            most[l] = out[x] > most[l] ? out[x] : most[l];
+            all[l] += out[x] * 0.0f;
+        };
+        std::size_t x = 0;
+        for (; x + lanes <= width_; x += lanes) {
+            for (std::size_t l = 0; l < lanes; ++l) {
+                judge(x + l, l);
+            }
         }
-        if (frame.known != nullptr || most >= frame.full || !(all == 0.0f)) {
+        for (; x < width_; ++x) {
+            judge(x, 0);
+        }
+        const float largest = *std::max_element(most, most + lanes), finite = std::accumulate(all, all + lanes, 0.0f);
+        if (frame.known != nullptr || largest >= frame.full || !(finite == 0.0f)) {
             any = look_for(frame, y, unknown);
         }
         scale(isa, frame, y, out);

@@ -246,9 +246,12 @@ class FocalStream {
         const bool last = within + 1 == plan_.window.side, judged = residuals > 0 && block < down_;
         float *const mean = lines[residuals], *const trust = lines[residuals + 1];
         float* const sums = judged ? sums_of(strip, block) : nullptr;
-        const bool edge = y < plan_.blur || y + plan_.blur >= plan_.height;
-        for (std::size_t x = 0; judged && x < plan_.width; ++x) {
-            trust[x] = edge || x < plan_.blur || x + plan_.blur >= plan_.width || strip.counts[x] != 0 ? 0.0f : 1.0f;
+        const std::size_t blur = y < plan_.blur || y + plan_.blur >= plan_.height ? plan_.width : plan_.blur;
+        if (judged) {
+            std::fill_n(trust, plan_.width, 0.0f);
+            for (std::size_t x = blur; x + blur < plan_.width; ++x) {
+                trust[x] = strip.counts[x] != 0 ? 0.0f : 1.0f;
+            }
         }
         // Residual images of each channel; in the last pass, the kept images of the first channel.
         for (std::size_t c = 0; c <= plan_.channels; ++c) {

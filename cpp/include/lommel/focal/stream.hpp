@@ -53,6 +53,10 @@ class FocalStream {
             places_.resize(down() * across());
             filled_.resize(down() * across());
             columns_.resize(across());
+            margin_ = 2 * plan.fine * plan.window.weights.size();
+            map_pitch_ = across() + 2 * margin_ + widest_step;
+            maps_.resize(4 * (down() + 2 * margin_) * map_pitch_);
+            std::fill(maps_.begin(), maps_.end(), std::numeric_limits<float>::quiet_NaN());
             for (std::size_t x = 0; x < across(); ++x) {
                 wider_.push_back(wider(x, across_));
             }
@@ -104,13 +108,15 @@ class FocalStream {
     // Write the depth of each block after search(), its standard error in metres, and its misfit.
     void depths(float* depth, float* errors, float* misfit) const {
         const FocalCandidates& given = search_->candidates();
-        for (std::size_t i = 0; i < places_.size(); ++i) {
-            const float vergence = given.first + given.step * places_[i].position;
-            depth[i] = 1.0f / vergence;
-            errors[i] = vergence > 0.0f ? places_[i].error * given.step / (vergence * vergence)
-                                        : std::numeric_limits<float>::infinity();
-            misfit[i] = places_[i].misfit;
-        }
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t i = 0; i < places_.size(); ++i) {
+                const float vergence = given.first + given.step * places_[i].position;
+                depth[i] = 1.0f / vergence;
+                errors[i] = vergence > 0.0f ? places_[i].error * given.step / (vergence * vergence)
+                                            : std::numeric_limits<float>::infinity();
+                misfit[i] = places_[i].misfit;
+            }
+        });
     }
 
     // Compute a sharp image, sum over kept images of factor * image. factors[candidate][image] are interpolated linearly at the
@@ -170,6 +176,15 @@ class FocalStream {
         std::size_t height, width;
         std::vector<float> values, weights;
     };
+
+    using Index = std::ptrdiff_t;
+    // Row y of a map of the places, with margins of NaN: texture, position, squared error and misfit, before doubt().
+    enum Map { Texture, Position, Square, Misfit };
+    float* map(Map which, Index y) {
+        const auto margin = static_cast<Index>(margin_), pitch = static_cast<Index>(map_pitch_),
+                   rows = static_cast<Index>(down()) + 2 * margin;
+        return maps_.data() + (which * rows + y + margin) * pitch + margin;
+    }
 
     std::size_t line() const { return FocalRows::padded(plan_.width); }
     // Number of block rows above, and equally below, that contribute to the depth of a block.
@@ -340,6 +355,13 @@ class FocalStream {
             (*search_)(isa, sums + x, pitch, sums + trust * pitch + x, wider_.data() + x, wider(y, down_), width - x,
                        *strip.scratch, places_.data() + y * width + x);
         }
+        float *const textures = map(Texture, static_cast<Index>(y)), *const positions = map(Position, static_cast<Index>(y)),
+                     *const squares = map(Square, static_cast<Index>(y)), *const misfits = map(Misfit, static_cast<Index>(y));
+        for (std::size_t x = 0; x < width; ++x) {
+            const FocalPlace& here = places_[y * width + x];
+            textures[x] = here.texture, positions[x] = here.position, misfits[x] = here.misfit;
+            squares[x] = here.error * here.error;
+        }
     }
 
     // Effective pixels, along one axis of `blocks` blocks, of the window around depth x / of that around a block: depths between
@@ -434,6 +456,9 @@ class FocalStream {
         return sum;
     }
 
+    // Radius of a window, in depths.
+    std::size_t reach() const { return plan_.fine * (plan_.window.weights.size() - 1); }
+
     // Increase the standard errors of depths near steps in depth, by the slope of the depth map and its deviation from a plane: a
     // window across a step contains two depths, and its mean squared residual is smallest at a depth between them. Depths out of
     // range or with too large an error become unknown.
@@ -441,12 +466,11 @@ class FocalStream {
         const FocalCandidates& given = search_->candidates();
         const std::size_t strips = strips_.size();
         parallel_for(strips, static_cast<int>(strips), [&](std::size_t, std::size_t s) {
-            for (std::size_t y = down() * s / strips, i = y * across(); y < down() * (s + 1) / strips; ++y) {
-                for (std::size_t x = 0; x < across(); ++x, ++i) {
-                    const float error = places_[i].error, more = std::isfinite(error) ? rough(y, x) : 0.0f;
-                    filled_[i] = std::sqrt(error * error + more);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t y = down() * s / strips; y < down() * (s + 1) / strips; ++y) {
+                    doubt(isa, y);
                 }
-            }
+            });
         });
         for (std::size_t i = 0; i < places_.size(); ++i) {
             FocalPlace& here = places_[i];
@@ -461,7 +485,7 @@ class FocalStream {
     // chose them, and errors follow for none that was chosen.
     void leave_chosen() {
         const std::size_t width = across(), height = down();
-        const std::size_t reach = 2 * plan_.fine * (plan_.window.weights.size() - 1);
+        const std::size_t reach = 2 * this->reach();
         // (Known) - (unknown) depths, of those whose windows are trusted, in the rows of a square.
         const auto count = [&](std::size_t i) {
             return std::isnan(places_[i].texture) ? 0.0f : std::isfinite(places_[i].error) ? 1.0f : -1.0f;
@@ -491,31 +515,92 @@ class FocalStream {
             }
         }
     }
-    // Variance to add to that of the depth at (y, x): from the slope of the depth map, and from its deviation from a plane if the
-    // frames do not fit a single depth (misfit) or the texture is on one side, so that the depth may be of what is there. Infinite
-    // if it is more than two blocks away and nothing on the other side has a depth by texture of its own, or if two windows away
-    // it is `spread` times as strong.
-    float rough(std::size_t y, std::size_t x) const {
-        const auto fine = static_cast<Index>(plan_.fine), reach = fine * static_cast<Index>(plan_.window.weights.size() - 1);
+    // Write standard errors of row y to filled_. The variance to add: from the slope of the depth map, and from its deviation from a
+    // plane if the frames do not fit a single depth (misfit) or the texture is on one side, so that the depth may be of what is there.
+    template <class I>
+    LOMMEL_INLINE void doubt(I, std::size_t y) {
+        using V = typename I::floats;
+        constexpr std::size_t lanes = 2 * I::lanes;
+        const auto fine = static_cast<Index>(plan_.fine), reach = static_cast<Index>(this->reach());
+        const V zero{}, one = splat<V>(1.0f), half = splat<V>(0.5f), four = splat<V>(4.0f),
+                        none = splat<V>(std::numeric_limits<float>::infinity());
+        for (std::size_t x = 0; x < across(); x += lanes) {
+            const auto at = [&](Map which, Index dy, Index dx) LOMMEL_INLINE_LAMBDA {
+                return load<V>(map(which, static_cast<Index>(y) + dy) + static_cast<Index>(x) + dx);
+            };
+            const auto part = [&](V v, float least, float most) LOMMEL_INLINE_LAMBDA {
+                return smaller(larger((v - splat<V>(least)) / splat<V>(most - least), zero), one);
+            };
+            // tanh(offset of the texture of a window from its centre / (rms width)^2), in blocks; 0 beside a border.
+            V aside{};
+            for (std::size_t way = 0; way < 2; ++way) {
+                const Index dy = fine * ways[way][0], dx = fine * ways[way][1];
+                const V before = larger(zero, at(Texture, -dy, -dx)), after = larger(zero, at(Texture, dy, dx)),
+                        sum = after + before, from = larger(after, before) - smaller(after, before);
+                aside = larger(below(zero, sum, from / sum, zero), aside);
+            }
+            // Beside light so strong the energy of a plain area is what the filters and the window spread of it.
+            const V strong = splat<V>(spread) * larger(zero, at(Texture, 0, 0));
+            V lost{};
+            for (const Index away : {-2 * reach, 2 * reach}) {
+                lost = below(strong, at(Texture, away, 0), one, lost), lost = below(strong, at(Texture, 0, away), one, lost);
+            }
+            const V square = at(Square, 0, 0), position = at(Position, 0, 0);
+            const V mixed = part(at(Misfit, 0, 0), least_mixed, surely_mixed), beside = part(aside, least_aside, surely_aside);
+            const V share = larger(mixed * splat<V>(mixed_share), beside * splat<V>(beside_share));
+            V slope{}, bent[2] = {};  // from depths at a distance of `reach`, and of twice this
+            const auto compare = [&](std::size_t way, Index times) LOMMEL_INLINE_LAMBDA {
+                const Index dy = times * reach * ways[way][0], dx = times * reach * ways[way][1];
+                const V a = at(Position, -dy, -dx), b = at(Position, dy, dx), of_a = at(Square, -dy, -dx),
+                        of_b = at(Square, dy, dx), theirs = of_a + of_b;
+                if (way < 2 && times == 1) {
+                    const V change = half * (b - a);
+                    slope = slope + larger(loaded(change * change) - half * half * theirs, zero);  // 0 for unknown depths, NaN
+                }
+                // Squares are rounded before noise is subtracted, as by processors without fused multiply-adds.
+                const auto bend = [&](V size, V noise) LOMMEL_INLINE_LAMBDA { return loaded(size * size) - four * noise; };
+                V most = bent[times - 1];
+                most = larger(bend(a + b - (position + position), theirs + four * square), most);
+                most = larger(below(of_b, none, zero, bend(a - position, square + of_a)), most);
+                bent[times - 1] = larger(below(of_a, none, zero, bend(b - position, square + of_b)), most);
+            };
+            float shares[lanes], doubts[lanes], asides[lanes];
+            store(shares, share), store(asides, aside);
+            compare(0, 1), compare(1, 1);
+            if (*std::max_element(shares, shares + lanes) > 0.0f) {
+                compare(2, 1), compare(3, 1), compare(0, 2), compare(1, 2), compare(2, 2), compare(3, 2);
+                const V both = larger(bent[1], bent[0]);
+                bent[0] = below(zero, mixed, both, below(beside, one, bent[0], both));
+            }
+            const V more = splat<V>(slope_share) * slope + share * bent[0];
+            store(doubts, below(square, none, below(zero, lost, none, more), zero));
+            const float* const squares = map(Square, static_cast<Index>(y)) + x;
+            const std::size_t count = std::min(lanes, across() - x);
+            for (std::size_t l = 0; l < count; ++l) {
+                if (!(asides[l] < rarely_aside) && std::isfinite(squares[l]) && borrowed(y, x + l)) {
+                    doubts[l] = std::numeric_limits<float>::infinity();
+                }
+            }
+            for (std::size_t l = 0; l < count; ++l) {
+                filled_[y * across() + x + l] = std::sqrt(squares[l] + doubts[l]);
+            }
+        }
+    }
+    // True if the depth at (y, x) is of texture more than two blocks away, and nothing on the other side has a depth by texture of its
+    // own.
+    LOMMEL_NOINLINE bool borrowed(std::size_t y, std::size_t x) const {
+        const auto fine = static_cast<Index>(plan_.fine), reach = static_cast<Index>(this->reach());
         const auto i = static_cast<Index>(y), j = static_cast<Index>(x), rows = static_cast<Index>(down()),
-                   columns = static_cast<Index>(across()), room = std::min({i, j, rows - 1 - i, columns - 1 - j});
+                   columns = static_cast<Index>(across());
         const FocalPlace& here = places_[y * across() + x];
         const auto at = [&](Index dy, Index dx) {
-            const bool inside = room >= std::max(std::abs(dy), std::abs(dx)) ||
-                                (i + dy >= 0 && j + dx >= 0 && i + dy < rows && j + dx < columns);
+            const bool inside = i + dy >= 0 && j + dx >= 0 && i + dy < rows && j + dx < columns;
             return inside ? &here + dy * columns + dx : nullptr;
         };
         const auto known = [](const FocalPlace* one) { return one && std::isfinite(one->error); };
-        // tanh(offset of the texture of a window from its centre / (rms width)^2), in blocks.
-        const auto offset = [&](Index dy, Index dx) {
-            const FocalPlace *const a = at(-dy, -dx), *const b = at(dy, dx);
-            const float before = a && b ? std::max(a->texture, 0.0f) : 0.0f, after = a && b ? std::max(b->texture, 0.0f) : 0.0f;
-            const float sum = after + before;
-            return sum > 0.0f ? std::abs(after - before) / sum : 0.0f;  // 0 for NaN
-        };
         // True if the texture of the window around `here` is more than two blocks from its centre, towards a: its energy falls like a
         // Gaussian from a to b, or by more than the window alone makes it fall.
-        const auto borrowed = [](const FocalPlace* a, const FocalPlace* here, const FocalPlace* b) {
+        const auto towards = [](const FocalPlace* a, const FocalPlace* here, const FocalPlace* b) {
             const float near = a && b ? std::max(a->texture, 0.0f) : 0.0f, own = std::max(here->texture, 0.0f);
             if (!(near > own) || near > falling * own) {
                 return near > own;
@@ -523,14 +608,8 @@ class FocalStream {
             const float rise = near / own, fall = std::max(b->texture, 0.0f) / own;
             return rise * rise * rise * rise * rise * fall * fall * fall > 1.0f;
         };
-        const float aside = std::max(offset(fine, 0), offset(0, fine));
         for (const auto& [dy, dx] : {std::pair{fine, Index{0}}, {-fine, Index{0}}, {Index{0}, fine}, {Index{0}, -fine}}) {
-            // Beside light so strong the energy of a plain area is what the filters and the window spread of it.
-            const FocalPlace* const strong = at(2 * reach / fine * dy, 2 * reach / fine * dx);
-            if (strong && strong->texture > spread * std::max(here.texture, 0.0f)) {
-                return std::numeric_limits<float>::infinity();
-            }
-            if (aside < rarely_aside || !borrowed(at(dy, dx), &here, at(-dy, -dx))) {
+            if (!towards(at(dy, dx), &here, at(-dy, -dx))) {
                 continue;
             }
             bool flat = true;
@@ -541,39 +620,15 @@ class FocalStream {
                     flat = 2 * away > flat_reach;
                     break;
                 }
-                flat = !known(beyond) || borrowed(at(y0 + dy, x0 + dx), beyond, at(y0 - dy, x0 - dx));
+                flat = !known(beyond) || towards(at(y0 + dy, x0 + dx), beyond, at(y0 - dy, x0 - dx));
             }
             if (flat) {
-                return std::numeric_limits<float>::infinity();
+                return true;
             }
         }
-        const auto part = [](float x, float least, float most) { return std::clamp((x - least) / (most - least), 0.0f, 1.0f); };
-        const float mixed = part(here.misfit, least_mixed, surely_mixed), beside = part(aside, least_aside, surely_aside);
-        const float bend_share = std::max(mixed * mixed_share, beside * beside_share);
-        constexpr Index ways[4][2] = {{0, 1}, {1, 0}, {1, 1}, {1, -1}};
-        float slope = 0.0f, bent = 0.0f;
-        for (std::size_t way = 0; way < (bend_share > 0.0f ? 4 : 2); ++way) {
-            for (Index away = reach; away <= (mixed > 0.0f || beside == 1.0f ? 2 : 1) * reach; away += reach) {
-                const Index dy = ways[way][0] * away, dx = ways[way][1] * away;
-                const FocalPlace *const a = at(-dy, -dx), *const b = at(dy, dx);
-                float noise = here.error * here.error, bend = 0.0f;
-                if (known(a) && known(b)) {
-                    const float change = 0.5f * (b->position - a->position);
-                    const float theirs = a->error * a->error + b->error * b->error;
-                    slope += way < 2 && away == reach ? std::max(0.0f, change * change - 0.25f * theirs) : 0.0f;
-                    bend = a->position + b->position - 2.0f * here.position;
-                    noise = theirs + 4.0f * noise;
-                } else if (known(a) || known(b)) {
-                    const FocalPlace& one = known(a) ? *a : *b;
-                    bend = one.position - here.position;
-                    noise += one.error * one.error;
-                }
-                bent = std::max(bent, bend * bend - 4.0f * noise);
-            }
-        }
-        return slope_share * slope + bend_share * bent;
+        return false;
     }
-    using Index = std::ptrdiff_t;
+    static constexpr Index ways[4][2] = {{0, 1}, {1, 0}, {1, 1}, {1, -1}};
     static constexpr float slope_share = 0.06f, mixed_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
     static constexpr float beside_share = 0.25f, rarely_aside = 0.3f, least_aside = 0.5f, surely_aside = 0.7f, falling = 4.5f;
     static constexpr float rarely_alone = 0.25f;
@@ -704,9 +759,9 @@ class FocalStream {
     FocalPlan plan_;
     FocalReader reader_;
     FocalSums summing_;
-    std::size_t down_, across_, pitch_, each_ = 0, products_ = 0, rows_ = 0, row_ = 0, kept_ = 0;
+    std::size_t down_, across_, pitch_, each_ = 0, products_ = 0, rows_ = 0, row_ = 0, kept_ = 0, margin_ = 0, map_pitch_ = 0;
     std::unique_ptr<FocalSearch> search_;
-    Floats images_;
+    Floats images_, maps_;
     std::vector<FocalPlace> places_;
     std::vector<float> filled_, wider_, columns_;
     std::vector<Level> levels_;

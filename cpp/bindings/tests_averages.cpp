@@ -131,6 +131,19 @@ double rim_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscur
         });
 }
 
+// Of each pixel of a RimTable, where fields near it are interpolated from, after its first angle: least and largest place; and the
+// number of angles before the ring's first and after its last.
+Named rim_starts(std::size_t box, std::size_t reach, double step, double error, double slope, In<double, 2> strips) {
+    const lommel::RimTable table({step, box, reach, 0.3, 8, error, bindings::strips_of(strips), slope});
+    std::vector<std::int64_t> least, largest;
+    for (const lommel::RimPixels& each : table.pixels) {
+        const auto [low, high] = std::minmax_element(&table.starts[each.turn], &table.starts[each.turn] + each.turns);
+        least.push_back(*low);
+        largest.push_back(*high);
+    }
+    return named("least"_a = least, "largest"_a = largest, "taps"_a = table.field_taps, "margin"_a = table.margin);
+}
+
 }  // namespace
 
 void bindings::define_average_tests(nb::module_& m) {
@@ -145,6 +158,8 @@ void bindings::define_average_tests(nb::module_& m) {
     m.def("rim_remainders", &rim_remainders, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a, "height"_a,
           "width"_a, "step"_a, "threads"_a, "remainders"_a.noconvert(), "axes"_a.noconvert(),
           "Of each pupil what the rim leaves of the field at v = 1, its mean over the disk, and the pixel of the axis.");
+    m.def("rim_starts", &rim_starts, "box"_a, "reach"_a, "step"_a, "error"_a, "slope"_a, "strips"_a,
+          "Places from which fields near pixels are interpolated around a ring, and how far a ring goes on.");
     m.def("rim_averages", &rim_averages, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a, "step"_a, "error"_a,
           "threads"_a, "remainders"_a, "near"_a, "places"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
           "Averages over pixels outside boxes around the axes from the rims of pupils, and the given ones within; of each what "

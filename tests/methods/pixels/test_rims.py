@@ -308,3 +308,12 @@ def test_five_hundred_pupils_are_within_their_bounds(waves):
             assert wrong <= off[i] + 1e-13
             worst = max(worst, wrong / off[i])
     assert worst > 0.01 or waves > 0.3  # of large phases sums of moduli tell little
+
+
+def test_fields_near_pixels_start_at_angles_before_the_first_with_a_weight():
+    """Stored as numbers without a sign, these places were beyond the ring."""
+    wide = np.array([[1.0, 0.0, -0.25, 0.25, 0.0, 1.0, 1.0, 0.0, 0.3]])
+    found = _core_tests.rim_starts(box=7, reach=8, step=6.0, error=1e-7, slope=16.0, strips=wide)
+    least, largest = np.array(found["least"]), np.array(found["largest"])
+    assert -found["margin"] <= least.min() < 0
+    assert largest.max() + found["taps"] <= found["margin"]

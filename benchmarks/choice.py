@@ -1,10 +1,13 @@
-"""What the method that is chosen costs over the better one, on random questions about round pupils.
+"""What the method that is chosen costs over the better one, on random questions about round pupils, or apertures.
 
     python benchmarks/choice.py [--first 0] [--count 300] [--averages] [--write tests/methods/choice.csv "Zen 5"]
+    python benchmarks/choice.py --apertures [--first 0] [--count 250]
 
 Each question is asked by a prepared computation, on one thread, of the chordal rule, of the series, and of what is
-chosen, in turn. Prints quantiles of the processor time of the last over that of the better one, and the worst
-questions, with vectors of 512 and of 256 bits where the processor has both. With `--write` the times of both methods
+chosen, in turn; behind other apertures of NonuniformFFT instead of the series, by each of its ways: samples by the
+moment rule or from rows, or nodes of the window. Prints quantiles of the processor time of
+what is chosen over that of the best, and the worst questions, with vectors of 512 and of 256 bits where the processor
+has both. With `--write` the times of both methods
 are written, in microseconds, beside those of other processors than the one of that name: the tests hold the choice to
 them.
 """
@@ -23,10 +26,11 @@ import numpy as np
 import lommel as lm
 from lommel import _core
 from lommel.core.answers import Declined
+from lommel.methods import nonuniform_fft
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "shared"))
 
-from disk_questions import DiskQuestion, disk_question
+from disk_questions import DiskQuestion, aperture_question, disk_question
 
 _ENOUGH = 0.04  # seconds of calls
 _SHORT = 2e-3  # seconds of a call that what others left in caches makes longer,
@@ -37,9 +41,24 @@ _FEWEST, _MOST = 3, 50  # calls
 Call = Callable[[], object]
 
 
-def prepared(question: DiskQuestion, method: lm.methods.Method | None) -> Call | None:
-    """Return what asks the question on one thread; None where the method refuses."""
+class _NoRows(nonuniform_fft._Times):
+    def transforms(self, height: float, width: float) -> float:
+        return math.inf
+
+
+# Ways of NonuniformFFT, and what of it makes the choice.
+_WAYS: dict[str | None, dict[str, object]] = {
+    None: {name: getattr(nonuniform_fft, name) for name in ("_Times", "_nodes_are_faster", "moment_rule_is_faster")},
+    "nodes": {"_nodes_are_faster": lambda *_: True},
+    "moments": {"_nodes_are_faster": lambda *_: False, "_Times": _NoRows},
+    "rows": {"_nodes_are_faster": lambda *_: False, "moment_rule_is_faster": lambda *_: False},
+}
+
+
+def prepared(question: DiskQuestion, method: lm.methods.Method | None, way: str | None = None) -> Call | None:
+    """Return what asks the question on one thread, by this way of NonuniformFFT; None where the method refuses."""
     pupil, grid, tol = question
+    forced = _WAYS[None] | _WAYS[way]
     named = None if method is None else method.with_tol(tol)
     plan = lm.Plan(
         grid.shape,
@@ -51,11 +70,16 @@ def prepared(question: DiskQuestion, method: lm.methods.Method | None) -> Call |
         normalize="strehl",
         threads=1,
     )
-    try:
+
+    def ask() -> None:
+        vars(nonuniform_fft).update(forced)
         plan(pupil)
+
+    try:
+        ask()
     except (lm.ToleranceError, Declined):
         return None
-    return lambda: plan(pupil)
+    return ask
 
 
 def seconds(calls: Sequence[Call | None]) -> list[float]:
@@ -97,17 +121,43 @@ def asked(first: int, count: int, *, averages: bool) -> list[tuple[float, float,
     return found
 
 
+def asked_of_apertures(first: int, count: int) -> None:
+    """Ask about apertures of telescopes, and print how long what is chosen takes over the best way."""
+    found = []
+    for index in range(first, first + count):
+        kind, question = aperture_question(index)
+        calls = {"chosen": prepared(question, None)}
+        if kind in ("annulus", "vanes", "three vanes", "vlt"):
+            calls["chords"] = prepared(question, lm.methods.ChordalGauss())
+        if kind == "annulus":
+            calls["series"] = prepared(question, lm.methods.NijboerZernike())
+        else:
+            calls |= {way: prepared(question, lm.methods.NonuniformFFT(), way) for way in list(_WAYS)[1:]}
+        times = dict(zip(calls, seconds(list(calls.values())), strict=True))
+        found.append((times["chosen"] / min(times.values()), index, kind, question, times))
+    vars(nonuniform_fft).update(_WAYS[None])
+    ratios = np.array([ratio for ratio, *_ in found])
+    print(f"{_core.instructions()}, {len(found)} questions; at most 1.5 times the best: {np.mean(ratios <= 1.5):.1%}")
+    print("mean, 95 %, 97 %, largest:", *np.round([ratios.mean(), *np.quantile(ratios, [0.95, 0.97, 1.0])], 2))
+    for ratio, index, kind, question, times in sorted(found, key=lambda one: -one[0])[:10]:
+        print(f"{ratio:6.2f}  {index}, {kind}: {question};", *(f"{w} {1e3 * t:.3g} ms" for w, t in times.items()))
+
+
 def main() -> None:
     """Ask with the vectors of each width that the processor has."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=300)
     parser.add_argument("--averages", action="store_true")
+    parser.add_argument("--apertures", action="store_true", help="of telescopes")
     parser.add_argument("--write", nargs=2, metavar=("FILE", "PROCESSOR"))
     options = parser.parse_args()
     widest, rows = _core.instructions(), []
     for level in [widest] if widest != "avx512" else ["avx512", "avx2"]:
         _core.limit_instructions(level)
+        if options.apertures:
+            asked_of_apertures(options.first, options.count)
+            continue
         found = asked(options.first, options.count, averages=options.averages)
         rows += [f"{level},{index},{1e6 * chords:.1f},{1e6 * series:.1f}" for chords, series, _, index in found]
     if options.write:

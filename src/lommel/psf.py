@@ -122,8 +122,8 @@ def psf(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the method does not support the pupil, if `tol` is given for a method
-        without an error bound, if the result would exceed 2^31 values, or if float32 is requested with a tolerance
+        If an argument is out of range, if the method does not support the pupil, or pupil and window take more than
+        its limits (leave `method` out, or follow the message), if `tol` is given for a method without an error bound, if the result would exceed 2^31 values, or if float32 is requested with a tolerance
         below 2.4e-7, which rounding to float32 would exceed.
     ToleranceError
         If the method cannot meet its tolerance.
@@ -236,9 +236,9 @@ class Plan:
             values = np.empty(shape, self.dtype) if out is None else out
             try:
                 result = shortcut(pupil, values)
-            except (Declined, ToleranceError):
+            except (Declined, ToleranceError) as fault:
                 if len(candidates) == 1:
-                    raise
+                    raise fault.advised() if isinstance(fault, Declined) else fault from None
                 prepared = prepared._replace(methods=candidates[1:])  # try the next method
         if result is None:
             return self._compute(prepared, pupil, names, out)

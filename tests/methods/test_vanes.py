@@ -12,8 +12,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from disk_questions import aperture
+from lommel.core.answers import Declined, Wanted
 from lommel.methods import ChordalGauss, NonuniformFFT
 from lommel.methods.choice import candidates
+from lommel.methods.chordal_gauss import ChordalIfCheaper
 from lommel.optics.grid import Grid
 from lommel.special.legendre import gauss_legendre
 
@@ -238,10 +241,12 @@ def test_averages_of_one_and_of_many_pupils_are_the_same(pixel: float) -> None:
     assert float(one.error_bound) <= 1e-6
 
 
-@pytest.mark.parametrize(("seed", "gaussian", "tol"), [(3, 0.0, 1e-4), (7, 0.0, 1e-5), (5, 0.6, 3e-4)])
-def test_averages_far_from_the_axis_keep_their_bounds(seed: int, gaussian: float, tol: float) -> None:
+@pytest.mark.parametrize(
+    ("seed", "gaussian", "tol", "count"), [(3, 0.0, 1e-4, 32), (7, 0.0, 1e-5, 88), (5, 0.6, 3e-4, 18)]
+)
+def test_averages_far_from_the_axis_keep_their_bounds(seed: int, gaussian: float, tol: float, count: int) -> None:
     # The window is too wide for nodes of all pixels: those far from the axis follow from rims and strips.
-    pixel, side, count = 5.5, 27, 18
+    pixel, side = 5.5, 27
     pupil = dataclasses.replace(vaned(seed, stack=count, tilt=1.0), apodization=gaussian)
     image = lm.psf(pupil, side, pixel, integrate=True, method=ChordalGauss(tol), dtype="f8", threads=1)
     assert np.all(np.asarray(image.error_bound) <= tol)
@@ -358,10 +363,46 @@ def test_sums_over_rows_compute_what_strips_do_not() -> None:
     near, far = (lm.psf(each, pixel=0.5, shape=9, tol=1e-5) for each in (pupil, meeting))
     assert isinstance(near.method, ChordalGauss)
     assert isinstance(far.method, NonuniformFFT)
-    assert [type(method) for method in candidates(pupil, Grid(9, 0.5))] == [ChordalGauss, NonuniformFFT]
+    assert [type(one.reported) for one in candidates(pupil, Grid(9, 0.5))] == [ChordalGauss, NonuniformFFT]
     # Wide vanes and a large window take more lines than strips have.
     many = lm.Pupil(obscuration=0.5, spider=lm.Spider.equal(3, width=0.3))
     assert isinstance(lm.psf(many, pixel=4.0, shape=33, tol=1e-8, dtype="f8").method, NonuniformFFT)
+
+
+@pytest.mark.parametrize(("kind", "pixel", "tol", "declines"), [
+    ("three vanes", 2.0, 1e-4, True), ("three vanes", 2.0, 1e-5, True), ("three vanes", 1.0, 1e-5, False),
+    ("vanes", 1.5, 1e-4, False), ("vanes", 4.5, 1e-5, True), ("vlt", 3.0, 1e-5, True),
+])  # fmt: skip
+def test_averages_in_wide_windows_behind_wide_vanes_are_by_nodes_of_the_aperture(
+    kind: str, pixel: float, tol: float, declines: bool
+) -> None:
+    """Where strips take longer, as benchmarks/choice.py measures; where they do not, they are computed."""
+    pupil = aperture(kind, lm.Wavefront.zernike({(3, 1): np.linspace(0.1, 0.3, 5)}))
+    wanted, grid = Wanted(dtype=np.float32, threads=1), Grid(33 if declines else 17, pixel, integrate=True)
+    if declines:
+        with pytest.raises(Declined, match="nodes of the aperture"):
+            ChordalIfCheaper(tol).images(pupil, grid, wanted)
+    else:
+        assert ChordalIfCheaper(tol).images(pupil, grid, wanted).error.max() <= tol
+
+
+def test_averages_by_a_method_that_is_named_are_computed_also_where_another_is_faster() -> None:
+    pupil = lm.Pupil(
+        lm.Wavefront.zernike({(3, 1): np.linspace(0.1, 0.3, 5)}), spider=lm.Spider.equal(3, 0.04)
+    )  # of vanes that meet at the axis
+    options: dict[str, Any] = {"shape": 7, "pixel": 1.0, "integrate": True, "normalize": "strehl"}
+    named = lm.psf(pupil, method="chordal-gauss", tol=1e-6, **options)
+    other = lm.psf(pupil, tol=1e-9, dtype="f8", **options)
+    assert isinstance(other.method, NonuniformFFT)
+    assert np.abs(np.asarray(named) - np.asarray(other)).max() <= 2e-6
+
+
+def test_a_named_method_without_an_answer_says_what_to_do() -> None:
+    wide = lm.Pupil(obscuration=0.5, spider=lm.Spider.equal(3, width=0.3))
+    with pytest.raises(ValueError, match=r"lines across a strip; .*leave method out"):
+        lm.psf(wide, 33, 4.0, method=ChordalGauss(1e-8))
+    with pytest.raises(ValueError, match=r"lines across a strip; .*leave method out"):
+        lm.Plan(33, 4.0, method=ChordalGauss(1e-8))(wide)
 
 
 def test_a_stack_on_disk_behind_vanes_has_the_images_of_psf(tmp_path: Path) -> None:

@@ -14,7 +14,15 @@ DType = np.dtype[Any]  # type of the values of an image
 
 
 class Declined(ValueError):  # noqa: N818 (not an error: another method is tried)
-    """Exception for a pupil or window outside the range of a method; the compiled core raises it too."""
+    """Exception for a pupil or window outside the range of a method; the compiled core raises it too.
+
+    Where a method is named, users get it, as a ValueError whose message says what to do: :meth:`advised`.
+    """
+
+    def advised(self) -> "Declined":
+        """Return the exception for a method that is named: another one may compute the images."""
+        told = "leave method out" in str(self)
+        return self if told else Declined(f"{self}; leave method out for a method without this limit")
 
 
 Pixels = Values  # values of images as they are stored, float32 or float64

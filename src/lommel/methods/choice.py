@@ -46,10 +46,10 @@ def _disk_methods() -> tuple[Callable[[float], Method], ...]:
 
 
 def _cut_methods() -> tuple[Callable[[float], Method], ...]:
-    from lommel.methods.chordal_gauss import ChordalGauss
+    from lommel.methods.chordal_gauss import ChordalIfCheaper
     from lommel.methods.nonuniform_fft import NonuniformFFT
 
-    return ChordalGauss, NonuniformFFT
+    return ChordalIfCheaper, NonuniformFFT
 
 
 def _general_methods() -> tuple[Callable[[float], Method], ...]:
@@ -97,7 +97,7 @@ RULES = (
         "two matrix products; or FFTs on circles, and interpolation for an eighth of the pixels",
     ),
     Rule(
-        "annular, behind straight vanes",
+        "annular, behind straight vanes, by whichever is likely to take less time",
         lambda pupil, _: getattr(pupil, "strips", None) is not None,
         _cut_methods,
         "two matrix products, and a filter along the vanes",
@@ -193,7 +193,7 @@ def fixed_order(methods: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tu
     if pupil.layered:
         return methods[-1:]
     if not pupil.circular:
-        return methods
+        return tuple(method.reported for method in methods)
     from lommel.core.engine import disk_costs
     from lommel.methods.averaging import samples_across
     from lommel.methods.nijboer_zernike import disk_stack, window_of

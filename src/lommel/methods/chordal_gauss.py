@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar
@@ -80,7 +81,8 @@ class ChordalGauss(Method[Pupil]):
             return None
         shape, dtype = pupil.shape + grid.shape, np.dtype(wanted.dtype)
         aperture, window = disk_stack(pupil)[2:], window_of(pupil, grid)
-        compute = chordal_plan(*aperture, window, self.tol, wanted, if_cheaper=self._if_cheaper)
+        weighed = self._if_cheaper and pupil.circular  # there is no series behind vanes
+        compute = chordal_plan(*aperture, window, self.tol, wanted, if_cheaper=weighed)
 
         def shortcut(new_pupil: Pupil, values: Pixels) -> tuple[Array, float] | None:
             wavefront, flags = new_pupil.wavefront, values.flags
@@ -101,25 +103,31 @@ class ChordalGauss(Method[Pupil]):
 
         def point_samples(part: Pupil, pixels: Grid, tol: float, wanted: Wanted) -> Samples:
             stack, window = disk_stack(part), window_of(part, pixels)
-            return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper)
+            return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper and pupil.circular)
 
-        if grid.integrate:
-            stack, window = disk_stack(pupil), window_of(pupil, grid)
-            if stack.strips[:, 7].any() and (len(stack.edge) > _FEW or wanted.terms):
-                raise Declined("averages behind vanes without an obscuration are filtered samples")
-            if not pupil.circular and len(stack.edge) <= _FEW and not wanted.terms:
-                # One image at a time, vanes take a fraction of the time at equally spaced pixels.
-                from lommel.methods.averaging import averaged_images
-
-                return averaged_images(point_samples, pupil, grid, self.tol, wanted)
+        if grid.integrate and not (not pupil.circular and self._filters(pupil, grid, wanted)):
             # If faster, averages are computed as sums over nodes that all pixels of the window share: certificate,
             # section 10, "Nodes of a window".
-            averages = disk_averages(stack, window, self.tol, wanted, if_cheaper=self._if_cheaper)
+            averages = disk_averages(
+                disk_stack(pupil), window_of(pupil, grid), self.tol, wanted, if_cheaper=self._if_cheaper
+            )
             if averages is not None:
                 return averages
-            if not pupil.circular:
-                raise Declined("no nodes of the window suit averages behind vanes; NonuniformFFT filters samples")
+        if not pupil.circular:
+            from lommel.methods.averaging import averaged_images
+
+            return averaged_images(point_samples, pupil, grid, self.tol, wanted)
         return disk_images(point_samples, pupil, grid, self.tol, wanted)
+
+    def _filters(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> bool:
+        """Return whether averages behind vanes are filtered samples."""
+        assert pupil.strips is not None
+        count, split = math.prod(pupil.shape), bool(pupil.strips[1][:, 7].any())
+        if split and self._if_cheaper and (count > _FEW or wanted.terms):
+            raise Declined("nodes of the aperture are likely to take less time than filters")
+        # Up to a vector of pupils take the time of one at nodes, which are half as many as samples.
+        nodes = _NODES_PER_V * grid.step(pupil) * max(grid.shape)
+        return split or (not wanted.terms and count <= _FEW and nodes > _NODES_PER_PUPIL * count - _FEWEST_NODES)
 
     def gradient(self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...]) -> Array:
         """Return derivatives of weighted sums of the values by the coefficients of Zernike terms, shape ``(n, k)``.
@@ -154,19 +162,23 @@ class ChordalGauss(Method[Pupil]):
         return averaged_gradient(gradient_of_samples, pupil, grid, self.tol, weights)
 
 
-_FEW = 4  # largest number of pupils behind vanes whose averages are filtered samples
+_FEW = 4  # largest number of pupils behind vanes whose averages may be filtered samples
+_NODES_PER_V = 0.64  # nodes of a window per v, approximately
+_NODES_PER_PUPIL, _FEWEST_NODES = (
+    80.0,
+    60.0,
+)  # filters are faster from this number of nodes per pupil, less the second
 _MAX_SAMPLED_V = 90.0  # largest estimated v at which far pixels start; beyond it NijboerZernike is faster
 
 
 class ChordalIfCheaper(ChordalGauss):
-    """ChordalGauss that raises Declined if :class:`NijboerZernike` is estimated to be faster."""
+    """ChordalGauss that raises Declined if NijboerZernike or, behind vanes, NonuniformFFT is likely to be faster."""
 
-    cut_aperture = False
     _if_cheaper = True
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Samples:
         """Return the images of the flattened stack; see :meth:`lommel.methods.Method.images`."""
-        if grid.integrate and not wanted.terms:
+        if grid.integrate and not wanted.terms and pupil.circular:
             from lommel.methods.averaging import estimate_far_start
 
             # NijboerZernike has a closed form of averages far from the axis, and needs samples near the axis only.

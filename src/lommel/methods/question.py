@@ -67,7 +67,7 @@ class Prepared(NamedTuple):
             method, images = first_within_tolerance(self.methods, images_by)
         except Declined as declined:
             if self.is_named:
-                raise
+                raise declined.advised() from None
             raise Declined(f"{declined}{instead(pupil, self.grid)}") from None
         return method.reported, images, []
 

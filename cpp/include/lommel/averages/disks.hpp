@@ -21,7 +21,8 @@ namespace lommel {
 
 class DiskAverages {
    public:
-    // `if_cheaper`: throw LimitExceeded if the Zernike series that the caller has is estimated to be faster.
+    // `if_cheaper`: throw LimitExceeded if the Zernike series that the caller has is estimated to be faster or, behind strips, nodes
+    // of the aperture.
     DiskAverages(const DiskPupils& pupils, const AverageRequest& asked, bool if_cheaper)
         : pupils_(pupils), asked_(asked), if_cheaper_(if_cheaper), all_(pupils.count) {
         std::iota(all_.begin(), all_.end(), std::size_t{0});
@@ -35,7 +36,13 @@ class DiskAverages {
             variance = std::max(variance, phase_variance(pupils_.terms, pupils_.edge + p * pupils_.terms.size()));
         }
         light_ = {1.0 / (1.0 + variance), pupils_.amplitude.raised(2.0).integral(pupils_.obscuration)};
-        return (asked_.factors.empty() && from_rims(answer)) || at_nodes(all_, asked_, centers_of(all_), true, answer);
+        if (asked_.factors.empty() && from_rims(answer)) {
+            return true;
+        }
+        if (if_cheaper_ && asked_.factors.empty() && of_strips() > (asked_.tol > in_single ? 0.45 : 1.0) * most_behind) {
+            throw LimitExceeded("nodes of the aperture are likely to take less time than strips");
+        }
+        return at_nodes(all_, asked_, centers_of(all_), true, answer);
     }
 
    protected:
@@ -54,8 +61,21 @@ class DiskAverages {
     static constexpr double power = 4.0;  // errors fall at least with this power of the side of a box
     static constexpr double worth = 0.9;  // error aimed at with a larger box, as a fraction of the tolerance
     static constexpr double least_behind = 3e-6;  // smallest tolerance at which strips' averages are computed from rims
+    // Largest of_strips() for which strips take less time than nodes of the aperture, whose sums are in single precision, and take
+    // half the time, at tolerances above in_single.
+    static constexpr double most_behind = 1800.0, in_single = 3e-5;
     static constexpr double farthest = 16.0;  // largest ratio of error to tolerance assumed in choosing the next box
 
+    // Samples along the window, times about the lines across strips; those on one side of the axis take twice the time.
+    double of_strips() const {
+        const double pixels = static_cast<double>(std::max(asked_.height, asked_.width)),
+                     reach = asked_.step * pixels / std::sqrt(2.0);
+        double lines = 0.0;
+        for (const Strip& strip : pupils_.strips) {
+            lines += (strip.mirrored ? 2.0 : 1.0) * (strip.both() ? 1.0 : 2.0) * (1.0 + 0.6 * reach * strip.half());
+        }
+        return RimBoxes::nodes(asked_.step, pixels) * lines;
+    }
     bool from_rims(const AverageAnswer& answer) {
         const double room = asked_.before_storing();
         const DiskStack stack = moved(all_);

@@ -85,8 +85,9 @@ class ChordalRenderer {
     void run();
 
     // Render if the estimated time is less than a Zernike series takes (docs/certificate.md, section 7); else throw LimitExceeded.
+    // Behind strips there is no series.
     void run_if_cheaper() {
-        weighed_ = true;
+        weighed_ = !has_strips();
         run();
     }
     // Estimated times in ns of this method and of a Zernike series; no images are computed.

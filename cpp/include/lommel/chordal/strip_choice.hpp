@@ -80,7 +80,8 @@ struct StripChoice {
    private:
     static void refuse_if(bool too_many, const char* what) {
         if (too_many) {
-            throw LimitExceeded(std::string("phases, windows and strips this large take too many ") + what);
+            throw LimitExceeded(std::string("phases, windows and vanes this large take too many ") + what +
+                                "; smaller ones fit");
         }
     }
 };

@@ -24,6 +24,8 @@ class RimBoxes {
     std::vector<std::int64_t> most;  // [pupil]: largest allowed side of its box; 0: none
     std::vector<double> remainders, tolerances;  // [pupil]: results of RimStack::remainders(); allowed errors of averages
 
+    // Estimated number of nodes along `pixels` pixels.
+    static double nodes(double step, double pixels) { return 0.6366 * step * pixels + 9.0; }
     // `tol`: tolerance relative to the largest average. `lowest`: lower bound on (largest average) / (peak).
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest)
         : stack_(stack), height_(static_cast<std::int64_t>(window.height)), width_(static_cast<std::int64_t>(window.width)),
@@ -64,6 +66,9 @@ class RimBoxes {
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     // The same for the spike of a strip in a window with sides of `spiked` pixels; pupils fill vectors of `vector` lanes.
     static constexpr double spike = 2000.0, spiked = 33.0, vector = 16.0;
+    // The same for tables that fields behind strips take, over the pixel pitch: in such a window at the tolerance `coarse`, and of
+    // eight stacks, as seldom more share them.
+    static constexpr double tables = 1.2e5, coarse = 1e-4;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in lambda / (2 pi NA)
@@ -105,18 +110,23 @@ class RimBoxes {
         }
         return 0;
     }
-    double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
+    double nodes(std::int64_t pixels) const { return nodes(step_, static_cast<double>(pixels)); }
     // Estimated time per pupil; unit: the time of one sample, at a node along x and a node along y. whole(): if all pixels are
-    // computed from samples; with_box(): if only those in a box are, and the pixels outside from the rim of the aperture.
-    double whole() const { return nodes(height_) * nodes(width_); }
+    // computed from samples; with_box(): if only those in a box are, and the pixels outside from the rim of the aperture. Behind
+    // strips, fewer pupils than lanes take as long as a vector of them.
+    double filling() const { return stack_.strips.empty() ? 1.0 : std::max(1.0, vector / count()); }
+    double whole() const { return filling() * nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
-        double spikes = 0.0;
+        double spikes = 0.0, once = call;
         for (const Strip& strip : stack_.strips) {
             spikes += strip.intervals();
         }
-        spikes *=
-            spike * std::max(1.0, vector / count()) * std::min(1.0, static_cast<double>(std::max(height_, width_)) / spiked);
-        return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + spikes + call / count();
+        const double wide = static_cast<double>(std::max(height_, width_)) / spiked;
+        if (!stack_.strips.empty()) {
+            once += tables * step_ * std::sqrt(coarse / tol_) * wide * wide;
+        }
+        return filling() * (nodes(side) * nodes(side) + spike * spikes * std::min(1.0, wide)) +
+               (stack_.obscuration > 0.0 ? rims : rim) + once / count();
     }
     // Compute `sides` and `remainders` of the pupils `which`; returns whether boxes take at most `worth` of the time without boxes.
     bool pay(const std::vector<std::size_t>& which, int threads) {

@@ -171,13 +171,15 @@ class BlurSpectrum:
         return np.asarray(np.maximum(means, 1e-3) / np.maximum(sums, 1e-3))
 
     @staticmethod
-    def of_parts(parts: Sequence[BlurSpectrum], curves: Array) -> tuple[Array, Array]:
+    def of_parts(parts: Sequence[BlurSpectrum], curves: Array, every: int = 1) -> tuple[Array, Array]:
         """Return the log-likelihood of blurs in each part of a spectrum, and the dispersion of the best of each.
 
-        Parts have textures of their own. The log-likelihood is not divided by the dispersion.
+        Parts have textures of their own; `every` is the stride of their exponents. The log-likelihood is not divided
+        by the dispersion.
         """
-        expected = _expected(curves, _FEW_SLOPES, parts[0]._spread)
-        fits = [_Fit.of(part._power[0], part._counts, expected[..., part._known], _FEW_SLOPES, 1.0) for part in parts]
+        slopes = _FEW_SLOPES[::every]
+        expected = _expected(curves, slopes, parts[0]._spread)
+        fits = [_Fit.of(part._power[0], part._counts, expected[..., part._known], slopes, 1.0) for part in parts]
         return np.array([-f.cost for f in fits]), np.array([f.dispersion[f.cost.argmin()] for f in fits])
 
     @classmethod

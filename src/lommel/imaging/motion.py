@@ -29,6 +29,7 @@ _SOFT_MOVED = 5  # widths of scenes behind motion
 _MOST_MORE = 3.0  # pixels: largest width along one direction beyond that across it
 # Frequencies, cycles per pixel, between which power is compared, and ln of its ratio that motion exceeds.
 _BANDS, _DIRECTED = (0.12, 0.18, 0.26), 2.0
+_SEARCHED = 40.0  # gain in log-likelihood by few sectors from which motion is searched
 _POINTS = 4096  # along a motion, of its PSF
 # Gains in log-likelihood, over soft scenes and over blurs, from which a photograph was moved; that over blurs from
 # which no other blur is known.
@@ -83,6 +84,10 @@ def likely_motion(curves: Array, plane: Array, variance: Array) -> Motion | None
     powers = np.log([sector.mean_powers(_BANDS) for sector in sectors])
     if not np.ptp(powers, axis=0).max() > _DIRECTED:
         return None
+    # A search by few sectors, lengths and exponents takes little time.
+    still = BlurSpectrum.of_parts(sectors, curves, 3)[0].sum(axis=0).max()
+    if not _turned(sectors, _lengths(plane)[::2], 3).max() > still + _SEARCHED:
+        return None
     motion = likeliest_motion(curves, plane, variance)
     return motion if motion.likely else None
 
@@ -97,12 +102,7 @@ def likeliest_motion(curves: Array, plane: Array, variance: Array) -> Motion:
     shapes = np.concatenate([curves[None], curves * falls])
     others, scatter = BlurSpectrum.of_parts(sectors, shapes.reshape(-1, len(FREQUENCIES)))
     others = others.reshape(_SECTORS, len(shapes), -1)
-    lengths = _LENGTHS[: max(int(np.count_nonzero(_LARGEST * min(plane.shape) >= _LENGTHS)), 1)]
-    turns = _WIDTH * np.arange(_SECTORS // 2 + 1, dtype=np.float64)
-    of_turns, _ = BlurSpectrum.of_parts(sectors, _curves(lengths[:, None], turns))
-    k = np.arange(_SECTORS)
-    apart = np.abs((k[:, None] - k + _SECTORS // 2) % _SECTORS - _SECTORS // 2)
-    coarse = np.sum([x.reshape(-1, len(turns))[:, apart[j]] for j, x in enumerate(of_turns)], axis=0)
+    lengths, coarse = _lengths(plane), _turned(sectors, _lengths(plane))
     at, turn = np.unravel_index(int(coarse.argmax()), coarse.shape)
     length, angles = lengths[at] * _FINER, (turn + 0.5 + _TURNS) * _WIDTH
     few = falls[:_SOFT_MOVED, 0]
@@ -135,6 +135,20 @@ def likeliest_motion(curves: Array, plane: Array, variance: Array) -> Motion:
     return Motion(moved_by, turned % math.pi, *gains)
 
 
+def _lengths(plane: Array) -> Array:
+    return _LENGTHS[: max(int(np.count_nonzero(_LARGEST * min(plane.shape) >= _LENGTHS)), 1)]
+
+
+def _turned(sectors: list[BlurSpectrum], lengths: Array, every: int = 1) -> Array:
+    """Return the log-likelihood of motions along the middle of each sector, (lengths, sectors)."""
+    number = len(sectors)
+    turns = math.pi / number * np.arange(number // 2 + 1, dtype=np.float64)
+    found, _ = BlurSpectrum.of_parts(sectors, _curves(lengths[:, None], turns, math.pi / number), every)
+    k = np.arange(number)
+    apart = np.abs((k[:, None] - k + number // 2) % number - number // 2)
+    return np.asarray(np.sum([x.reshape(-1, len(turns))[:, apart[j]] for j, x in enumerate(found)], axis=0))
+
+
 def _vertex(values: Array, at: int) -> float:
     """Return how far the summit of a parabola lies from the highest of equidistant values."""
     if not 0 < at < len(values) - 1:
@@ -161,9 +175,9 @@ def _directed(likelihood: Array) -> Array:
     return np.asarray(np.take_along_axis(found, best[None, None], 0)[0])
 
 
-def _curves(length: Array, turn: Array) -> Array:
+def _curves(length: Array, turn: Array, width: float = _WIDTH) -> Array:
     """Return the rms transfer functions of motions in sectors at an angle, (lengths times turns, frequencies)."""
     means = np.mean(
-        [np.square(np.sinc((length * np.cos(turn + x * _WIDTH))[..., None] * FREQUENCIES)) for x in _INSIDE], axis=0
+        [np.square(np.sinc((length * np.cos(turn + x * width))[..., None] * FREQUENCIES)) for x in _INSIDE], axis=0
     )
     return np.asarray(np.sqrt(means).reshape(-1, len(FREQUENCIES)))

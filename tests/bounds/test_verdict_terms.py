@@ -285,6 +285,17 @@ def test_the_light_of_planes_rises_or_falls_by_a_tenth_or_not(change, noise, exp
         assert found[0].numbers["change"] == pytest.approx((-slope if reverse else slope) / mean, rel=1e-6)
 
 
+@pytest.mark.parametrize("fading", [False, True])
+def test_light_of_planes_falls_in_all_parts_of_the_field_or_crosses_its_edges(fading):
+    z, light = np.linspace(-0.5, 0.5, 9), np.full((8, 8), 100.0)
+    slopes = np.full((8, 8), -0.3)
+    if not fading:  # the same light in all, lost at one edge
+        slopes[:, 2:], slopes[:, :2] = 0.0, -1.2
+    stack = light * (1.0 + slopes * z[:, None, None])
+    found = deconvolution.plane_light_findings(stack, Noise(read=1.0), 0.0)
+    assert told(found) == ([("plane_light", "note")] if fading else [])
+
+
 @pytest.mark.parametrize(("missing", "expected"), [(0.019, []), (0.021, [("plane_light", "note")])])
 def test_light_of_planes_is_not_judged_where_bright_pixels_are_unknown_in_some(missing, expected):
     stack = np.full((9, 10, 10), 100.0)

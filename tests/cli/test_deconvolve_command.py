@@ -98,6 +98,10 @@ def test_a_stack_of_beads_is_the_psf(run, files):
     assert "the diameter of 100 nm was removed" in findings[0]["text"]
     assert "must be stated (--psf-pixel)" in run(*words, *measured).stderr
     assert "need --psf" in run(*words, "--bead", "0.1um").stderr
+    alone = [word for word in words if word != files / "lens.toml"]
+    found = run(*alone, *measured, "--psf-pixel", "0.1um", "--psf-step", "0.2um")
+    assert "the PSF was resampled" in " ".join(found.stdout.split())
+    assert "LENS is missing: give the file of the objective, or --psf" in run(*alone).stderr
 
 
 def test_json_and_zarr(run, files):

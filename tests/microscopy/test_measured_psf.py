@@ -176,3 +176,15 @@ def test_each_channel_has_its_psf():
         lm.microscopy.deconvolve(stack_of_a_point(), MEASURED, depth=1e-6, **METHOD)
     with pytest.raises(ValueError, match="direction needs an objective"):
         lm.microscopy.deconvolve(stack_of_a_point(), MEASURED, direction="down", **METHOD)
+
+
+def test_noise_of_a_measured_psf_is_not_light():
+    """Negative values that are set to 0 would leave the positive noise beside them."""
+    draw = np.random.default_rng(3)
+    y, x = np.mgrid[-20:21, -20:21]
+    spot = np.exp(-0.5 * (x**2 + y**2) / 4.0)
+    noisy = 4000.0 * spot + draw.normal(0.0, 100.0, spot.shape)
+    values = lm.PSF.measured(noisy, 1e-6).values[0]
+    inside = np.hypot(x, y) < 7.0
+    assert values[inside].sum() > 0.95
+    assert values.min() >= 0.0

@@ -59,7 +59,7 @@ class StackCamera(CameraMaps):
 @command
 def deconvolve(
     stack: Path,
-    lens: Path,
+    lens: Path | None = None,
     /,
     *,
     outputs: Annotated[tuple[Path, ...], OUTPUT],
@@ -79,10 +79,10 @@ def deconvolve(
     """Deconvolve the stack of a microscope (3-D deconvolution).
 
     STACK is an OME-TIFF, a TIFF of ImageJ or a folder of OME-Zarr, or with --axes NPY or FITS, as the camera recorded
-    it; LENS is the file of the objective. Voxel sizes, channels and wavelengths are read from STACK. The PSF depends
-    on the depth where the sample and the immersion differ. Iterations stop where the result agrees with the recording
-    within its noise; a misfit is printed, and the exit code is then 3. Held-out photons are used to test whether
-    another PSF agrees better.
+    it; LENS is the file of the objective, which a measured PSF (--psf) does not need. Voxel sizes, channels and
+    wavelengths are read from STACK. The PSF depends on the depth where the sample and the immersion differ.
+    Iterations stop where the result agrees with the recording within its noise; a misfit is printed, and the exit
+    code is then 3. Held-out photons are used to test whether another PSF agrees better.
 
     The output has the voxel sizes of the stack. A single output .ome.zarr is written chunk by chunk, for stacks
     larger than memory; after an interruption the same command resumes. Ctrl-C keeps the completed steps.
@@ -96,6 +96,7 @@ def deconvolve(
     psf
         Measured PSF instead of that of LENS: a stack of one bead or many, as the camera recorded it, or a PSF, with
         the channels of STACK. Beads are found, registered and averaged, and the mean has the voxels of STACK.
+        With LENS, too, their background and place follow from its PSF.
     psf_pixel
         Pixel in the sample of --psf, such as 0.1um; by default from its file.
     psf_step
@@ -137,13 +138,18 @@ def deconvolve(
     --------
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --depth 8um -o restored.ome.tif --plot restored.png
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --psf beads.ome.tif --bead 0.1um -o restored.ome.tif
+      lommel deconvolve stack.ome.tif --psf beads.ome.tif --bead 0.1um -o restored.ome.tif
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --gain 0.46 --read 1.6 --offset 100 -o restored.ome.zarr
     """
     for path in outputs:
         stack_files.kind_of(path, stack)
         require_folder(path)
-    require_order("STACK LENS, the stack first", stack, lens)
-    microscope = require_microscope("deconvolve", lens)
+    if lens is None and psf is None:
+        raise ValueError("LENS is missing: give the file of the objective, or --psf, a measured PSF")
+    microscope = None
+    if lens is not None:
+        require_order("STACK LENS, the stack first", stack, lens)
+        microscope = require_microscope("deconvolve", lens)
     if psf is None and (psf_pixel, psf_step, diameter) != (None, None, None):
         raise ValueError("--psf-pixel, --psf-step and --bead need --psf")
     noise = camera.noise()
@@ -180,8 +186,9 @@ def deconvolve(
             print("Interrupted: completed chunks are kept, and the same command resumes.", file=sys.stderr)
         raise
     seconds = clock.perf_counter() - start
-    facts = {"stack": str(stack), "name": microscope.name} | result.to_dict() | {"seconds": seconds}
-    return report_findings(facts, Text(microscope.name, "bold"), *described(facts)) + written([*outputs, figure])
+    name = "measured PSF" if microscope is None else microscope.name
+    facts = {"stack": str(stack), "name": name} | result.to_dict() | {"seconds": seconds}
+    return report_findings(facts, Text(name, "bold"), *described(facts)) + written([*outputs, figure])
 
 
 def _method(algorithm: str, steps: int | None, strength: float | None) -> RichardsonLucy | TotalVariation:

@@ -55,7 +55,7 @@ CODES: Mapping[str, str] = {
     "outliers": "single values are far from their neighbours",
     "pattern": "residuals have stripes, or offsets of rows or columns, as due to pick-up or readout",
     "pixel_pitch": "the pixel pitch is not that of the camera, or not that which the images state",
-    "plane_light": "the light of the planes of a stack rises or falls along z: fading, or light beyond the frame",
+    "plane_light": "the light of the planes of a stack rises or falls along z, all over the field, as by fading",
     "psf_compared": "other PSFs were compared with the PSF of the fit, and none agrees better",
     "psf_doubtful": "photons that were held out agree better with another PSF",
     "rare_chi2": "noise alone seldom causes so large a chi2",

@@ -208,7 +208,7 @@ class _Beads:
             shift = _summit(mean) if len(mean) > 1 else _centroid(mean)
         else:
             shift = _registered(mean, ideal, np.zeros(3))
-        values = np.maximum(sampled(mean, places_of(shape, shift), gain), 0.0)
+        values = _without_negatives(sampled(mean, places_of(shape, shift), gain))
         values /= values.sum()
         rim, count = 1.0 - float(values[:, 1:-1, 1:-1].sum()), int(used.sum())
         if rim > MOST_ON_RIM:
@@ -314,6 +314,18 @@ def _pass_band(mean: Array) -> tuple[Array, float]:
     # Half of the sum of the absolute values of normal noise.
     error = math.sqrt(floor * float(gain.mean()) / (2.0 * math.pi)) * mean.size
     return gain, error / float(mean.sum())
+
+
+def _without_negatives(values: Array) -> Array:
+    """Return the nearest values of the same sum without negative ones: noise that is cut off at 0 would be light.
+
+    The projection on a simplex (Held, Wolfe and Crowder 1974, doi:10.1007/BF01580223).
+    """
+    sorted_values, total = np.sort(values, axis=None)[::-1], float(values.sum())
+    if not total > 0.0:
+        return np.maximum(values, 0.0)
+    levels = (np.cumsum(sorted_values) - total) / np.arange(1, values.size + 1)
+    return np.asarray(np.maximum(values - levels[np.flatnonzero(sorted_values > levels)[-1]], 0.0))
 
 
 def _without_ball(gain: Array, voxel: tuple[float, ...], diameter: float | None) -> tuple[Array, str]:

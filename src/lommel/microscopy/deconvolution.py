@@ -553,7 +553,11 @@ def _conclude(
         )
     if isinstance(model, GivenPSF) and not model.is_contained:
         rim = f"{percent(model.rim)} on its rim"
-        text = f"not tested: light beyond the window of the PSF ({rim}): give `psf` in a wider window"
+        side = model.window[1]
+        text = (
+            f"not tested: light beyond the window of the PSF, {side} x {side} pixels ({rim}): record a larger image, "
+            "or beads farther apart"
+        )
         findings.append(Finding("untested", "note", text, {"rim": model.rim, "most": MAX_RIM}))
     if outcome.stopped == INTERRUPTED:
         findings.append(Finding("interrupted", "error", "it was interrupted: the completed steps are kept"))

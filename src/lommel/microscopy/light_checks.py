@@ -19,8 +19,10 @@ _FLOOR_PERCENTILE = 10.0  # of the means of the blocks of a region, which is the
 _MAX_FLOOR = 0.05
 
 # Least change of the light along the stack that is named: over that of the specimen, over that of all, and over its
-# standard error; and the least number of planes.
+# standard error; that over the standard error which so many parts of the field, along each side, show; and the least
+# number of planes.
 _FADING, _FADING_OF_ALL, _FADING_SIGMAS, _FADING_PLANES = 0.1, 0.01, 3.0, 5
+_FADING_PARTS, _FADING_SPREADS = 4, 4.5
 _FADING_LEFT_OUT = 0.02  # largest share of the light in pixels that are unknown in some planes
 
 
@@ -30,7 +32,8 @@ def plane_light_findings(
     """Return the finding if the light of the planes of a wide-field stack rises or falls along z, else nothing.
 
     Without absorption every plane of a wide-field stack has the same light (the missing cone of the transfer
-    function), unless the specimen fades, or light crosses the edges of the frame. A restoration fits such a stack,
+    function), unless the specimen fades, or light crosses the edges of the frame, which parts of the field tell. A
+    restoration fits such a stack,
     too: light beyond the first or last plane makes up for the difference. Values of `limit` or more are unknown;
     planes are numbered from the other end if `reverse`.
     """
@@ -51,20 +54,35 @@ def plane_light_findings(
             "are saturated or unknown in some of them"
         )
         return [Finding("plane_light", "note", text, {"left_out": left_out, "most": _FADING_LEFT_OUT})]
-    light = np.array([(plane_of(stack, k) - noise.offset)[known].mean(dtype=np.float64) for k in range(number)])
-    light -= background
+    tiles = [
+        (down[:, None], across)
+        for down in np.array_split(np.arange(known.shape[0]), _FADING_PARTS)
+        for across in np.array_split(np.arange(known.shape[1]), _FADING_PARTS)
+        if known[down[:, None], across].any()
+    ]
+    counts = np.array([known[tile].sum() for tile in tiles])
+    parts = np.empty((number, len(tiles)))
+    for k in range(number):
+        plane = np.where(known, plane_of(stack, k) - noise.offset - background, 0.0)
+        parts[k] = [plane[tile].sum(dtype=np.float64) for tile in tiles]
+    light = parts.sum(axis=1) / counts.sum()
     # A parabola has the light that leaves the frame far from focus; its slope in the middle is the change along z.
     z = np.linspace(-0.5, 0.5, number)
     terms = np.stack([np.ones(number), z, z**2 - (z**2).mean()])
     (mean, change, _), (misfit, *_), *_ = np.linalg.lstsq(terms.T, light, rcond=None)
     error = float(np.sqrt(misfit / (number - 3) / (z**2).sum()))
+    # Light that crosses edges, or leaves the focus, changes parts of the field by different amounts.
+    changes = (np.linalg.lstsq(terms.T, parts, rcond=None)[0][1] - change * counts) / counts.mean()
+    spread = float(np.sqrt(np.square(changes).sum() / max(len(tiles) - 1, 1) / len(tiles)))
     total = mean + background
-    if total <= 0.0 or abs(change) < max(_FADING * mean, _FADING_OF_ALL * total, _FADING_SIGMAS * error):
+    if total <= 0.0 or abs(change) < max(
+        _FADING * mean, _FADING_OF_ALL * total, _FADING_SIGMAS * error, _FADING_SPREADS * spread
+    ):
         return []
     share = float(-change if reverse else change) / max(mean, _FADING_OF_ALL * total)
     text = (
-        f"the light of the planes {'falls' if share < 0.0 else 'rises'} by {percent(abs(share))} along the stack: it "
-        "may cross the edges of the frame; if the specimen fades, restored light is wrong: record plane 1 again"
+        f"the light of the planes {'falls' if share < 0.0 else 'rises'} by {percent(abs(share))} along the stack, "
+        "all over the field: if the specimen fades, restored light is wrong: record plane 1 again"
     )
     return [Finding("plane_light", "note", text, {"change": share, "least": _FADING})]
 

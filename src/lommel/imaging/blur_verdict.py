@@ -24,8 +24,10 @@ _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are comp
 # Exponents of textures behind the stated blur, below which a gain of _FLAT_GAIN is a doubt, and below which the
 # restoration has more fine detail than scenes.
 _FLAT, _FLAT_GAIN, _WHITE = 1.75, 3.0, 1.25
+_WEAK_GAIN = 2.0  # gain of a wider blur from which a weak one is no doubt
 _SHARPENED = 3.0  # gain in log-likelihood from which a photograph counts as sharpened
 _MIN_GAIN = 6.0  # gain in log-likelihood from which another blur is preferred
+_NYQUIST = 0.5  # cycles per pixel
 _LOBES, _NODES = 12.0, 72  # OTFs with spherical aberration have _NODES frequencies up to _LOBES / diameter
 _TOL = 1e-4  # of these values
 _DIAMETERS = np.geomspace(0.6, 40.0, 105)  # pixels, from which an unknown blur is estimated
@@ -62,7 +64,7 @@ class BlurVerdict(NamedTuple):
     `sharpening` is the gain of an unsharp mask over these blurs. `noise` is the most likely variance of the noise
     above the stated one, by the stated blur, and `noise_gain` its gain. Of a mask and noise the less likely
     explanation has a gain of 0. `slope` is the exponent of the texture behind the stated blur. A photograph that was
-    moved has its `motion`.
+    moved has its `motion`. A `weak` blur has no zeros at the frequencies of pixels.
     """
 
     factor: float
@@ -73,6 +75,7 @@ class BlurVerdict(NamedTuple):
     noise: float
     noise_gain: float
     slope: float
+    weak: bool = False
     motion: Motion | None = None
 
     @property
@@ -84,6 +87,12 @@ class BlurVerdict(NamedTuple):
         if self.motion is not None:
             return True
         return self.gain > (_FLAT_GAIN if self.slope < _FLAT else _MIN_GAIN) and self.sharpness > 1.0
+
+    @property
+    def flat(self) -> bool:
+        """True if a weak blur leaves more fine detail than most scenes have: the photograph may be sharper."""
+        softer = self.gain > _WEAK_GAIN and self.sharpness < 1.0
+        return self.weak and self.slope <= _FLAT and not softer and not self.doubtful
 
     @property
     def implausible(self) -> bool:
@@ -142,7 +151,7 @@ def compare_blurs(
         sharpening = 0.0
     return BlurVerdict(
         float(factors[best]), float(waves[best]), gain, sharpness, sharpening, more, noise_gain, texture.slope,
-        likely_motion(curves, plane, variance),
+        bool(curves[0][FREQUENCIES < _NYQUIST].min() > 0.0), likely_motion(curves, plane, variance),
     )  # fmt: skip
 
 

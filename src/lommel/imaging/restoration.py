@@ -71,6 +71,7 @@ _MAX_CHANGE_RATIO = 4.5
 # A photograph that is deblurred as far as its noise allows does not test these.
 _UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
 _UNTESTED_BESIDES = ("noise that is stated up to 30 % too low",)  # where blurs were compared: half the variance
+_UNTESTED_WEAK = ("a blur of less than 2.5 pixels that is stated too wide",)
 # Largest accepted discrepancy of a blend, of which ringing in dark areas beside bright ones makes 25 and more.
 _MAX_RINGING = 6.0
 # Local chi-squared by which a blend must fit less well than Richardson-Lucy to be replaced by it, smallest rms width
@@ -354,7 +355,7 @@ def restore(
     after = observed.discrepancies_of(restored)
     discrepancy = observed.mean(after)
     values, clipped = encode_light(restored, encoding, image.dtype)
-    findings = _findings(stopped, share, discrepancy, 1.0 + observed.slack, verdict is not None)
+    findings = _findings(stopped, share, discrepancy, 1.0 + observed.slack, verdict)
     if estimate is not None:
         findings = _estimate_findings(estimate, lens is None, findings, o.accept, share)
     if isinstance(blur, MeasuredBlur):
@@ -456,7 +457,9 @@ def full_light(photo: Pixels, encoding: Encoding, saturation: float | None) -> f
     return float(to_light("photo", np.full((1, 3), full, dtype=photo.dtype), encoding, np.float64).min())
 
 
-def _findings(stopped: str, share: float, discrepancy: float, limit: float, blur_compared: bool) -> list[Finding]:
+def _findings(
+    stopped: str, share: float, discrepancy: float, limit: float, verdict: BlurVerdict | None
+) -> list[Finding]:
     """Return the findings on a restored photograph; `limit`: the largest discrepancy that noise explains."""
     numbers = {"discrepancy": discrepancy}
     if stopped == MISFIT:
@@ -465,7 +468,10 @@ def _findings(stopped: str, share: float, discrepancy: float, limit: float, blur
     if stopped == STEPS:
         text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more steps fit better"
         return [Finding("not_settled", "error" if discrepancy > limit else "doubt", text, numbers)]
-    findings = [untested_finding(_UNTESTED_BESIDES if blur_compared else _UNTESTED, {})]
+    untested: tuple[str, ...] = _UNTESTED
+    if verdict is not None:
+        untested = (_UNTESTED_WEAK if verdict.weak else ()) + _UNTESTED_BESIDES
+    findings = [untested_finding(untested, {})]
     if discrepancy > _MAX_RINGING:
         text = f"the result rings in dark areas (discrepancy {discrepancy:.3g}); method=RichardsonLucy() does not"
         findings = [Finding("misfit", "doubt", text, numbers), *findings]
@@ -548,6 +554,12 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
             "in: check distance, f-number and focus; accept=True restores by that blur"
         )
         return [Finding("blur_doubtful", "doubt", text, numbers)]
+    if verdict.flat:
+        text = (
+            "the stated blur has no zeros, and behind it the scene has more fine detail than most scenes (power "
+            f"f^-{verdict.slope:g}): the photograph may be sharper than stated; check distance, f-number and focus"
+        )
+        return [Finding("blur_doubtful", "doubt", text, numbers | {"slope": verdict.slope})]
     if verdict.noisier:
         text = (
             f"the photograph is noisier than stated, {verdict.noise:g} times the variance, and is restored mildly: "

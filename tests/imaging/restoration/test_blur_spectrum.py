@@ -8,7 +8,7 @@ import scipy
 from scipy.special import j1
 
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
-from lommel.imaging.blur_verdict import estimate_blur
+from lommel.imaging.blur_verdict import BlurVerdict, compare_blurs, estimate_blur
 
 
 def disc(f: np.ndarray, diameter: np.ndarray | float) -> np.ndarray:
@@ -66,3 +66,20 @@ def test_light_beyond_the_first_zero_tells_a_disc_from_a_steep_soft_scene(seed, 
     assert found.known == (blur == "disc")
     if found.known:
         assert abs(np.log(found.diameter / 6.0)) < 3.0 * found.error
+
+
+@pytest.mark.parametrize(
+    ("slope", "gain", "sharpness", "expected"),
+    [(1.75, 0.0, 1.0, True), (2.0, 0.0, 1.0, False), (1.5, 2.5, 0.9, False), (1.5, 5.0, 1.1, False)],
+)
+def test_a_weak_blur_of_a_flat_texture_is_told(slope, gain, sharpness, expected):
+    verdict = BlurVerdict(1.0, 0.0, gain, sharpness, 0.0, 1.0, 0.0, slope, weak=True)
+    assert verdict.flat == expected
+    assert not verdict._replace(weak=False).flat
+
+
+@pytest.mark.parametrize(("diameter", "weak"), [(2.0, True), (3.0, False)])
+def test_a_blur_without_zeros_at_the_frequencies_of_pixels_is_weak(diameter, weak):
+    light = np.random.default_rng(0).normal(0.5, 0.1, (48, 48))
+    curves = lambda factors: disc(FREQUENCIES, diameter * factors[:, None])  # noqa: E731
+    assert compare_blurs(curves, None, light, np.full(light.shape, 1e-4)).weak == weak

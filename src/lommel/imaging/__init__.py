@@ -7,6 +7,7 @@ from lommel.imaging.blur import DepthBlur
 from lommel.imaging.datasets import DatasetOptions, DatasetPicture, LensRanges, render_dataset
 from lommel.imaging.defocus_depth import DefocusDepth, DefocusOptions, depth_from_defocus
 from lommel.imaging.defocus_verdict import DefocusVerdict
+from lommel.imaging.edge_chart import ChartEdge, EdgeChart, sfr_chart
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.focal_calibration import CalibratedPlane, FocalCalibration, calibrate_focus
 from lommel.imaging.live import LiveDepth, LiveDepthMap, LiveDepthOptions, LiveSharpen
@@ -26,6 +27,7 @@ __all__ = [
     "Blend",
     "BlurOptions",
     "CalibratedPlane",
+    "ChartEdge",
     "DatasetOptions",
     "DatasetPicture",
     "DefocusDepth",
@@ -33,6 +35,7 @@ __all__ = [
     "DefocusVerdict",
     "DepthBlur",
     "DepthMapOptions",
+    "EdgeChart",
     "EdgeResponse",
     "Exif",
     "FieldBlur",
@@ -61,6 +64,7 @@ __all__ = [
     "read_photo",
     "render_dataset",
     "restore",
+    "sfr_chart",
     "slanted_edge",
     "traced_blur",
     "traced_noise",

@@ -129,14 +129,14 @@ def _correlations(edge: Edge, stored: Array, pitch: float, rounded: bool) -> lis
     """Return the correlations of the noise of neighbours, each with its standard error; none if there is no noise."""
     flat = edge.used & (np.abs(edge.distance) > 0.5 * edge.reach)
     residual = np.zeros_like(stored)
+    rows, d = np.linspace(-0.5, 0.5, len(stored))[:, None], edge.distance / edge.reach
     for sign in (-1.0, 1.0):
         side = flat & (sign * edge.distance > 0.0)
-        rows, d = np.nonzero(side)[0] / len(stored) - 0.5, edge.distance[side] / edge.reach
-        design = np.stack([np.ones(rows.size), d, d * d, d**3, rows, d * rows])
-        values = stored[side] - stored[side].mean() if side.any() else stored[side]
-        part = values - np.linalg.pinv(design @ design.T) @ (design @ values) @ design
-        sigma = float(part.std()) if part.size > _FEW else 0.0
-        if sigma <= (_ROUNDING if rounded else 1e-4 * float(np.ptp(stored[edge.used]))):
+        along, u, values = np.broadcast_to(rows, d.shape)[side], d[side], stored[side]
+        design = np.stack([np.ones_like(u), u, u * u, u**3, along, u * along])
+        part = values - np.linalg.solve(design @ design.T, design @ values) @ design if u.size > _FEW else u
+        sigma = float(part.std()) if u.size > _FEW else 0.0
+        if sigma <= (_ROUNDING if rounded else 1e-4 * abs(float(np.median(values)) if u.size else 1.0)):
             return []
         residual[side] = np.clip(part / sigma, -4.0, 4.0)
     found = []

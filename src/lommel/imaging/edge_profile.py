@@ -18,17 +18,20 @@ from lommel.base.arrays import Array
 
 Mask = NDArray[np.bool_]
 
-_BINS_PER_PIXEL = 32  # number of bins per pixel; a bin holds the mean position and the mean value of its samples
+_BINS_PER_PIXEL = 16  # number of bins per pixel; a bin holds the mean position and the mean value of its samples
 _MAX_GAP = 0.25  # largest distance between samples of the profile, pixels: the width of the bins of ISO 12233
 _MARGIN = 5.0  # smallest distance of the edge from the sides of the picture, pixels
 MIN_ANGLE, MAX_ANGLE = 2.0, 40.0
 """Angle between the edge and the rows or columns, degrees."""
 _MIN_CONTRAST = 5.0  # smallest step at the edge divided by the standard deviation of the noise of a pixel
 _PLATEAU = 0.5  # fraction of the profile over which its window function is 1; it falls to 0 like cos^2 at both ends
+_FEW = 24  # least number of pixels of a side
+_FAR_OFF = 8.0  # mean absolute deviations of pixels of a side that are left out of its plane
 _FAR = 0.6  # fraction of the profile beyond which pixels show the uniform sides
-_STEPS, _TERMS = 5, 4  # of the fit of the edge, and number of its Legendre polynomials
+_STEPS, _TERMS = 3, 4  # of the fit of the edge, and number of its Legendre polynomials
 SIGMA = 4.5
 """Standard errors from which a curvature, a trend of the light and other faults count."""
+_SETTLED = 0.01  # change in a step at which the fit of the edge ends, pixels
 _MIN_CURVATURE = 0.01  # smallest that is corrected, pixels
 MIN_TREND = 0.02
 """Smallest trend of the light over the picture, as a fraction, that is corrected: it changes responses by 0.007."""
@@ -82,23 +85,22 @@ class Edge(NamedTuple):
         return position, profile, counts, (dark + (bright - dark) * share) / counts
 
 
-def locate(image: Array, known: Mask) -> Edge:
-    """Return the nearly vertical edge in a picture; ValueError if there is none."""
+def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
+    """Return the nearly vertical edge in a picture, near `line` if given; ValueError if there is none."""
     height = len(image)
-    start, slope = _fit_edge(_filled(image, known))
     t = np.linspace(-1.0, 1.0, height)
-    line = np.array([start + 0.5 * slope * (height - 1), 0.5 * slope * (height - 1), *[0.0] * (_TERMS - 2)])
-    light, used = image, known
-    trend = tail = 0.0
+    is_new = line is None
+    line = _fit_edge(_filled(image, known)) if line is None else line.copy()
+    terms = legendre.legvander(t, _TERMS - 1)
+    first = 0 if is_new else _STEPS  # a stated line is near the edge
+    light, used, count, trend, tail = image, known, 2 if is_new else _TERMS, 0.0, 0.0
     distance, reach = _distances(line, image.shape)
     levels, variances = _sides(light, distance, reach, used)
-    count = 2
-    for step in range(2 * _STEPS):
+    for step in range(first, 4 * _STEPS):
         line[count:] = 0.0
         distance, reach = _distances(line, image.shape)
         if step in (1, _STEPS):
-            light, trend, tail = _evened(image, distance, reach, used)
-            levels, variances = _sides(light, distance, reach, used)
+            light, trend, tail, levels, variances = _evened(image, distance, reach, used)
         nodes, values = _smooth_profile(distance, light, used, height)
         expected = np.interp(distance, nodes, values)
         gradient = np.interp(distance, 0.5 * (nodes[1:] + nodes[:-1]), np.diff(values) / np.diff(nodes))
@@ -107,23 +109,26 @@ def locate(image: Array, known: Mask) -> Edge:
         sigma = np.sqrt(variances[0] + (variances[1] - variances[0]) * share)
         residual = light - expected
         used = known & (np.abs(residual) <= _OUTLIER * sigma + _SLOPE * np.abs(gradient) + _LEAST * size)
-        near = np.abs(distance) <= min(_width(nodes, values, levels), reach)
-        weight = np.where(used & near, gradient, 0.0)
-        basis = legendre.legvander(t, _TERMS - 1)[:, :count]
-        normal = (basis * np.square(weight).sum(axis=1)[:, None]).T @ basis
+        width = _width(nodes, values, levels)
+        near = used & (np.abs(distance) <= min(width, reach))
+        if near.sum() < _FEW or not gradient[near].any():
+            raise ValueError("image must show both sides of an edge, got too few known pixels")
+        weight = np.where(near, gradient, 0.0)
+        basis = terms[:, :count]
         # Columns move by residual / -gradient; `weight` is the gradient per pixel of distance, which is close.
-        inverse = np.linalg.pinv(normal)
-        line[:count] -= inverse @ (basis.T @ (weight * residual).sum(axis=1))
+        inverse = _inverse((basis * np.square(weight).sum(axis=1)[:, None]).T @ basis)
+        change = inverse @ (basis.T @ (weight * residual).sum(axis=1))
+        line[:count] -= change
         if step == _STEPS - 1:  # the straight edge has settled
             count = _TERMS
-        elif step == 2 * _STEPS - 3 and count == _TERMS:
+        elif step == _STEPS:
             errors = np.sqrt(np.diag(inverse) * float(np.mean(np.square(sigma[near]))))[2:]
             bent = (np.abs(line[2:]) > SIGMA * errors) & (np.abs(line[2:]) > _MIN_CURVATURE)
             count = _TERMS if bent.any() else 2
+        elif step >= 2 * _STEPS - 1 and np.abs(change).max() < _SETTLED:
+            break
     distance, reach = _distances(line, image.shape)
-    levels, variances = _sides(light, distance, reach, used)
     outliers = int((known & ~used).sum())
-    width = _width(*_smooth_profile(distance, light, used, height), levels)
     return Edge(light, used, distance, reach, levels, variances, line, outliers, trend, tail, width)
 
 
@@ -161,15 +166,15 @@ def response(position: Array, profile: Array, variances: Array, most: float = 0.
         waves[k], row = row, row * wave
     square = np.square(np.outer(math.pi * frequencies, gaps))
     waves *= 1.0 - square / 6.0 * (1.0 - square / 20.0)  # sinc, within 1e-5 for gaps of a quarter pixel
-    found = waves @ np.diff(profile)
+    found = np.einsum("kn,n->k", waves, np.diff(profile))
     # Propagate the noise: the final `derivative` is that of abs(response) / abs(response[0]) with respect to
     # each sample of the profile, times abs(response[0]).
-    edges = np.zeros((frequencies.size, 1))
-    differences = -np.diff(np.hstack([edges, waves, edges]), axis=1)
-    derivative = np.real(differences * np.exp(-1j * np.angle(found))[:, None])
+    derivative = np.zeros((frequencies.size, position.size + 1))
+    derivative[:, 1:-1] = np.real(waves * np.exp(-1j * np.angle(found))[:, None])
+    derivative = derivative[:, :-1] - derivative[:, 1:]
     values = np.abs(found) / abs(found[0])
     derivative -= np.outer(values, derivative[0])
-    return values, np.sqrt(derivative**2 @ variances) / abs(found[0])
+    return values, np.sqrt(np.square(derivative) @ variances) / abs(found[0])
 
 
 def _bin_profile(distance: Array, samples: Array) -> tuple[Array, Array, Array]:
@@ -202,11 +207,16 @@ def _distances(line: Array, shape: tuple[int, ...]) -> tuple[Array, float]:
     return distance, float(max(min((columns * cosine).min(), ((width - 1 - columns) * cosine).min()), 1.0))
 
 
+def _inverse(normal: Array) -> Array:
+    """Return the inverse of a normal matrix."""
+    return np.asarray(np.linalg.inv(normal + 1e-12 * (float(np.trace(normal)) + 1e-300) * np.eye(len(normal))))
+
+
 def _width(nodes: Array, values: Array, levels: tuple[float, float]) -> float:
     """Return the distance within which the light of a profile changes, pixels."""
     share = (values - levels[0]) / (levels[1] - levels[0] or 1.0)
-    inside = nodes[(share > 0.05) & (share < 0.95)]
-    return 2.0 + 1.5 * float(np.percentile(np.abs(inside), 90)) if inside.size else 4.0
+    inside = np.sort(np.abs(nodes[(share > 0.05) & (share < 0.95)]))
+    return 2.0 + 1.5 * float(inside[int(0.9 * inside.size)]) if inside.size else 4.0
 
 
 def _sides(
@@ -217,36 +227,36 @@ def _sides(
     return (planes[0][0], planes[1][0]), (planes[0][1], planes[1][1])
 
 
-def _plane(
-    light: Array, distance: Array, reach: float, used: Mask, side: float
-) -> tuple[float, float, Array, Array, Array]:
-    """Return mean, variance, coefficients (light at the edge, slopes per pixel), errors^2 and the fit of one side."""
+def _plane(light: Array, distance: Array, reach: float, used: Mask, side: float) -> tuple[float, float, Array, Array]:
+    """Return mean, variance, coefficients (light at the edge, slopes per pixel) and their errors^2 of one side."""
     chosen = used & (side * distance > _FAR * reach)
     rows = np.broadcast_to((np.arange(len(light)) - 0.5 * (len(light) - 1))[:, None], light.shape)
     values, design = light[chosen], np.stack([np.ones(int(chosen.sum())), distance[chosen], rows[chosen]])
-    if values.size < 8:
-        return math.nan, math.nan, np.full(3, math.nan), np.full(3, math.inf), values
-    off = np.abs(values - np.median(values))
-    kept = off <= 8.0 * max(1.4826 * float(np.median(off)), float(off.mean()))
-    inverse = np.linalg.pinv(design[:, kept] @ design[:, kept].T)
+    if values.size < _FEW:
+        raise ValueError(f"image must show both sides of an edge, got {values.size} known pixels on one")
+    off = np.abs(values - np.partition(values, values.size // 2)[values.size // 2])
+    kept = off <= _FAR_OFF * max(float(off.mean()), 1e-12)
+    inverse = _inverse(design[:, kept] @ design[:, kept].T)
     coefficients = inverse @ (design[:, kept] @ values[kept])
     residual = values[kept] - coefficients @ design[:, kept]
     variance = float(np.square(residual).sum()) / max(int(kept.sum()) - 3, 1)
-    return float(values[kept].mean()), variance, coefficients, variance * np.diag(inverse), residual
+    return float(values[kept].mean()), variance, coefficients, variance * np.diag(inverse)
 
 
-def _evened(image: Array, distance: Array, reach: float, used: Mask) -> tuple[Array, float, float]:
-    """Return the light divided by its linear trend, the trend over the picture, and the change of both sides.
+def _evened(
+    image: Array, distance: Array, reach: float, used: Mask
+) -> tuple[Array, float, float, tuple[float, float], tuple[float, float]]:
+    """Return the light divided by its linear trend, the trend over the picture, the change, levels, noise of sides.
 
     Where the illumination is 1 + g d, sides of the light a and b have the slopes a g and b g; the tails of a blur,
     and light that is added, change both sides by one slope.
     """
-    (_, _, dark, dark_errors, _), (_, _, bright, bright_errors, _) = (
-        _plane(image, distance, reach, used, side) for side in (-1.0, 1.0)
-    )
+    planes = [_plane(image, distance, reach, used, side) for side in (-1.0, 1.0)]
+    (*_, dark, dark_errors), (*_, bright, bright_errors) = planes
+    sides = (planes[0][0], planes[1][0]), (planes[0][1], planes[1][1])
     step = float(bright[0] - dark[0])
-    if not abs(step) > 0.0 or not np.isfinite(step):
-        return image, 0.0, 0.0
+    if not abs(step) > 0.0:
+        return image, 0.0, 0.0, *sides
     height = len(image)
     across = float(bright[1] - dark[1]) / step
     across_error = math.sqrt(float(bright_errors[1] + dark_errors[1])) / abs(step)
@@ -263,10 +273,13 @@ def _evened(image: Array, distance: Array, reach: float, used: Mask) -> tuple[Ar
         common_error = 0.5 * math.sqrt(float(dark_errors[1] + bright_errors[1]))
     tail = common * 2.0 * reach / step
     tail *= float(abs(common) > SIGMA * common_error and abs(tail) > MIN_TREND)
+    if not (across or along or tail < 0.0):
+        return image, 0.0, tail, *sides
     light = image / np.maximum(1.0 + across * distance + along * rows, 0.1)
     if tail < 0.0:  # no blur has such tails: light was added
         light = light - common * distance
-    return light, max(abs(across) * 2.0 * reach, abs(along) * height), tail
+    trend = max(abs(across) * 2.0 * reach, abs(along) * height)
+    return light, trend, tail, *_sides(light, distance, reach, used)
 
 
 def _filled(values: Array, known: Mask) -> Array:
@@ -281,30 +294,34 @@ def _filled(values: Array, known: Mask) -> Array:
     return filled
 
 
-def _fit_edge(values: Array) -> tuple[float, float]:
-    """Return the column of a nearly vertical edge in the first row, and its slope, columns per row."""
+def _fit_edge(values: Array) -> Array:
+    """Return the line of a nearly vertical edge by the centroids of differences in rows; ValueError without edge."""
     height, width = values.shape
     differences = np.diff(values, axis=1)
     noise = 1.4826 * np.median(np.abs(differences)) / math.sqrt(2.0)
     differences = differences * np.sign(np.median(differences.sum(axis=1)))
-    rows, positions = np.arange(height), np.arange(width - 1) + 0.5
-    line, reach = np.array([0.0, 0.5 * (width - 1)]), float(width)
+    t, positions = np.linspace(-1.0, 1.0, height), np.arange(width - 1) + 0.5
+    start, rise, reach = 0.5 * (width - 1), 0.0, float(width)
     # Noise in all columns pulls the centroids towards the middle column: the second and third fit use columns near
     # the edge only.
     for _ in range(3):
-        is_near = np.abs(positions - np.polyval(line, rows)[:, None]) <= reach
+        is_near = np.abs(positions - (start + rise * t)[:, None]) <= reach
         steps = np.where(is_near, differences, 0.0)
         step = steps.sum(axis=1)
-        if not np.median(step) > _MIN_CONTRAST * noise:
+        middle = float(np.median(step))
+        if not middle > _MIN_CONTRAST * noise:
             raise ValueError(
                 "image must show an edge between two uniform areas, whose step exceeds the noise of its pixels"
             )
-        is_clear = step > 0.5 * np.median(step)
-        centroids = (steps * positions).sum(axis=1)[is_clear] / step[is_clear]
-        line = np.polyfit(rows[is_clear], centroids, 1)
-        for _ in range(2):  # without rows that have a hot pixel
-            distance = np.abs(centroids - np.polyval(line, rows[is_clear]))
-            is_kept = distance <= max(5.0 * float(np.median(distance)), 0.5)
-            line = np.polyfit(rows[is_clear][is_kept], centroids[is_kept], 1)
+        kept = step > 0.5 * middle
+        centroids = (steps @ positions) / np.where(kept, step, 1.0)
+        for _ in range(3):  # without rows that have a hot pixel
+            mean = float(t[kept].mean()), float(centroids[kept].mean())
+            rise = float((t[kept] - mean[0]) @ (centroids[kept] - mean[1])) / float(
+                np.square(t[kept] - mean[0]).sum()
+            )
+            start = mean[1] - rise * mean[0]
+            off = np.abs(centroids - (start + rise * t))
+            kept = kept & (off <= max(5.0 * float(np.median(off[kept])), 0.5))
         reach = max(8.0, 0.25 * width)
-    return float(line[1]), float(line[0])
+    return np.array([start, rise, *[0.0] * (_TERMS - 2)])

@@ -185,38 +185,64 @@ def sfr(
     >>> lm.sfr(photo.values, 4e-6)
     <EdgeResponse converged: above 0.5, 0.547 at Nyquist, 125 cycles/mm>
     """
-    side = None if pixel is None else validation.real("pixel", pixel, above=0.0, unit="metres")
-    if side is not None and side > _LARGEST_PIXEL:
+    side = pixel_pitch(pixel)
+    counts = image_counts(image)
+    if mosaic is None and len(counts.shape) == 2:
+        require_one_colour(counts.filled(), counts.known)
+    return edge_response(counts, side, checked(encoding), mosaic)
+
+
+def pixel_pitch(pixel: float | None) -> float | None:
+    """Return the pixel pitch, metres, or None for frequencies in cycles per pixel; ValueError if it is too large."""
+    if pixel is None:
+        return None
+    if (side := validation.real("pixel", pixel, above=0.0, unit="metres")) > _LARGEST_PIXEL:
         raise ValueError(
             f"pixel must be in metres and at most {_LARGEST_PIXEL:g}, got {side:g}; leave it out for frequencies in "
             "cycles per pixel"
         )
-    encoding = checked(encoding)
+    return side
+
+
+def image_counts(image: ArrayLike | Counts) -> Counts:
+    """Return the counts of a picture; ValueError for another shape."""
     shape = "(height, width), (height, width, 3) or (frames, height, width)"
     counts = counts_of("image", image, sides=(2, 3), shape=shape)
-    light, stored, known, full = _averaged(counts, encoding)
-    if min(light.shape[:2]) < _LEAST_SIDE:
+    sides = counts.shape[:2] if counts.shape[2:] in ((), (3,)) else counts.shape[1:]
+    if min(sides) < _LEAST_SIDE:
         raise ValueError(f"image must have the shape {shape} of 20 x 20 pixels or more, got {counts.shape}")
+    return counts
+
+
+def edge_response(
+    counts: Counts, pixel: float | None, encoding: Encoding, mosaic: str | None, inside: Mask | None = None
+) -> EdgeResponse:
+    """Return the response of the edge in a picture, by the pixels `inside`."""
+    light, stored, known, full = _averaged(counts, encoding)
     if full > _MAX_FULL:
         raise ValueError(
             "image must not be overexposed, got pixels with the largest value of their type: expose less"
         )
-    planes: dict[str, tuple[Array, Array, Mask, float]] = {}
+    planes: dict[str, tuple[Array, Array, Mask, float]] = {"": (light, stored, known, 1.0)}
     if mosaic is not None:
         planes = _mosaic_planes(mosaic, light, stored, known)
     elif light.ndim == 3:
         names = _COLOURS.values()
         planes = {name: (light[..., k], stored[..., k], known[..., k], 1.0) for k, name in enumerate(names)}
-    else:
-        require_one_colour(light, known)
-        planes = {"": (light, stored, known, 1.0)}
     left_out = [Finding("saturation_assumed", "note", counts.assumed)] if counts.assumed else []
     if count := int((~known).sum()):
         text = f"{count} of {known.size} pixels left out (masked, saturated or NaN)"
         left_out.append(Finding("left_out", "note", text, {"pixels": count, "of": known.size}))
     rounded = np.asarray(counts.values).dtype.kind in "iu"
-    found = {name: _measured(*parts, encoding, side, left_out, rounded=rounded) for name, parts in planes.items()}
-    return found[""] if "" in found else replace(found["green"], channels=found)
+    found: dict[str, EdgeResponse] = {}
+    line: Array | None = None
+    for name in sorted(planes, key=lambda name: name != "green"):  # first, for the others start from its edge
+        *parts, used, pitch = planes[name]
+        used = used if inside is None else used & inside
+        found[name], line = _measured(*parts, used, pitch, encoding, pixel, left_out, line, rounded=rounded)
+    if "" in found:
+        return found[""]
+    return replace(found["green"], channels={name: found[name] for name in planes})
 
 
 def _averaged(counts: Counts, encoding: Encoding) -> tuple[Array, Array, Mask, float]:
@@ -257,18 +283,19 @@ def _measured(
     encoding: Encoding,
     pixel: float | None,
     left_out: list[Finding],
+    line: Array | None,
     *,
     rounded: bool,
-) -> EdgeResponse:
-    """Return the response of one channel, whose pixels are `pitch` pixels apart."""
-    if known.mean() < 0.5 / pitch**2:
+) -> tuple[EdgeResponse, Array]:
+    """Return the response of one channel with pixels `pitch` apart, and its edge, which is near `line` if given."""
+    if known.sum() < _LEAST_SIDE**2 / pitch**2:
         raise ValueError(f"image must have known pixels, got {int(known.sum())} of {known.size}")
     # A nearly horizontal edge is transposed to a nearly vertical one.
     sums = [[np.where(known, part, 0.0).sum(axis=k) for part in (light, np.ones_like(light))] for k in (0, 1)]
     spans = [float(np.ptp((total / np.maximum(count, 1.0))[count > 0.0])) for total, count in sums]
     horizontal = spans[1] > spans[0]
     upright = (light.T, stored.T, known.T) if horizontal else (light, stored, known)
-    edge = locate(upright[0], upright[2])
+    edge = locate(upright[0], upright[2], line)
     require_measurable(edge, pitch)
     position, profile, _, variances = edge.profile()
     values, errors = response(position, profile, variances, 0.5 / pitch)
@@ -277,7 +304,8 @@ def _measured(
     angle = math.atan2(1.0, -edge.slope) if horizontal else math.atan2(-edge.slope, 1.0)
     contrast = edge.step / max(abs(sum(edge.levels)), 1e-300)
     found = edge_findings(edge, upright[1], encoding, (values, errors), pitch, rounded=rounded)
-    return EdgeResponse(frequencies, values, errors, angle, float(contrast), Findings([*found, *left_out]), pixel)
+    findings = Findings([*found, *left_out])
+    return EdgeResponse(frequencies, values, errors, angle, float(contrast), findings, pixel), edge.line
 
 
 def slanted_edge(

@@ -418,6 +418,24 @@ def responses(curves: Mapping[str, tuple[Array, Array, Array]], unit: str, ax: A
     return axes
 
 
+def sharpness(edges: Sequence[tuple[float, float, float, str]], shape: tuple[int, int]) -> Figure:
+    """Draw maps of MTF50 (column, row, cycles per pixel, "S" or "T") over a picture of this height and width."""
+    figure = drawing.new_figure((10.0, 1.5 + 4.2 * shape[0] / shape[1]))
+    panels = figure.subplots(1, 2, sharex=True, sharey=True)
+    known = [value for _, _, value, _ in edges if math.isfinite(value)] or [0.5]
+    for axes, (key, name) in zip(panels, (("S", "sagittal"), ("T", "tangential")), strict=True):
+        part = [edge for edge in edges if edge[3] == key]
+        columns, rows, values = (np.array([edge[k] for edge in part], float) for k in range(3))
+        values = np.where(np.isfinite(values), values, max(known))
+        points = axes.scatter(columns, rows, c=values, vmin=min(known), vmax=max(known), s=60, cmap="viridis")
+        for x, y, value in zip(columns, rows, values, strict=True):
+            axes.annotate(f"{value:.2f}", (x, y), (0, 6), textcoords="offset points", fontsize=6, ha="center")
+        axes.set(xlim=(0, shape[1]), ylim=(shape[0], 0), aspect="equal", title=f"MTF50, {name}", xlabel="column")
+    panels[0].set_ylabel("row")
+    figure.colorbar(points, ax=panels, label="cycles/pixel")
+    return figure
+
+
 _MAX_IMAGES = 8  # largest number of images in one figure
 
 

@@ -1,0 +1,354 @@
+"""Sharpness over the sensor from a picture of a chart: its slanted edges, found and measured."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy import ndimage
+
+from lommel import show
+from lommel.base.arrays import Array, Json, Values, plain
+from lommel.base.encoding import Encoding, checked
+from lommel.fit.findings import Finding, Findings, Judged
+from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE
+from lommel.imaging.pair_noise import is_compressed
+from lommel.imaging.slanted_edge import EdgeResponse, edge_response, image_counts, pixel_pitch
+from lommel.recorded.counts import Counts
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_REDUCED = 1.5e6  # largest number of pixels of the picture in which edges are found
+_SIGMAS, _CONTRAST = 8.0, 0.06  # least gradient of an edge: standard deviations, and of the largest
+_LEAST_LENGTH, _LEAST_HALF = 24.0, 9.0  # pixels along the edge, and on both sides of it
+_MOST_LENGTH, _MOST_HALF = 80.0, 28.0  # that are used, more if the blur is wide
+_STRAIGHT = 0.15  # largest thickness of the gradient along an edge, of its length
+_FALL, _RISE = 0.2, 0.25  # fractions of the gradient at which the edge ends, and at which another structure begins
+_JPEG_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG are looked for
+
+
+class _Candidate(NamedTuple):
+    """A straight piece of an edge in pixels: its middle, unit normal, length, free width on both sides."""
+
+    row: float
+    column: float
+    normal: tuple[float, float]  # along rows (down) and columns (right)
+    length: float
+    half: float
+
+
+@dataclass(frozen=True, eq=False)
+class ChartEdge:
+    """An edge of a chart.
+
+    Attributes
+    ----------
+    row, column : float
+        Middle of the edge in the picture, pixels.
+    x, y : float
+        Its place from the middle of the picture, right and down; metres, or pixels if no pixel was given.
+    direction : {"S", "T"}
+        Sagittal or tangential response: the nearest of both, by the direction of the normal of the edge.
+    response : EdgeResponse
+    """
+
+    row: float
+    column: float
+    x: float
+    y: float
+    direction: str
+    response: EdgeResponse
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class EdgeChart(Judged):
+    """Slanted edges of a picture of a chart, returned by :func:`lommel.imaging.sfr_chart`.
+
+    Attributes
+    ----------
+    edges : tuple of ChartEdge
+        Edges that were measured, by rows.
+    refused : tuple of (float, float, str)
+        Row, column and reason of edges that were found and not measured.
+    shape : (int, int)
+        Height and width of the picture, pixels.
+    findings : Findings
+        Findings on the picture, and on its edges by number.
+    """
+
+    edges: tuple[ChartEdge, ...]
+    refused: tuple[tuple[float, float, str], ...]
+    shape: tuple[int, int]
+    findings: Findings = field(default_factory=Findings)
+
+    @property
+    def message(self) -> str:
+        """Status, numbers of edges, and findings."""
+        return self._message(f"{len(self.edges)} edges measured, {len(self.refused)} refused")
+
+    def __repr__(self) -> str:
+        return f"<EdgeChart {self.message}>"
+
+    def rows(self, frequencies: Sequence[float] = ()) -> list[Json]:
+        """Return a record for each edge and channel: place, direction, MTF50, responses, findings.
+
+        Parameters
+        ----------
+        frequencies : sequence of float
+            Frequencies, cycles per pixel, at which the response is listed, with its standard error.
+
+        Returns
+        -------
+        list of dict
+            MTF50 is in cycles per pixel, in line widths per picture height ("lw_ph") and, if the pixel is known, in
+            cycles per metre ("mtf50").
+        """
+        records: list[Json] = []
+        for number, edge in enumerate(self.edges):
+            for name, one in (edge.response.channels or {"": edge.response}).items():
+                pixel = one.pixel or 1.0
+                mtf50, error = (pixel * value for value in one.mtf50)
+                record: Json = {"edge": number, "row": edge.row, "column": edge.column, "x": edge.x, "y": edge.y}
+                record |= {"direction": edge.direction} | ({"channel": name} if name else {})
+                record |= {"mtf50_per_pixel": mtf50, "error": error, "lw_ph": 2.0 * self.shape[0] * mtf50}
+                record |= {} if one.pixel is None else {"mtf50": one.mtf50[0]}
+                for f in frequencies:
+                    at = f / pixel <= one.frequencies[-1] * (1.0 + 1e-12)
+                    record[f"at_{f:g}"] = float(one(f / pixel)) if at else math.nan
+                    record[f"error_{f:g}"] = (
+                        float(np.interp(f / pixel, one.frequencies, one.errors)) if at else math.nan
+                    )
+                records.append(plain(record | {"status": one.status, "findings": list(one.findings.codes)}))
+        return records
+
+    def plot(self, channel: str = "green") -> Figure:
+        """Return a matplotlib figure with maps of MTF50, sagittal and tangential.
+
+        Parameters
+        ----------
+        channel : {"red", "green", "blue"}, default "green"
+            Channel of a picture in colour.
+
+        Returns
+        -------
+        matplotlib Figure
+        """
+        found = [(edge, edge.response.channels.get(channel, edge.response)) for edge in self.edges]
+        table = [(e.column, e.row, (one.pixel or 1.0) * one.mtf50[0], e.direction) for e, one in found]
+        return show.estimates.sharpness(table, self.shape)
+
+    def to_dict(self) -> Json:
+        """Return the verdict and the records of all edges as plain data."""
+        verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable", "message")}
+        data: Json = plain(verdict | {"shape": self.shape, "edges": self.rows(), "refused_edges": self.refused})
+        return data | {"findings": plain(self.findings)}
+
+
+def sfr_chart(
+    image: ArrayLike | Counts, pixel: float | None = None, *, encoding: Encoding = "linear", mosaic: str | None = None
+) -> EdgeChart:
+    """Find the slanted edges in a picture of a chart, and measure the response of each as :func:`lommel.sfr` does.
+
+    The chart has straight edges at 2 to 40 degrees to the rows or columns, at least 24 pixels long, between uniform
+    areas of 9 pixels or more: slanted squares, ISO 12233, eSFR, a tilted checkerboard, or one edge.
+
+    Parameters
+    ----------
+    image : array_like or Counts, shape (height, width) or (height, width, 3)
+        As for :func:`lommel.sfr`. The middle of the picture is taken as that of the sensor.
+    pixel : float, optional
+        Pixel pitch, metres.
+    encoding : {"linear", "srgb"} or float, default "linear"
+        Encoding of the values; a number states ``light = value ** number``.
+    mosaic : str, optional
+        Colours of a raw picture, such as "RGGB".
+
+    Returns
+    -------
+    EdgeChart
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of another type or out of range, or if no edge is found.
+
+    Notes
+    -----
+    Edges are pieces of the largest gradients, of one sign along rows or columns, in a picture that is reduced to 1.5
+    million pixels. Each is measured in its middle part, clear of corners and of other structures by its blur.
+    """
+    side, encoding = pixel_pitch(pixel), checked(encoding)
+    counts = image_counts(image)
+    if counts.shape[2:] not in ((), (3,)):
+        raise ValueError(f"image must have the shape (height, width) or (height, width, 3), got {counts.shape}")
+    height, width = counts.shape[:2]
+    edges: list[ChartEdge] = []
+    refused: list[tuple[float, float, str]] = []
+    for candidate in _candidates(counts, mosaic is not None):
+        try:
+            found = _measure(counts, candidate, side, encoding, mosaic)
+        except ValueError as error:
+            refused.append((candidate.row, candidate.column, str(error).removeprefix("image ")))
+            continue
+        x, y = candidate.column - 0.5 * (width - 1), candidate.row - 0.5 * (height - 1)
+        along = abs(x * math.cos(found.angle) + y * math.sin(found.angle))
+        direction = "T" if along >= math.hypot(x, y) / math.sqrt(2.0) else "S"
+        scale = side or 1.0
+        edges.append(ChartEdge(candidate.row, candidate.column, scale * x, scale * y, direction, found))
+    if not edges:
+        reasons = "; ".join(dict.fromkeys(reason for _, _, reason in refused)) or "there are none"
+        raise ValueError(f"image must show slanted edges, 24 pixels long or more, got none: {reasons}")
+    return EdgeChart(
+        edges=tuple(edges), refused=tuple(refused), shape=(height, width), findings=_findings(counts, edges)
+    )
+
+
+def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
+    """Return findings on a picture: those of its edges, by the number that have them, and compression."""
+    middle = tuple(slice(max(0, side - _JPEG_SIDE) // 16 * 8, None) for side in counts.shape[:2])
+    part = np.asarray(counts.values[middle][:_JPEG_SIDE, :_JPEG_SIDE], float)
+    findings = []
+    if is_compressed(np.where(np.isfinite(part), part, 0.0) if part.ndim == 2 else part[..., 1]):
+        findings.append(Finding("compressed", "doubt", "the picture has the blocks of 8 x 8 pixels of JPEG"))
+    every = [[*(edge.response.channels or {"": edge.response}).values()] for edge in edges]
+    firsts = {found.code: found for responses in every for one in responses for found in one.findings}
+    for code, first in firsts.items():
+        several = [r for r in every if any(found.code == code for one in r for found in one.findings)]
+        if code != "left_out" and code not in [found.code for found in findings]:
+            worst = [found for r in several for one in r for found in one.findings if found.code == code]
+            severity = "doubt" if 2 * sum(f.severity != "note" for f in worst) > len(edges) else "note"
+            text = f"{len(several)} of {len(edges)} edges: {first.text}"
+            findings.append(Finding(code, severity, text, {"edges": len(several), "of": len(edges)}))
+    return Findings(findings)
+
+
+def _measure(
+    counts: Counts, edge: _Candidate, pixel: float | None, encoding: Encoding, mosaic: str | None
+) -> EdgeResponse:
+    """Return the response of an edge by the pixels around it."""
+    height, width = counts.shape[:2]
+    down, right = edge.normal
+    sides = [
+        0.5 * edge.length * abs(across) + (edge.half + 1.0) * abs(along)
+        for along, across in ((down, right), (right, down))
+    ]
+    # Rectangles around the edge, whose corners far from it are hidden; they start at the first colour of a mosaic.
+    rows, columns = (
+        slice(max(0, int(middle - reach)) // 2 * 2, min(side, int(middle + reach) + 1))
+        for middle, reach, side in zip((edge.row, edge.column), sides, (height, width), strict=True)
+    )
+    # Rows and columns along the edge end with it: beyond them are corners.
+    if abs(right) > abs(down):
+        rows = slice(
+            max(0, int(edge.row - 0.5 * edge.length * abs(right))) // 2 * 2,
+            min(height, int(edge.row + 0.5 * edge.length * abs(right)) + 1),
+        )
+    else:
+        columns = slice(
+            max(0, int(edge.column - 0.5 * edge.length * abs(down))) // 2 * 2,
+            min(width, int(edge.column + 0.5 * edge.length * abs(down)) + 1),
+        )
+    y, x = np.ogrid[rows, columns]
+    inside = np.abs((y - edge.row) * down + (x - edge.column) * right) <= edge.half + 0.5
+    mask = None if counts.mask is None else counts.mask[rows, columns]
+    part = replace(counts, values=np.ascontiguousarray(counts.values[rows, columns]), mask=mask)
+    part = replace(part, stated=counts.saturation if math.isfinite(counts.saturation) else None)
+    return edge_response(part, pixel, encoding, mosaic, inside)
+
+
+def _reduced(counts: Counts, mosaic: bool) -> tuple[Array, int]:
+    """Return the picture of one channel, smaller by an integer factor, and the factor."""
+    values: Values = counts.values if len(counts.shape) == 2 else counts.values[..., 1]
+    height, width = values.shape
+    factor = max(1, math.ceil(math.sqrt(values.size / _REDUCED)))
+    factor += factor % 2 if mosaic else 0
+    part = values[: height // factor * factor, : width // factor * factor]
+    blocks = part.reshape(height // factor, factor, width // factor, factor)
+    total = np.zeros((height // factor, width // factor))
+    for k in range(factor):
+        for j in range(factor):
+            total += blocks[:, k, :, j]
+    return np.where(np.isfinite(total), total, 0.0) / factor**2, factor
+
+
+def _candidates(counts: Counts, mosaic: bool) -> Iterator[_Candidate]:
+    """Yield straight pieces of edges with uniform areas on both sides."""
+    image, factor = _reduced(counts, mosaic)
+    smooth = ndimage.gaussian_filter(image, 0.8, mode="nearest")
+    down, right = (np.gradient(smooth, axis=axis) for axis in (0, 1))
+    size = np.hypot(down, right)
+    noise = 1.4826 * float(np.median(np.abs(np.diff(image[::3], axis=1)))) / math.sqrt(2.0) * 0.25
+    least = max(_SIGMAS * noise, _CONTRAST * float(np.max(size)))
+    strong = size > least
+    vertical = np.abs(right) > np.abs(down)
+    kinds = np.where(vertical, np.where(right > 0.0, 1, 2), np.where(down > 0.0, 3, 4)) * strong
+    found: list[_Candidate] = []
+    for kind in (1, 2, 3, 4):
+        labels, count = ndimage.label(kinds == kind, np.ones((3, 3)))
+        if not count:
+            continue
+        places = np.nonzero(labels)
+        index, weight = labels[places], size[places]
+        y, x = (np.asarray(part, float) for part in places)
+        total = np.bincount(index, weight, count + 1)[1:]
+        rows, columns = (np.bincount(index, weight * part, count + 1)[1:] / total for part in (y, x))
+        yy, xx, xy = (
+            np.bincount(index, weight * a * b, count + 1)[1:] / total - first * second
+            for a, b, first, second in ((y, y, rows, rows), (x, x, columns, columns), (y, x, rows, columns))
+        )
+        turn = 0.5 * np.arctan2(2.0 * xy, xx - yy)  # of the longer axis from the columns' direction
+        mean, spread = 0.5 * (xx + yy), np.hypot(0.5 * (xx - yy), xy)
+        lengths, thick = (np.sqrt(12.0 * np.maximum(mean + sign * spread, 0.0)) for sign in (1.0, -1.0))
+        for k in np.flatnonzero((factor * lengths >= _LEAST_LENGTH) & (thick < np.maximum(_STRAIGHT * lengths, 4.0))):
+            normal = -math.cos(turn[k]), math.sin(turn[k])
+            slant = math.degrees(math.atan2(min(map(abs, normal)), max(map(abs, normal))))
+            if MIN_ANGLE - 0.5 <= slant <= MAX_ANGLE + 0.5:
+                candidate = _fitted(size, (float(rows[k]), float(columns[k])), normal, float(lengths[k]), factor)
+                if candidate is not None:
+                    found.append(candidate)
+    yield from sorted(found, key=lambda edge: (edge.row, edge.column))
+
+
+def _fitted(
+    size: Array, middle: tuple[float, float], normal: tuple[float, float], length: float, factor: int
+) -> _Candidate | None:
+    """Return an edge in pixels with the width of uniform areas beside it, by gradients; None if they are narrow."""
+    reach = max(round(4.0 * _MOST_HALF / factor), 12)
+    offsets = np.arange(-reach, reach + 1.0)
+    along = np.linspace(-0.32, 0.32, 17) * length
+    places = [
+        np.rint(m + offsets[:, None] * n + along * t).astype(int)
+        for m, n, t in zip(middle, normal, (-normal[1], normal[0]), strict=True)
+    ]
+    inside = ((places[0] >= 0) & (places[0] < size.shape[0]) & (places[1] >= 0) & (places[1] < size.shape[1])).all(
+        axis=1
+    )
+    rows, columns = (np.clip(part, 0, side - 1) for part, side in zip(places, size.shape, strict=True))
+    values = size[rows, columns]
+    profile = np.where(inside, np.sort(values, axis=1)[:, -3], np.inf)
+    peak = float(np.median(values[reach - 1 : reach + 2].max(axis=0)))
+    free, blur = [], 1
+    for side in (profile[reach:], profile[reach::-1]):
+        below = np.flatnonzero(side < _FALL * peak)
+        if not below.size:
+            return None
+        start = int(below[0])
+        above = np.flatnonzero(side[start:] > _RISE * peak)
+        end = start + (int(above[0]) if above.size else side.size - start)
+        # The areas end before the blur of the next structure.
+        free.append(
+            float(end - (1.5 * start + 1.0 if above.size and np.isfinite(side[min(end, side.size - 1)]) else 1))
+        )
+        blur = max(blur, start)
+    half = factor * min(free)
+    wanted = max(_MOST_HALF, 3.0 * factor * blur)
+    long = factor * (length - 3.0 * blur - 2.0)
+    if half < max(_LEAST_HALF, 1.2 * factor * blur) or long < 0.8 * _LEAST_LENGTH:
+        return None
+    row, column = (factor * (part + 0.5) - 0.5 for part in middle)
+    return _Candidate(row, column, normal, min(long, _MOST_LENGTH), min(half, wanted))

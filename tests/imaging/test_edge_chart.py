@@ -1,0 +1,116 @@
+"""Edges of charts that are drawn by integrals of a Gaussian: all are found, with the response of their place."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.special import erf
+
+import lommel as lm
+from slanted_edges import gaussian, picture
+
+TURN = np.radians(6.0)
+
+
+def across(d, sigma):
+    """Return the profile of an edge; the pixel is a Gaussian of equal variance."""
+    return 0.5 * (1.0 + erf(d / np.sqrt(2.0 * (sigma**2 + 1.0 / 12.0))))
+
+
+def squares(shape, places, side, sigma):
+    """Return dark squares on white, turned by 6 degrees, with middles at places from the middle (right, down)."""
+    y, x = np.ogrid[: shape[0], : shape[1]]
+    x, y = x - 0.5 * (shape[1] - 1), y - 0.5 * (shape[0] - 1)
+    light = np.full(shape, 0.9)
+    for right, down in places:
+        u = (x - right) * np.cos(TURN) + (y - down) * np.sin(TURN)
+        v = (y - down) * np.cos(TURN) - (x - right) * np.sin(TURN)
+        covered = [across(d + side / 2, sigma) - across(d - side / 2, sigma) for d in (u, v)]
+        light -= 0.8 * covered[0] * covered[1]
+    return light
+
+
+PLACES = [(-80.0, 0.0), (80.0, 0.0)]
+CHART = squares((160, 320), PLACES, 70.0, 0.8)
+
+
+def truth(f, sigma=0.8):
+    return np.exp(-2.0 * (np.pi * f) ** 2 * (sigma**2 + 1.0 / 12.0))
+
+
+def test_the_edges_of_squares_are_found_where_they_are():
+    image = np.random.default_rng(1).poisson(CHART * 30000) / 30000
+    found = lm.imaging.sfr_chart(image)
+    assert len(found.edges) == 8
+    assert not found.refused
+    assert found.reliable
+    expected = [
+        (right + 35.0 * np.cos(TURN + k * np.pi / 2), down + 35.0 * np.sin(TURN + k * np.pi / 2), "ST"[k % 2 == 0])
+        for right, down in PLACES
+        for k in range(4)
+    ]
+    f = np.array([0.1, 0.2, 0.3])
+    for x, y, direction in expected:
+        edge = min(found.edges, key=lambda edge: np.hypot(edge.x - x, edge.y - y))
+        assert np.hypot(edge.x - x, edge.y - y) < 2.0
+        assert edge.direction == direction
+        assert edge.response(f) == pytest.approx(truth(f), abs=0.03)
+
+
+def test_records_have_the_units_that_are_read():
+    found = lm.imaging.sfr_chart(np.stack([CHART] * 3, axis=-1), 4e-6)
+    records = found.rows([0.2])
+    assert len(records) == 24
+    one = records[1]
+    assert one["channel"] == "green"
+    assert one["x"] == pytest.approx(4e-6 * (one["column"] - 159.5))
+    assert one["mtf50"] == pytest.approx(one["mtf50_per_pixel"] / 4e-6)
+    assert one["lw_ph"] == pytest.approx(2 * 160 * one["mtf50_per_pixel"])
+    assert one["at_0.2"] == pytest.approx(truth(0.2), abs=2e-3)
+    data = found.to_dict()
+    assert data["converged"]
+    assert len(data["edges"]) == 24
+
+
+def test_one_crop_is_a_chart_of_one_edge():
+    (edge,) = lm.imaging.sfr_chart(picture(8.0, 0.6, (90, 90), 4)).edges
+    f = np.array([0.1, 0.2, 0.3, 0.4])
+    assert edge.response(f) == pytest.approx(gaussian(f, edge.response.angle, 0.6), abs=4e-3)
+
+
+def test_masked_edges_are_left_out():
+    hidden = np.zeros(CHART.shape, bool)
+    hidden[:, :160] = True
+    found = lm.imaging.sfr_chart(np.ma.masked_array(CHART, hidden))
+    assert all(edge.x > 0.0 for edge in found.edges)
+    assert len(found.edges) == 4
+
+
+def test_a_tilted_checkerboard_has_an_edge_on_each_side_of_a_crossing():
+    y, x = np.ogrid[:150, :150]
+    x, y = x - 74.5, y - 74.5
+    u, v = (
+        2.0 * across(d, 0.7) - 1.0 for d in (x * np.cos(TURN) + y * np.sin(TURN), y * np.cos(TURN) - x * np.sin(TURN))
+    )
+    found = lm.imaging.sfr_chart(0.5 + 0.4 * u * v)
+    assert len(found.edges) == 4
+    for edge in found.edges:
+        assert edge.response(0.2) == pytest.approx(truth(0.2, 0.7), abs=5e-3)
+
+
+@pytest.mark.parametrize(
+    ("image", "message"),
+    [
+        (np.full((60, 60), 0.5), "image must show slanted edges.*got none"),
+        (np.random.default_rng(0).normal(0.5, 0.1, (60, 60)), "image must show slanted edges"),
+        (np.ones((2, 60, 60)), r"image must have the shape \(height, width\) or"),
+    ],
+)
+def test_pictures_without_edges_are_refused(image, message):
+    with pytest.raises(ValueError, match=message):
+        lm.imaging.sfr_chart(image)
+
+
+def test_maps_show_both_directions():
+    figure = lm.imaging.sfr_chart(CHART).plot()
+    assert [axes.get_title() for axes in figure.axes[:2]] == ["MTF50, sagittal", "MTF50, tangential"]

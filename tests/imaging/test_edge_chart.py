@@ -4,31 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.special import erf
 
 import lommel as lm
-from slanted_edges import gaussian, picture
-
-TURN = np.radians(6.0)
-
-
-def across(d, sigma):
-    """Return the profile of an edge; the pixel is a Gaussian of equal variance."""
-    return 0.5 * (1.0 + erf(d / np.sqrt(2.0 * (sigma**2 + 1.0 / 12.0))))
-
-
-def squares(shape, places, side, sigma):
-    """Return dark squares on white, turned by 6 degrees, with middles at places from the middle (right, down)."""
-    y, x = np.ogrid[: shape[0], : shape[1]]
-    x, y = x - 0.5 * (shape[1] - 1), y - 0.5 * (shape[0] - 1)
-    light = np.full(shape, 0.9)
-    for right, down in places:
-        u = (x - right) * np.cos(TURN) + (y - down) * np.sin(TURN)
-        v = (y - down) * np.cos(TURN) - (x - right) * np.sin(TURN)
-        covered = [across(d + side / 2, sigma) - across(d - side / 2, sigma) for d in (u, v)]
-        light -= 0.8 * covered[0] * covered[1]
-    return light
-
+from slanted_edges import TURN, across, gaussian, picture, squares
 
 PLACES = [(-80.0, 0.0), (80.0, 0.0)]
 CHART = squares((160, 320), PLACES, 70.0, 0.8)

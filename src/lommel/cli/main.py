@@ -30,6 +30,7 @@ COMMANDS = {
     "restore": "photo_commands",
     "deconvolve": "deconvolve_command",
     "depth": "photo_commands",
+    "sfr": "sfr_command",
     "calibrate": "calibrate_command",
     "watch": "video_commands",
     "sharpen": "video_commands",

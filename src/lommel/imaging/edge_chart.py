@@ -17,7 +17,7 @@ from lommel.base.encoding import Encoding, checked
 from lommel.fit.findings import Finding, Findings, Judged
 from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE
 from lommel.imaging.pair_noise import is_compressed
-from lommel.imaging.slanted_edge import EdgeResponse, edge_response, image_counts, pixel_pitch
+from lommel.imaging.slanted_edge import EdgeResponse, edge_response, image_counts, pixel_pitch, require_mosaic
 from lommel.recorded.counts import Counts
 
 if TYPE_CHECKING:
@@ -113,9 +113,10 @@ class EdgeChart(Judged):
             for name, one in (edge.response.channels or {"": edge.response}).items():
                 pixel = one.pixel or 1.0
                 mtf50, error = (pixel * value for value in one.mtf50)
-                record: Json = {"edge": number, "row": edge.row, "column": edge.column, "x": edge.x, "y": edge.y}
+                record: Json = {"edge": number, "row": edge.row, "column": edge.column}
+                record |= {} if one.pixel is None else {"x": edge.x, "y": edge.y}
                 record |= {"direction": edge.direction} | ({"channel": name} if name else {})
-                record |= {"mtf50_per_pixel": mtf50, "error": error, "lw_ph": 2.0 * self.shape[0] * mtf50}
+                record |= {"mtf50_per_pixel": mtf50, "mtf50_error": error, "lw_ph": 2.0 * self.shape[0] * mtf50}
                 record |= {} if one.pixel is None else {"mtf50": one.mtf50[0]}
                 for f in frequencies:
                     at = f / pixel <= one.frequencies[-1] * (1.0 + 1e-12)
@@ -184,6 +185,7 @@ def sfr_chart(
     """
     side, encoding = pixel_pitch(pixel), checked(encoding)
     counts = image_counts(image)
+    require_mosaic(mosaic, counts.shape)
     if counts.shape[2:] not in ((), (3,)):
         raise ValueError(f"image must have the shape (height, width) or (height, width, 3), got {counts.shape}")
     height, width = counts.shape[:2]
@@ -212,7 +214,7 @@ def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
     """Return findings on a picture: those of its edges, by the number that have them, and compression."""
     middle = tuple(slice(max(0, side - _JPEG_SIDE) // 16 * 8, None) for side in counts.shape[:2])
     part = np.asarray(counts.values[middle][:_JPEG_SIDE, :_JPEG_SIDE], float)
-    findings = []
+    findings = [Finding("saturation_assumed", "note", counts.assumed)] if counts.assumed else []
     if is_compressed(np.where(np.isfinite(part), part, 0.0) if part.ndim == 2 else part[..., 1]):
         findings.append(Finding("compressed", "doubt", "the picture has the blocks of 8 x 8 pixels of JPEG"))
     every = [[*(edge.response.channels or {"": edge.response}).values()] for edge in edges]

@@ -187,6 +187,7 @@ def sfr(
     """
     side = pixel_pitch(pixel)
     counts = image_counts(image)
+    require_mosaic(mosaic, counts.shape)
     if mosaic is None and len(counts.shape) == 2:
         require_one_colour(counts.filled(), counts.known)
     return edge_response(counts, side, checked(encoding), mosaic)
@@ -202,6 +203,17 @@ def pixel_pitch(pixel: float | None) -> float | None:
             "cycles per pixel"
         )
     return side
+
+
+def require_mosaic(mosaic: str | None, shape: tuple[int, ...]) -> None:
+    """Raise ValueError if the colours of a mosaic are unknown, or an image of this shape is none."""
+    if mosaic is None:
+        return
+    if not isinstance(mosaic, str) or sorted(mosaic) != ["B", "G", "G", "R"] or len(shape) != 2:
+        raise ValueError(
+            f"mosaic must have the letters R, G, G and B, such as 'RGGB', of an image (height, width), got "
+            f"{validation.shown(mosaic)} and an image {shape}"
+        )
 
 
 def image_counts(image: ArrayLike | Counts) -> Counts:
@@ -264,11 +276,6 @@ def _mosaic_planes(
     mosaic: str, light: Array, stored: Array, known: Mask
 ) -> dict[str, tuple[Array, Array, Mask, float]]:
     """Return light, values, known pixels and pitch of each colour of a mosaic."""
-    if not isinstance(mosaic, str) or sorted(mosaic) != ["B", "G", "G", "R"] or light.ndim != 2:
-        raise ValueError(
-            f"mosaic must have the letters R, G, G and B, such as 'RGGB', of an image (height, width), got "
-            f"{validation.shown(mosaic)} and an image {light.shape}"
-        )
     letters = np.array(list(mosaic)).reshape(2, 2)
     height, width = light.shape
     tiled = np.tile(letters, (height // 2 + 1, width // 2 + 1))[:height, :width]

@@ -432,7 +432,7 @@ def sharpness(edges: Sequence[tuple[float, float, float, str]], shape: tuple[int
             axes.annotate(f"{value:.2f}", (x, y), (0, 6), textcoords="offset points", fontsize=6, ha="center")
         axes.set(xlim=(0, shape[1]), ylim=(shape[0], 0), aspect="equal", title=f"MTF50, {name}", xlabel="column")
     panels[0].set_ylabel("row")
-    figure.colorbar(points, ax=panels, label="cycles/pixel")
+    figure.colorbar(points, ax=panels, label="cycles/pixel", shrink=0.8)
     return figure
 
 

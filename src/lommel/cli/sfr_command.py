@@ -1,0 +1,189 @@
+"""The command ``lommel sfr``: sharpness (spatial frequency response) from a picture of slanted edges."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import numpy as np
+
+from lommel import imaging
+from lommel.base import atomic, validation
+from lommel.base.arrays import plain
+from lommel.base.encoding import Encoding, as_json
+from lommel.base.options import Shown, filled
+from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.instruments import Sensor, instrument_of
+from lommel.cli.messages import report_findings
+from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
+from lommel.cli.photo_commands import ENCODING, apply_mask, read_as
+from lommel.io.registry import suffixes
+from lommel.measures.transfer import mtf
+from lommel.report import Facts, Parts, Report, Wrapped
+from lommel.report.table import records_of
+from lommel.show import estimates
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from lommel.imaging.edge_chart import EdgeChart
+    from lommel.lensfiles.instrument import Instrument
+
+_NYQUIST = 0.5  # cycles per pixel
+_MOST_ROWS = 24  # of the table of edges; more are in files only
+_ZONES = (("centre", 0.0, 0.35), ("middle", 0.35, 0.7), ("corner", 0.7, np.inf))  # of half the diagonal
+_CURVES = 4  # edges in a figure: nearest to and farthest from the middle, in both directions
+_TOL = 1e-4  # of computed MTFs
+
+
+@command
+@filled(photo=suffixes("photo"))
+def sfr(
+    picture: Path,
+    /,
+    *,
+    outputs: Annotated[tuple[Path, ...], OUTPUT] = (),
+    figure: Annotated[Path | None, PLOT] = None,
+    frequencies: Annotated[tuple[float, ...], Shown(("--frequency",))] = (0.25,),
+    lens: Annotated[Path | None, Shown(metavar="FILE")] = None,
+    encoding: Annotated[Encoding | None, ENCODING] = None,
+    mosaic: Annotated[str | None, Shown(metavar="RGGB")] = None,
+    mask: Annotated[Path | None, Shown(metavar="FILE")] = None,
+    sensor: Sensor = Sensor(),
+) -> Report:
+    """Measure sharpness (SFR, MTF50) from a picture of a chart.
+
+    PICTURE is a PNG, JPEG, TIFF, EXR or HEIC, grey or RGB, of slanted squares, an ISO 12233 or eSFR chart, a tilted
+    checkerboard, or one edge, at 2 to 40 degrees to the rows or columns. Edges are found, and the response of each is
+    measured by ISO 12233, sagittal (S) and tangential (T), in each colour.
+
+    Parameters
+    ----------
+    outputs
+        Table of all edges: .csv or .json; map of MTF50: .png, .pdf or .svg. May be repeated.
+    figure
+        Figure of the response with standard errors, in the middle and in a corner: .png, .pdf or .svg.
+    frequencies
+        Frequency at which the response is listed, cycles per pixel; repeat for several.
+    lens
+        Lens file, of which the computed MTF with pixel is listed beside the measured one, and the difference in
+        standard errors.
+    encoding
+        Encoding of the picture's values: srgb, linear, or a number, as 1.8 for light = value ** 1.8; by default as
+        the picture states (ICC profile), else integers are sRGB; floats are linear.
+    mosaic
+        Colours of a raw picture: the first two pixels of its first and of its second row, such as RGGB.
+    mask
+        Image that is not 0 at pixels to ignore.
+
+    Examples
+    --------
+      lommel sfr chart.jpg -o map.png -o edges.csv
+      lommel sfr chart.tif --pixel 3.45um --frequency 0.125 0.25 --plot curves.png
+      lommel sfr chart.png --lens camera-field.toml
+      lommel sfr raw.tif --mosaic RGGB --encoding linear --pixel 2.4um -o edges.json
+    """
+    for path in outputs:
+        if path.suffix.lower() not in (".csv", ".json"):
+            figure_format(path)
+        require_folder(path)
+    for one in frequencies:
+        validation.real("--frequency", one, above=0.0, most=_NYQUIST)
+    instrument = None if lens is None else instrument_of(lens, camera=sensor.camera, pixel=sensor.pixel)
+    pixel = sensor.pixel or (None if sensor.camera is None else sensor.camera.side)
+    pixel = instrument.side if instrument is not None else pixel
+    with progress("reading") as status:
+        photo = imaging.read_photo(picture, encoding)
+        (values,) = apply_mask([photo.values], mask)
+        status("measuring edges")
+        start = time.process_time()
+        chart = imaging.sfr_chart(values, pixel, encoding=photo.encoding, mosaic=mosaic)
+        rows = chart.rows(frequencies)
+        if instrument is not None:
+            status("computing the MTF of the lens")
+            _compare(chart, rows, instrument, frequencies)
+        seconds = time.process_time() - start
+    facts = chart.to_dict() | {"edges": rows, "zones": _zones(chart, rows), "pixel": pixel, "notes": []}
+    dtype = photo.values.dtype
+    facts |= {"encoding": as_json(photo.encoding), "seconds": seconds}
+    facts["read"] = read_as(dtype, 8 * dtype.itemsize, photo.encoding, photo.stated)
+    for path in outputs:
+        if path.suffix.lower() in (".csv", ".json"):
+            text = json.dumps(facts, indent=2, allow_nan=False) if path.suffix.lower() == ".json" else _csv(rows)
+            atomic.write(path, text.encode())
+        else:
+            save_figure(chart.plot, path)
+    save_figure(lambda: _curves(chart), figure)
+    parts: Parts = [Wrapped(facts["read"]), Wrapped(chart.message.partition("; ")[0], "bold"), ""]
+    parts += [records_of("MTF50, median", facts["zones"]), ""]
+    if len(rows) <= _MOST_ROWS:
+        hidden = ("findings", "edge") if pixel is None else ("findings", "edge", "row", "column")
+        keys = [key for key in rows[0] if key not in hidden]
+        parts += [records_of("edges", rows, keys), ""]
+    return report_findings(facts, *parts, headed=False) + written([*outputs, figure])
+
+
+def _csv(rows: Sequence[Facts]) -> str:
+    """Return records as CSV, findings separated by blanks."""
+    file = io.StringIO()
+    writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows({**row, "findings": " ".join(row["findings"])} for row in rows)
+    return file.getvalue()
+
+
+def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
+    """Return the median MTF50 of each zone of the sensor, direction and channel."""
+    height, width = chart.shape
+    found: dict[tuple[str, str, str], list[Facts]] = {}
+    for row in rows:
+        place = np.hypot(row["column"] - 0.5 * (width - 1), row["row"] - 0.5 * (height - 1))
+        share = float(place / np.hypot(0.5 * width, 0.5 * height))
+        zone = next(name for name, low, high in _ZONES if low <= share < high)
+        found.setdefault((zone, row["direction"], row.get("channel", "")), []).append(row)
+    order = {name: k for k, (name, _, _) in enumerate(_ZONES)}
+    zones = []
+    for (zone, direction, channel), part in sorted(found.items(), key=lambda item: (order[item[0][0]], item[0][1])):
+        known = {
+            key: [row[key] for row in part if row.get(key) is not None]
+            for key in ("mtf50_per_pixel", "lw_ph", "mtf50")
+        }
+        medians = {key: float(np.median(values)) if values else None for key, values in known.items()}
+        zones.append({"zone": zone, "direction": direction, "channel": channel, "edges": len(part)} | medians)
+    return zones
+
+
+def _compare(chart: EdgeChart, rows: list[Facts], instrument: Instrument, frequencies: Sequence[float]) -> None:
+    """Add the computed MTF with pixel, and the difference in standard errors, to records of green or grey edges."""
+    field = None if instrument.aberrations_of_field is None else instrument.field()
+    on_axis = instrument.pupil() if field is None else None
+    for row in rows:
+        if row.get("channel", "green") != "green":
+            continue
+        edge = chart.edges[row["edge"]]
+        pupil = field.pupil(edge.x, edge.y) if field is not None else on_axis
+        angle = edge.response.angle
+        f = np.array(frequencies) / instrument.side
+        computed = mtf(pupil, f * np.cos(angle), f * np.sin(angle), pixel=instrument.side, tol=_TOL)
+        for one, value in zip(frequencies, np.atleast_1d(computed).tolist(), strict=True):
+            measured, error = row[f"at_{one:g}"], row[f"error_{one:g}"]
+            row[f"lens_{one:g}"] = value
+            row[f"z_{one:g}"] = plain((measured - value) / error) if error else None
+
+
+def _curves(chart: EdgeChart) -> Axes:
+    """Draw responses of edges in the middle and far from it, sagittal and tangential; of one edge, its colours."""
+    if len(chart.edges) == 1:
+        return chart.edges[0].response.plot()
+    curves = {}
+    for direction in "ST":
+        edges = sorted((e for e in chart.edges if e.direction == direction), key=lambda e: np.hypot(e.x, e.y))
+        for name, edge in zip(("middle", "corner"), (edges[0], edges[-1]) if edges else (), strict=False):
+            one = edge.response
+            curves[f"{name}, {direction}"] = (one.frequencies * (one.pixel or 1.0), one.values, one.errors)
+    return estimates.responses(curves, "cycles/pixel")

@@ -1,0 +1,97 @@
+"""`lommel sfr`, run as a user runs it, on charts that are drawn by integrals of a Gaussian."""
+
+from __future__ import annotations
+
+import csv
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+from slanted_edges import gaussian, picture, squares
+
+LENS = """
+name = "50 mm lens"
+[lens]
+focal_length = "50 mm"
+f_number = 8.0
+focus_distance = "2 m"
+wavelength = "550 nm"
+[sensor]
+pixel = "4 um"
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A chart of one square, one edge in colour, and a lens file."""
+    (tmp_path / "lens.toml").write_text(LENS, encoding="utf-8")
+    light = squares((120, 120), [(0.0, 0.0)], 70.0, 0.8)
+    encoded = 1.055 * np.random.default_rng(0).poisson(20000 * light) ** (1 / 2.4) / 20000 ** (1 / 2.4) - 0.055
+    Image.fromarray((255.0 * encoded).round().astype(np.uint8)).save(tmp_path / "chart.png")
+    colours = np.stack([picture(6.0, sigma, (90, 90), 4) for sigma in (0.7, 0.5, 0.6)], axis=-1)
+    Image.fromarray((255.0 * colours).round().astype(np.uint8)).save(tmp_path / "edge.png")
+    return tmp_path
+
+
+def test_a_chart_is_told_and_written(folder, call_lommel):
+    result = call_lommel(
+        "sfr", "chart.png", "--pixel", "4um", "--frequency", 0.1, 0.2, "-o", "edges.csv", "-o", "edges.json", "-o",
+        "map.png", "--plot", "curves.png", folder=folder,
+    )  # fmt: skip
+    assert result.returncode == 0, result.stderr
+    lines = result.stdout.splitlines()
+    assert lines[0] == "8-bit values, assumed sRGB; if they are linear, give --encoding linear"
+    assert lines[1].startswith("converged: 4 edges measured, 0 refused")
+    assert lines[-4:] == [f"wrote {name}" for name in ("edges.csv", "edges.json", "map.png", "curves.png")]
+    data = json.loads((folder / "edges.json").read_text(encoding="utf-8"))
+    with (folder / "edges.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(data["edges"]) == 4
+    expected = np.exp(-2.0 * (0.1 * np.pi) ** 2 * (0.8**2 + 1 / 12))
+    for row, record in zip(rows, data["edges"], strict=True):
+        assert float(row["at_0.1"]) == record["at_0.1"] == pytest.approx(expected, abs=0.01)
+        assert record["mtf50"] == pytest.approx(record["mtf50_per_pixel"] / 4e-6)
+        assert record["direction"] == "T"
+    assert data["zones"][0]["edges"] == 4
+
+
+def test_one_crop_has_a_row_for_each_colour(folder, call_lommel):
+    result = call_lommel("sfr", "edge.png", "--encoding", "linear", "--json", folder=folder)
+    records = json.loads(result.stdout)["edges"]
+    assert [record["channel"] for record in records] == ["red", "green", "blue"]
+    for sigma, record in zip((0.7, 0.5, 0.6), records, strict=True):
+        assert record["at_0.25"] == pytest.approx(gaussian(0.25, np.radians(6.0), sigma), abs=0.02)
+
+
+def test_a_lens_file_is_compared_in_standard_errors(folder, call_lommel):
+    result = call_lommel("sfr", "chart.png", "--lens", "lens.toml", "--json", folder=folder)
+    pupil, f, turn = lm.load_instrument(folder / "lens.toml").pupil(), 0.25 / 4e-6, np.radians(6.0)
+    for record in json.loads(result.stdout)["edges"]:
+        computed = lm.mtf(pupil, f * np.cos(turn), f * np.sin(turn), pixel=4e-6)
+        assert record["lens_0.25"] == pytest.approx(computed, abs=2e-3)
+        assert record["z_0.25"] == pytest.approx((record["at_0.25"] - record["lens_0.25"]) / record["error_0.25"])
+        assert record["z_0.25"] < -5.0  # the picture is blurred more
+
+
+def test_pictures_in_doubt_end_with_exit_code_4(folder, call_lommel):
+    result = call_lommel("sfr", "edge.png", "--encoding", "0.3", folder=folder)
+    assert result.returncode == 4
+    assert "not symmetric" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["chart.png", "-o", "map.txt"], "must end in .png, .pdf or .svg"),
+        (["chart.png", "--frequency", "0.7"], "--frequency must be"),
+        (["chart.png", "--mosaic", "RGB"], "--mosaic must have the letters"),
+    ],
+)
+def test_wrong_options_are_one_line(folder, call_lommel, words, message):
+    result = call_lommel("sfr", *words, folder=folder)
+    assert result.returncode == 2
+    assert message in result.stderr
+    assert len(result.stderr.splitlines()) == 1

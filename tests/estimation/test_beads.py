@@ -12,12 +12,13 @@ import pytest
 import lommel as lm
 import plane_waves
 import searches
-from lommel.estimation import bead_checks
+from lommel.estimation import bead_checks, bead_images
 from lommel.estimation.bead_checks import is_possible, missing_findings
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed_objective
 from lommel.estimation.bead_search import Prior
 from lommel.estimation.favoured_effects import Round
 from lommel.fit.score_tests import ScoreTest
+from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.stratified import Design
 from lommel.special import zernike
 from objectives import OIL, oil
@@ -164,6 +165,22 @@ def test_derivatives_are_differences_of_images(name):
         found = images.derivatives(setup, coefficients, place, stack)[order.index(name)]
     # Of the middle of the bead alone: its two discs differ by little.
     assert np.abs(found - exact).max() <= 0.06 * np.abs(exact).max()
+
+
+@pytest.mark.parametrize("samples", [1, 10**9])
+def test_images_of_planes_computed_in_groups_are_those_of_single_planes(monkeypatch, samples):
+    setup, model = Setup(OIL, WAVE, emitter_of("isotropic"), PIXEL, 0.1e-6), BeadImages(TERMS, {}, 1)
+    place, stack = Place(0.3, -0.2, 0.1e-6, 60e-9, 0.2, -0.1), Stack(np.ones((4, 9, 225)), (15, 15), Z)
+    monkeypatch.setattr(bead_images, "_MOST_SAMPLES", samples)
+    images = [model.values(setup, waves(1), place, stack), model.derivatives(setup, waves(1), place, stack)]
+    # The drift displaces planes in proportion to time: a plane alone has that of its place.
+    for k, time in enumerate(stack.times):
+        alone = place._replace(row=0.3 + 0.2 * time, column=-0.2 - 0.1 * time, drift_row=0.0, drift_column=0.0)
+        one = Stack(np.ones((4, 1, 225)), (15, 15), Z[k : k + 1])
+        for found, of in zip(images, (model.values, model.derivatives), strict=True):
+            single = of(setup, waves(1), alone, one)[..., 0, :, :]
+            largest = np.abs(single).max(axis=(-2, -1), keepdims=True)
+            np.testing.assert_array_less(np.abs(found[..., k, :, :] - single) / largest, 2e-3)
 
 
 def test_images_are_smooth_in_the_depth_of_a_bead_that_reaches_the_glass():

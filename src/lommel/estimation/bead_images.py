@@ -45,6 +45,7 @@ DIPOLE = ("wobble", "azimuth")  # constants of a dye that keeps the polarization
 NONLINEAR = "nonlinear"  # nonlinearity of the camera: fraction of electrons that is lost at 10^4 electrons
 _MAX_CHORDS = 160  # maximum number of chords of the pupil along which the quadrature rule integrates
 _ITERATIONS = 4  # iterations for flux and background of a plane
+_MOST_SAMPLES = 250_000  # largest number of samples, of images and derivatives, that are in memory at a time
 _MIN_FLUX = 1e-3  # smallest flux of a plane in the search, relative to the largest flux of all planes
 
 
@@ -321,39 +322,49 @@ class BeadImages:
         u, fractions = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
         # No disc may lie inside the cover glass: a bead nearer than its radius is flattened, and images are smooth.
         depths = place.depth + min(0.5 * setup.diameter, place.depth) * u
-        focus = np.tile(place.focus + setup.step * stack.z + setup.jump * stack.displaced, len(u))
+        focus = place.focus + setup.step * stack.z + setup.jump * stack.displaced
         amplitudes = by or ()
-        planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
-        light_of = partial(light_by_rule.light, layers, setup.emitter, planes, samples, rule, self.terms)
+        degrees = tuple(AMPLITUDES[name] for name in amplitudes)
         if by is None:
-            sampled = light_of(threads=self.threads)
+            light_of, order = partial(light_by_rule.light, threads=self.threads), [0]
         else:
-            terms, degrees = (*self.estimated_terms, *SHIFTS.values()), tuple(AMPLITUDES[name] for name in amplitudes)
-            sampled = light_of(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
+            light_of = partial(
+                light_by_rule.light, by=(*self.estimated_terms, *SHIFTS.values()), by_focus=True,
+                by_amplitude=degrees, threads=self.threads,
+            )  # fmt: skip
+            # Order of the derivatives of light(): focus, amplitudes, terms at the pupil edge, tilts.
+            first, last = 2 + len(degrees), 2 + len(degrees) + len(self.estimated_terms)
+            order = [0, *range(first, last), 1, last, last + 1, *range(2, first)]
         power = power_at(layers, setup.emitter, depths)
         scale = pixel_v**2 / (4.0 * math.pi * float(fractions @ power))
-        sum_of_discs: Array | float = 0.0
-        for k, (height, fraction) in enumerate(zip(u, fractions.tolist(), strict=True)):
+        filters = []
+        for height in u.tolist():
             # The variance of a projected ball along an axis is radius^2 / 5.
             disc_radius, ball_variance = 0.0, setup.radius**2 / 5.0
             if ball:
                 disc_radius, ball_variance = setup.radius * math.sqrt(1.0 - height**2), 0.0
-            disc_samples = sampled[:, k * count : (k + 1) * count]
             blur_variance = ball_variance + setup.blur * samples.step**2
-            pixels = light_by_rule.pixel_filter(samples, disc_radius, blur_variance, integrate=setup.integrate)
-            disc_samples = disc_samples if by is None else disc_samples.astype(np.float32)
-            sum_of_discs = sum_of_discs + fraction * pixels.of(disc_samples)
-        images = np.asarray(scale * sum_of_discs)
+            filters.append(light_by_rule.pixel_filter(samples, disc_radius, blur_variance, integrate=setup.integrate))
+        images = np.empty((len(order), count, *stack.shape), np.float64 if by is None else np.float32)
+        # Samples are far larger than images: groups of planes limit their memory.
+        size = max(1, _MOST_SAMPLES // (len(order) * len(u) * math.prod(samples.window.shape)))
+        for group in np.array_split(np.arange(count), math.ceil(count / size)):
+            edges = np.tile(edge[group], (len(u), 1)) if len(edge) > 1 else edge
+            planes = Planes(np.repeat(depths, len(group)), np.tile(focus[group], len(u)), edges)
+            sampled = light_of(layers, setup.emitter, planes, samples, rule, self.terms)
+            discs = sampled.reshape(len(order), len(u), len(group), *sampled.shape[-2:])
+            images[:, group] = sum(
+                scale * fraction * pixels.of(discs[order, k].astype(images.dtype))
+                for k, (pixels, fraction) in enumerate(zip(filters, fractions.tolist(), strict=True))
+            )
         if by is not None:
-            # Order of the derivatives: focus, amplitudes, terms at the pupil edge, tilts.
-            term_start, term_end = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.estimated_terms)
-            images[term_start:term_end] *= self.factors[:, None, None, None]
+            images[1 : 1 + len(self.estimated_terms)] *= self.factors[:, None, None, None]
             # A shift by one pixel is a tilt of `pixel_v` radians at the pupil edge.
-            images[-2:] *= pixel_v
-            for k, name in enumerate(amplitudes, 2):
+            shifts = 2 + len(self.estimated_terms)
+            images[shifts : shifts + 2] *= pixel_v
+            for k, name in enumerate(amplitudes, shifts + 2):
                 # Images are normalized to the collected light, which depends on the amplitudes.
                 images[k] -= _light_derivative(setup, name, depths) * images[0]
-            images = images[[0, *range(term_start, term_end), 1, term_end, term_end + 1, *range(2, term_start)]]
         return images
 
     def rule(self, samples: Samples, edge: Array) -> Rule:
@@ -462,12 +473,14 @@ def _regularized(square: Array) -> Array:
     return np.asarray(square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1]))
 
 
-def part_of(values: Array, derivatives: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:
+def part_of(
+    values: Array, derivatives: Sequence[Array], chain: Array, stack: Stack, light: Array, threads: int
+) -> Part:
     """Return the contribution of a stack to likelihood and information, from its PSFs `values`.
 
     The derivatives of PSFs by the parameters are `chain` (planes, parameters, k) times the k images in `derivatives`.
     """
-    images = [values.astype(derivatives.dtype), *derivatives]
+    images = [values.astype(derivatives[0].dtype), *derivatives]
     sums, products = star_likelihood(images, light[None], stack.pixel_data, threads)
     _, chi2_expectation, chi2_variance = sums.sum(axis=(-1, -2))
     gram, k = products[0], len(derivatives)  # Gram matrices of the planes

@@ -199,6 +199,7 @@ class BeadModel:
         for j, (psf, stack) in enumerate(zip(values, self.level_stacks(state), strict=True)):
             derivatives, chain = self._derivatives(state, j, names, psf)
             parts.append(bead_images.part_of(psf, derivatives, chain, stack, state.light[j], self.images.threads))
+            del derivatives  # before those of the next bead
             columns = [*range(k), *self.columns(j, k)]
             information[np.ix_(columns, columns)] += parts[-1].information.sum(axis=0)
             gradient[columns] += parts[-1].gradient.sum(axis=0)
@@ -208,7 +209,7 @@ class BeadModel:
             information[column, column] += prior_information
         return parts, information, gradient
 
-    def _derivatives(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[Array, Array]:
+    def _derivatives(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[list[Array], Array]:
         """Return k derivatives of the images of a bead, and the chain rule, shape (planes, parameters, k).
 
         For each plane, the derivatives by the parameters are linear combinations of the k derivatives.
@@ -237,7 +238,7 @@ class BeadModel:
         for row, parameter in enumerate((*names, *self.bead_parameters)):
             column, factor = chain_rule[parameter]
             chain[:, row, column] = factor
-        return np.stack(derivatives), chain
+        return derivatives, chain
 
     def step(self, x: Evaluation, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
         """Return a damped step (1, parameters), and the predicted decrease of the deviance."""

@@ -653,15 +653,16 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
         findings = goodness_of_fit.chi2_findings(chi2, deviation, causes, freed=bool(estimated_names))
         expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
-        level_planes = (stack.planes for stack in model.level_stacks(state))
-        counted, read, valid = map(np.stack, zip(*level_planes, strict=True))
-        residual = np.where(valid, counted - expected_images, np.nan)
+        level = [stack.planes for stack in model.level_stacks(state)]
+        residual = np.stack(
+            [np.where(one[2], one[0] - mean, np.nan) for one, mean in zip(level, expected_images, strict=True)]
+        )
+        read = np.stack([one[1] for one in level])
         background = np.stack([light[1] for light in state.light])[..., None, None]
         if {"misfit", "too_quiet"} & {*Findings(findings).codes}:
             findings[:0] = noise_findings(residual, expected_images, read, background, noise.excess)
-        windows = residual.reshape(-1, *residual.shape[-2:])
-        variance = (expected_images + read).reshape(windows.shape)
-        findings += goodness_of_fit.stripe_findings(windows, variance, noise.excess)
+        windows, variance = residual.reshape(-1, *residual.shape[-2:]), expected_images + read
+        findings += goodness_of_fit.stripe_findings(windows, variance.reshape(windows.shape), noise.excess)
         reversed_findings: list[Finding] = []
         # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.
         if missing_findings or estimated_names or not Findings(findings).converged:
@@ -679,7 +680,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             # The shift is linear in the parameters: where it is large, it means nothing.
             if np.linalg.norm(marginal.shift[: len(state.waves)]) <= MAX_LINEAR_ERROR:
                 state = _add_shift(state, model, marginal.shift)
-        parts = residual, expected_images + read, expected_images - background
+        parts = residual, variance, expected_images - background
         is_error = {finding.code for finding in findings if finding.severity == "error"}
         # A misfit that no effect explains: errors are the scatter of fits without one plane.
         if is_error == {"misfit"} and causes and fit.settled and part_missed(*parts) < MAX_MISSED:

@@ -57,6 +57,7 @@ _FINE_STEPS = np.linspace(-0.5, 0.5, 9)  # wave vectors about the most significa
 # Smallest part of a misfit that a pattern explains, and the misfit, standard deviations, from which this is required.
 _PATTERN_SHARE, _LARGE_MISFIT = 0.3, 4.0
 _LEAST_SIDE = 6  # smallest side of windows for the test of stripes, pixels
+_TOGETHER = 64  # number of images whose Fourier transforms are in memory at a time
 
 
 def largest_plausible_chi2(spread: Any, probability: float = BY_CHANCE) -> Array:
@@ -290,21 +291,27 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     """
     weight = np.where(np.isfinite(residual) & (variance > 0.0), 1.0 / np.maximum(variance, 1e-9), 0.0)
     usable = (weight > 0.0).sum(axis=(1, 2)) > _LEAST_SIDE**2 // 2
-    weight, residual = weight[usable], residual[usable]
+    if not usable.all():
+        weight, residual = weight[usable], residual[usable]
     height, width = residual.shape[1:]
     if not len(weight) or min(height, width) < _LEAST_SIDE:
         return []
     # Subtract a plane from each window, because sloping backgrounds are not stripes.
     plane = np.stack([np.ones((height, width)), *np.mgrid[:height, :width]])
     normal = np.einsum("iyx,nyx,jyx->nij", plane, weight, plane)
-    pull = np.einsum("iyx,nyx->ni", plane, weight * np.nan_to_num(residual))
-    residual = residual - np.tensordot(np.linalg.solve(normal, pull[..., None])[..., 0], plane, 1)
+    residual = np.nan_to_num(residual)
+    pull = np.einsum("iyx,nyx,nyx->ni", plane, weight, residual)
+    residual -= np.tensordot(np.linalg.solve(normal, pull[..., None])[..., 0], plane, 1)
     # One of each pair of opposite wave vectors is sufficient.
     rows, columns = 0.5 * np.arange(2 * height), 0.5 * np.arange(width + 1)
-    score, total = np.nan_to_num(residual) * weight, weight.sum(axis=(1, 2))
-    f = np.fft.rfft2(score, (2 * height, 2 * width))
-    w_2k = np.fft.fft2(weight)[:, np.arange(2 * height)[:, None] % height, np.arange(width + 1) % width]
-    squares, freedom = _wave_squares(f, w_2k, total)
+    score, total = residual * weight, weight.sum(axis=(1, 2))
+    squares, freedom = np.zeros((2, len(rows), len(columns)))
+    for first in range(0, len(score), _TOGETHER):
+        part = slice(first, first + _TOGETHER)
+        f = np.fft.rfft2(score[part], (2 * height, 2 * width))
+        w_2k = np.fft.fft2(weight[part])[:, np.arange(2 * height)[:, None] % height, np.arange(width + 1) % width]
+        sums = _wave_squares(f, w_2k, total[part])
+        squares, freedom = squares + sums[0], freedom + sums[1]
     # If the noise is larger than stated, the power of all wave vectors is increased: normalize by the median.
     levels, level = np.unique(freedom, return_inverse=True)  # few: special functions of all waves would take longer
     medians = 2.0 * scipy.special.gammaincinv(0.5 * levels, 0.5)
@@ -343,7 +350,7 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
         wave = {"period": 1.0 / math.hypot(fy, fx), "angle": math.degrees(math.atan2(fy, fx))}
     excess_power, factor = power[kind]
     # Of a large misfit, a pattern is a name only if it explains a good part.
-    rest = float((np.nan_to_num(residual) ** 2 * weight).sum()) / dispersion - (count := float((weight > 0.0).sum()))
+    rest = float((residual * score).sum()) / dispersion - (count := float((weight > 0.0).sum()))
     if rest > _LARGE_MISFIT * math.sqrt(2.0 * count) and excess_power < _PATTERN_SHARE * rest:
         return []
     # The power in excess of that of noise is converted to an rms offset in electrons.

@@ -52,7 +52,6 @@ struct NodeSeries {
     const std::int32_t* wave;  // [plane]: index of the plane's wave in `waves`
 
     std::size_t nodes() const { return count.half_chords() * count.half_nodes(); }
-    std::size_t jobs() const { return planes * sets.size() * fields; }
     const double* waves_of(const FieldSet& set, std::size_t plane) const {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
@@ -514,12 +513,15 @@ struct PlaneLight {
     }
 };
 
+// Largest number of values of complex amplitudes of a tile of planes, unless a single plane has more.
+constexpr std::size_t full_light_values = std::size_t{1} << 20;
+
 // As node_light(), for waves with more than two nonzero parts on average: parts of all four parities are transformed together.
 inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
     const std::size_t lanes = Kernels::lanes(level), pixels = window.height * window.width;
-    const std::size_t sets = given.sets.size(), fields = given.fields, jobs = given.jobs(), each = given.parts_size();
+    const std::size_t sets = given.sets.size(), fields = given.fields, each = given.parts_size();
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     std::size_t series = 0;
@@ -527,42 +529,46 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
         series = std::max(series, static_cast<std::size_t>(set.series) + 1);
     }
     const Doubles parts = all_parts(level, given, series, 0, given.planes, threads);
-    // u: complex amplitudes in the image, [plane][set][field][row][column][re, im].
+    const std::size_t of_plane = sets * fields, most = std::max<std::size_t>(1, full_light_values / (2 * of_plane * pixels));
     thread_local Doubles scratch;
-    scratch.resize(2 * jobs * pixels);
-    double* const u = scratch.data();  // memory of the calling thread, filled by all threads
-    parallel_for((jobs + lanes - 1) / lanes, threads, [&](std::size_t, std::size_t b) {
-        thread_local Doubles at, room, chords, row;
-        const std::size_t first = b * lanes, here = std::min(lanes, jobs - first), line = given.count.half_chords() * 4 * lanes;
-        at.assign(given.count.half_nodes() * 8 * lanes, 0.0);
-        room.resize(given.count.half_nodes() * 10);
-        chords.resize(rows.count * line);
-        row.resize(columns.count * 2 * lanes);
-        for (std::size_t i = 0; i < given.count.half_chords(); ++i) {
-            look();
-            for (std::size_t lane = 0; lane < here; ++lane) {
-                const std::size_t job = first + lane, plane = job / (sets * fields);
-                const FieldSet& set = given.sets[job / fields % sets];
-                const double* from = parts.data() + (static_cast<std::size_t>(set.series) * given.planes + plane) * each;
-                place_field(level, given, plane, set, job % fields, from, i, lanes, room.data(), at.data() + lane);
+    for_tiles(given.planes, most, [&](std::size_t tile, std::size_t planes) {
+        // u: complex amplitudes in the image, [plane of the tile][set][field][row][column][re, im].
+        const std::size_t jobs = planes * of_plane;
+        scratch.resize(2 * jobs * pixels);
+        double* const u = scratch.data();  // memory of the calling thread, filled by all threads
+        parallel_for((jobs + lanes - 1) / lanes, threads, [&](std::size_t, std::size_t b) {
+            thread_local Doubles at, room, chords, row;
+            const std::size_t first = b * lanes, here = std::min(lanes, jobs - first);
+            const std::size_t line = given.count.half_chords() * 4 * lanes;
+            at.assign(given.count.half_nodes() * 8 * lanes, 0.0);
+            room.resize(given.count.half_nodes() * 10);
+            chords.resize(rows.count * line);
+            row.resize(columns.count * 2 * lanes);
+            for (std::size_t i = 0; i < given.count.half_chords(); ++i) {
+                look();
+                for (std::size_t lane = 0; lane < here; ++lane) {
+                    const std::size_t job = first + lane, plane = tile + job / of_plane;
+                    const FieldSet& set = given.sets[job / fields % sets];
+                    const double* from = parts.data() + (static_cast<std::size_t>(set.series) * given.planes + plane) * each;
+                    place_field(level, given, plane, set, job % fields, from, i, lanes, room.data(), at.data() + lane);
+                }
+                Kernels::rows(level, *kernel, i, at.data(), chords.data());
             }
-            Kernels::rows(level, *kernel, i, at.data(), chords.data());
-        }
-        for (std::size_t y = 0; y < rows.count; ++y) {
-            look();
-            Kernels::columns(level, *kernel, chords.data() + y * line, row.data());
-            for (std::size_t lane = 0; lane < here; ++lane) {
-                double* to = u + 2 * ((first + lane) * pixels + y * window.width);
-                for (std::size_t x = 0; x < 2 * window.width; ++x) {
-                    to[x] = row[x * lanes + lane];
+            for (std::size_t y = 0; y < rows.count; ++y) {
+                look();
+                Kernels::columns(level, *kernel, chords.data() + y * line, row.data());
+                for (std::size_t lane = 0; lane < here; ++lane) {
+                    double* to = u + 2 * ((first + lane) * pixels + y * window.width);
+                    for (std::size_t x = 0; x < 2 * window.width; ++x) {
+                        to[x] = row[x * lanes + lane];
+                    }
                 }
             }
-        }
-    });
-    parallel_for(given.planes, threads, [&](std::size_t, std::size_t plane) {
-        const double* own = u + 2 * plane * sets * fields * pixels;
-        dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t set = 0; set < sets; ++set) {
+        });
+        parallel_for(planes * sets, threads, [&](std::size_t, std::size_t k) {
+            const std::size_t plane = tile + k / sets, set = k % sets;
+            const double* own = u + 2 * (k - set) * fields * pixels;
+            dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
                 double* to = values + (set * given.planes + plane) * pixels;
                 std::fill_n(to, pixels, 0.0);
                 for (std::size_t c = 0; c < fields; ++c) {
@@ -577,7 +583,7 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
                     }
                     largest[(set * given.planes + plane) * fields + c] = std::sqrt(top);
                 }
-            }
+            });
         });
     });
 }

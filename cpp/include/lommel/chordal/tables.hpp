@@ -242,7 +242,7 @@ struct KernelTable {
     }
     std::size_t vectors() const { return lanes.vectors(count.half_chords()); }
     std::size_t bytes() const { return 2 * (row_cos.size() + column_cos.size()) * sizeof(Real); }
-    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
+    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
     static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:

@@ -762,7 +762,7 @@ class Filter(NamedTuple):
     def of(self, samples: Array) -> Array:
         """Return pixels (..., height, width) from samples."""
         # One small product for each image: BLAS starts no threads for small products.
-        total: Array = np.zeros(())
+        total: Array | float = 0.0
         for rows, columns in self.parts:
             row_matrix, column_matrix = (matrix.astype(samples.dtype, copy=False) for matrix in (rows, columns))
             total = total + np.matmul(np.matmul(row_matrix, samples), column_matrix.T)

@@ -223,6 +223,9 @@ def write_files(place: Path) -> None:
     tifffile.imwrite(
         "chart.tif", lm.Noise(read=2.0).record(chart, seed=1).astype(np.float32), photometric="minisblack"
     )
+    ring = telescope.pupil().carrying(lm.Wavefront(15.0, nonradial={(3, 1): 0.6}), None)
+    ring = 2e5 * lm.psf(ring, 64, telescope.pixel, blur=lm.Jitter(4e-6), tol=1e-4).values + 20.0
+    fits.PrimaryHDU(lm.Noise(read=2.0).record(ring, seed=3).astype(np.float32)).writeto("donut.fits")
     names = "inside", "stars", "outside", "donuts"
     for name, exposure in zip(names, lm.Noise(read=2.0).record(sky, seed=2), strict=True):
         fits.PrimaryHDU(exposure.astype(np.float32)).writeto(f"{name}.fits")

@@ -38,6 +38,7 @@ COMMANDS = {
     "retrieve": "fit_commands",
     "beads": "fit_commands",
     "fit-field": "fit_commands",
+    "collimate": "collimate_command",
     "localize": "localize_command",
     "paper": "lens_commands",
 }

@@ -498,6 +498,33 @@ _REASONS = {
 _MASKED = "#f7cdbb"  # colour of NaN and masked pixels
 
 
+def collimation(
+    image: Array, star: tuple[float, float, float], angle: float | None, title: str, *, down: bool
+) -> Axes:
+    """Draw a defocused star with the direction of coma and the hours of a clock.
+
+    `star` are its row, column and radius, pixels, and `angle` points from columns to rows, None without direction.
+    The first row is at the top if `down`.
+    """
+    axes = drawing.new_axes(None, (5.6, 5.9))
+    row, column, radius = star
+    axes.imshow(image, cmap="gray", interpolation="nearest", origin="upper" if down else "lower")
+    reach, sign = 1.75 * radius, 1.0 if down else -1.0
+    for hour in range(1, 13):
+        turn = math.radians(30.0 * hour)
+        place = column + reach * math.sin(turn), row - sign * reach * math.cos(turn)
+        axes.text(*place, str(hour), color="w", fontsize=9, ha="center", va="center")
+    if angle is not None:
+        tail = column + 1.55 * radius * math.cos(angle), row + 1.55 * radius * math.sin(angle)
+        axes.annotate("", tail, (column, row), arrowprops={"arrowstyle": "->", "color": "C1", "linewidth": 2.0})
+    edge = 2.0 * radius
+    rows = row + sign * edge, row - sign * edge
+    axes.set(xlabel="column", ylabel="row", xlim=(column - edge, column + edge), ylim=rows)
+    axes.set_facecolor("k")
+    axes.set_title(drawing.fit_to_width(title, axes, 10), fontsize=10)
+    return axes
+
+
 def spots(
     image: Array,
     places: Values,

@@ -1,0 +1,116 @@
+"""`lommel collimate`, run as a user runs it."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+from lommel.cli import collimate_command
+from lommel.cli.collimate_command import Telescope, _hour, _pictures, _read, _vector
+from lommel.cli.instruments import Sensor
+from lommel.estimation.collimation import Vector
+
+OPTIONS = ["--aperture", "200mm", "--focal-length", "2m", "--pixel", "7.6um"]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Two pictures of a star with coma up and to the right as PNG shows it, and an empty one."""
+    wave = lm.Wavefront.zernike({7: -0.16, 8: 0.12}, order="noll", unit="waves") + lm.Wavefront(6.0 * np.pi)
+    pupil = lm.Pupil(wave, obscuration=0.35, wavelength=550e-9, f_number=10.0)
+    light = lm.psf(pupil, 72, 7.6e-6, blur=lm.Jitter(8e-6), tol=1e-4).values
+    for seed in (1, 2):
+        counts = lm.Noise(read=2.0).record(4e5 * light + 10.0, seed=seed)
+        Image.fromarray(np.rint(np.clip(counts, 0, 65000)).astype(np.uint16)).save(tmp_path / f"star-{seed}.png")
+    Image.fromarray(np.random.default_rng(0).integers(90, 110, (72, 72)).astype(np.uint16)).save(tmp_path / "sky.png")
+    (tmp_path / "notes.txt").write_text("no picture", encoding="utf-8")
+    return tmp_path
+
+
+def test_pictures_of_a_folder_and_their_mean_say_where_the_coma_points(folder, call_lommel):
+    result = call_lommel("collimate", ".", *OPTIONS, "--obscuration", 0.35, "--plot", "coma.pdf", folder=folder)
+    assert result.returncode == 3  # of the empty picture
+    lines = result.stdout.replace("\n  ", " ").splitlines()  # without wrapping
+    sky, first, _, mean, tail, cassegrain, newtonian, _, wrote = lines
+    assert sky == "sky.png: not measured: the picture must show a star, got none above the noise"
+    assert first.startswith("star-1.png: coma 0.")
+    assert mean.startswith("mean of 2: coma 0.")
+    assert re.search(r"towards 1 o'clock \(5[2-5] \+- 1 degrees\)", mean)
+    assert "tail towards 1 o'clock" in tail
+    assert "bright at 7 o'clock" in tail
+    assert "towards 1 o'clock by the screws of the secondary" in cassegrain
+    assert "towards 7 o'clock by the screws of the primary" in newtonian
+    assert wrote == "wrote coma.pdf"
+    result = call_lommel("collimate", "star-1.png", *OPTIONS, "--json", folder=folder)
+    facts = json.loads(result.stdout)
+    assert facts["coma"]["degrees"] == pytest.approx(53.1, abs=2.0)
+    assert facts["pictures"][0]["spherical"] is None  # depends on the obscuration
+    assert facts["coma"]["error"] > 0.1 * facts["coma"]["waves"]
+
+
+def test_what_is_missing_is_named_with_its_option(folder, call_lommel):
+    result = call_lommel("collimate", "sky.png", "--aperture", "200mm", folder=folder)
+    assert result.returncode == 2
+    assert "add --focal-length 2m --pixel 3.8um" in result.stderr
+    result = call_lommel("collimate", "sky.png", "--watch", folder=folder)
+    assert "--watch needs one folder" in result.stderr
+
+
+def test_the_header_states_the_telescope():
+    header = {"aperture": 0.2, "focal_length": 2.0, "sensor_pixel": 3.8e-6}
+    lens, pixel = Telescope(focal_length=1.0).instrument(header, Sensor())
+    assert (lens.f_number, lens.obscuration, pixel) == (5.0, 0.33, 3.8e-6)
+    assert Telescope(obscuration=0.0).instrument(header, Sensor(pixel=2e-6))[1] == 2e-6
+    with pytest.raises(ValueError, match="--telescope must not be combined"):
+        Telescope(lens=Path("t.toml"), aperture=0.2).instrument(header, Sensor())
+
+
+@pytest.mark.parametrize(("rows", "down"), [(None, False), ("TOP-DOWN", True), ("BOTTOM-UP", False)])
+def test_fits_files_are_shown_from_the_bottom_unless_they_say_otherwise(tmp_path, rows, down):
+    fits = pytest.importorskip("astropy.io.fits")
+    values = np.arange(20, dtype=np.uint8).reshape(4, 5)
+    values[0, 0] = 255
+    fits.writeto(tmp_path / "a.fits", values, fits.Header({} if rows is None else {"ROWORDER": rows}))
+    picture, header, shown_down = _read(tmp_path / "a.fits")
+    assert shown_down == down
+    assert np.isnan(picture[0, 0])  # saturated
+    assert picture[3, 4] == 19.0
+    assert header["format"] == "FITS"
+
+
+def test_colours_are_averaged_in_linear_light(tmp_path):
+    Image.fromarray(np.full((6, 6, 3), (0, 128, 255), np.uint8)).save(tmp_path / "a.png")
+    Image.fromarray(np.full((6, 6, 3), (0, 128, 128), np.uint8)).save(tmp_path / "b.png")
+    assert np.isnan(_read(tmp_path / "a.png")[0]).all()
+    assert _read(tmp_path / "b.png")[0] == pytest.approx(2.0 / 3.0 * 0.2159, abs=1e-3)
+
+
+def test_angles_are_those_of_the_picture_as_shown():
+    vector = Vector.of(0.1 + 0.1j, 0.01)
+    assert _vector(vector, down=False)["degrees"] == pytest.approx(45.0)
+    assert _vector(vector, down=True)["degrees"] == pytest.approx(315.0)
+    assert _vector(Vector.of(0.1j, 0.01, 2), down=True, folds=2)["degrees"] == pytest.approx(135.0)
+    assert [_hour(angle) for angle in (90.0, 60.0, 0.0, 270.0, 180.0, 100.0)] == [12, 1, 3, 6, 9, 12]
+
+
+def test_new_pictures_are_read_once_and_when_whole(tmp_path, monkeypatch):
+    growing, steps = tmp_path / "b.fits", itertools.count()
+
+    def wait(_):
+        step = next(steps)
+        if step < 3:
+            growing.write_bytes(bytes(1 + min(step, 1)))
+        stop.requested = step > 5
+
+    stop = type("Stop", (), {"requested": False})()
+    monkeypatch.setattr(collimate_command.time, "sleep", wait)
+    (tmp_path / "a.png").write_bytes(b"1")
+    found = [(path.name, path.stat().st_size) for path in _pictures([tmp_path], stop, watch=True)]
+    assert found == [("a.png", 1), ("b.fits", 2)]

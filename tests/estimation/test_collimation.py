@@ -1,0 +1,97 @@
+"""Coma of a defocused star, against pictures by the FFT of a sampled pupil, blurred and with noise."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import scipy
+
+import lommel as lm
+from lommel.estimation.collimation import Vector, find_star, mean_coma, measure_collimation
+
+TELESCOPE = lm.Lens(focal_length=2.0, aperture_diameter=0.2, obscuration=0.35, wavelength=550e-9)
+PIXEL = 7.6e-6
+
+
+def donut(waves, x=0.0, y=0.0, astigmatism=0.0, *, side=72, seed=1, electrons=2e5):
+    """A star in counts (2 electrons per count, offset 200); terms in waves rms, coma along columns and rows."""
+    # Samples of half a pixel: the pupil has a diameter of so many cells in a transform of `count`.
+    count, n = 4 * side, 10.0
+    cells = 0.5 * PIXEL * count / (550e-9 * n)
+    axis = (np.arange(count) - count // 2) * 2.0 / cells
+    v, u = np.meshgrid(axis, axis, indexing="ij")
+    r2 = u**2 + v**2
+    phase = (
+        waves * r2
+        + math.sqrt(8.0) * (3.0 * r2 - 2.0) * (x * u + y * v)
+        + math.sqrt(6.0) * astigmatism * (u**2 - v**2)
+    )
+    field = np.exp(2j * np.pi * phase) * ((r2 < 1.0) & (r2 > 0.35**2))
+    light = np.fft.fftshift(np.abs(np.fft.fft2(np.fft.ifftshift(field))) ** 2)
+    light = scipy.ndimage.gaussian_filter(light / light.sum(), 2.0)
+    # Pixels of 2 x 2 samples, centred on the axis.
+    light = 0.25 * sum(np.roll(light, shift, (0, 1)) for shift in ((0, 0), (0, 1), (1, 0), (1, 1)))
+    pixels = 4.0 * light[::2, ::2][side // 2 : side // 2 + side, side // 2 : side // 2 + side]
+    draw = np.random.default_rng(seed)
+    return (draw.poisson(electrons * pixels + 10.0) + 2.0 * draw.normal(size=pixels.shape)) / 2.0 + 200.0
+
+
+@pytest.mark.parametrize("waves", [6.0, -6.0])
+def test_coma_has_its_direction_on_both_sides_of_focus(waves):
+    found = measure_collimation(donut(waves, 0.12, -0.16, 0.05), TELESCOPE, PIXEL, outside=waves < 0.0)
+    assert found.fit.converged
+    assert found.coma.size == pytest.approx(0.2, abs=4.0 * found.coma.error)
+    assert found.coma.error < 0.01
+    assert found.coma.angle == pytest.approx(math.atan2(-0.16, 0.12), abs=math.radians(2.0))
+    # Inside focus the star is longer where the phase is larger, outside focus across.
+    assert abs(math.sin(found.astigmatism.angle)) == pytest.approx(float(waves < 0.0), abs=0.2)
+    assert found.waves == pytest.approx(waves, abs=0.2)
+    # The side of focus is not needed for either direction.
+    other = measure_collimation(donut(waves, 0.12, -0.16, 0.05), TELESCOPE, PIXEL, outside=waves > 0.0)
+    assert other.coma.angle == pytest.approx(found.coma.angle, abs=0.01)
+    assert abs(math.sin(other.astigmatism.angle)) == pytest.approx(float(waves < 0.0), abs=0.2)
+    assert other.spherical[0] == pytest.approx(-found.spherical[0], abs=found.spherical[1])
+
+
+def test_an_outline_includes_the_dim_side_and_the_hole():
+    rows, columns = np.indices((120, 150))
+    r = np.hypot(rows - 50.0, columns - 70.0)
+    ring = np.where((r < 30.0) & (r > 10.0), 1000.0 * (1.0 + 0.8 * (columns - 70.0) / 30.0), 0.0)
+    picture = 100.0 + ring + np.random.default_rng(0).normal(size=ring.shape)
+    row, column, radius = find_star(picture)
+    assert (row, column, radius) == pytest.approx((50.0, 70.0, 31.0), abs=1.5)
+    saturated = np.where(picture > 1500.0, np.nan, picture)
+    assert find_star(saturated).radius == pytest.approx(radius, abs=1.0)
+
+
+@pytest.mark.parametrize(
+    ("picture", "words"),
+    [
+        (np.random.default_rng(0).normal(size=(60, 60)), "none above the noise"),
+        (np.pad(np.full((40, 40), 9.0), ((0, 60), (30, 30))), "at an edge"),
+        (np.pad(np.full((3, 3), 9.0), 40), "defocus more"),
+    ],
+)
+def test_pictures_without_a_defocused_star_are_refused(picture, words):
+    with pytest.raises(ValueError, match=words):
+        find_star(picture)
+
+
+def test_a_star_near_focus_is_refused():
+    r = np.hypot(*(np.indices((80, 80)) - 40.0))
+    with pytest.raises(ValueError, match=r"out of focus, got 0\.5"):
+        measure_collimation(np.where(r < 10.0, 100.0, 0.0), TELESCOPE, 1.0e-6)
+
+
+def test_a_mean_allows_for_the_scatter():
+    def measured(value):
+        return type("One", (), {"components": value, "coma": Vector.of(value, 0.01)})()
+
+    mean = mean_coma([measured(0.3 + 0.1j), measured(0.3 + 0.1j)])
+    assert (mean.size, mean.error) == pytest.approx((math.hypot(0.3, 0.1), 0.01 / math.sqrt(2.0)))
+    scattered = mean_coma([measured(value) for value in (0.3 + 0.1j, 0.5 + 0.1j, 0.4 - 0.1j)])
+    values = np.array([[0.3, 0.1], [0.5, 0.1], [0.4, -0.1]])
+    assert scattered.error == pytest.approx(np.sqrt(values.var(axis=0, ddof=1).mean() / 3.0))
+    assert Vector.of(0.02 + 0.0j, 0.01).angle is None

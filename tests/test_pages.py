@@ -242,15 +242,15 @@ def write_files(place: Path) -> None:
         tifffile.imwrite(f"{name}.tif", (blurred / 4.0).astype(np.float32))
         pair = [(64.0 * each).astype(np.uint8) for each in (texture + 1.0, blurred)]
         write_video(place / f"{name}.mkv", [pair[k]] * 3)
-    camera, scene = lm.load_instrument("lens.toml"), np.random.default_rng(1).random((320, 320))
+    camera, scene = lm.load_instrument("lens.toml"), np.random.default_rng(1).random((192, 192))
     scene = sum(np.roll(scene, k, axis=(0, 1)) for k in range(3)) / 3.0
     for k, distance in enumerate((0.6, 1.5), 1):
-        for name, focus in (("near", 0.5), ("far", 2.0)):
+        for seed, (name, focus) in enumerate((("near", 0.5), ("far", 2.0))):
             lens = camera.lens.focused(focus)
             seen = lm.imaging.depth_of_field(
                 scene, np.full(scene.shape, distance), lens, camera.pixel, encoding="linear"
             ).values
-            noisy = lm.Noise(white=1e4, read=3.0).record(1e4 * np.maximum(seen, 0.0), seed=k) / 1e4
+            noisy = lm.Noise(white=1e4, read=3.0).record(1e4 * np.maximum(seen, 0.0), seed=2 * k + seed) / 1e4
             tifffile.imwrite(f"{name}-{k}.tif", noisy.astype(np.float32))
     for name in ("both.mkv", "both.mp4", "clip.mp4"):
         write_video(place / name, pair * 2, codec="mpeg4", stored="yuv420p")

@@ -99,6 +99,22 @@ def _tiled(values: NDArray[np.generic]) -> NDArray[np.generic]:
     return values[: height * _SIDE, : width * _SIDE].reshape(height, _SIDE, width, _SIDE)
 
 
+def _filled(images: NDArray[np.float32], valid: NDArray[np.bool_]) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+    """Return frames, (frames, height, width), and known pixels, cropped to these; unknown ones as the nearest known.
+
+    Filters reach far beyond the blur: a border of zeros, as of a magnified frame, would be part of all tiles.
+    """
+    if not valid.any() or valid.all():
+        return images, valid
+    known = [np.flatnonzero(valid.any(axis=axis)) for axis in (1, 0)]
+    rows, columns = (slice(int(places[0]), int(places[-1]) + 1) for places in known)
+    images, valid = images[:, rows, columns], valid[rows, columns]
+    if not valid.all():
+        row, column = scipy.ndimage.distance_transform_edt(~valid, return_distances=False, return_indices=True)
+        images = images[:, row, column]
+    return images, valid
+
+
 def _relative_energies(a: Array, b: Array, c: Array, first: ArrayLike, second: ArrayLike) -> Array:
     """Return mean squares a + 2 g b + g^2 c of tiles (last axis) over those of noise, first + g^2 second.
 
@@ -892,6 +908,7 @@ def calibrate_focus(
         if registered:
             images = np.stack(registered(list(images), math.inf, valid.view(np.uint8)))
             valid, images = valid & np.isfinite(images).all(axis=0), np.nan_to_num(images)
+        images, valid = _filled(images, valid)
         blur = max(float(lens.pupil(distance + zero).geometric_radius()) for lens in lenses) / pitch
         if len(shift := frame_shift(images, valid, blur)):
             raise ValueError(

@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 import lommel as lm
-from lommel.imaging.focal_calibration import _findings
+from lommel.imaging.focal_calibration import _filled, _findings
 from lommel.lensfiles.lens_files import load_instrument
 from planes import NOISE, PIXEL, shoot, texture
 from scenes import POINTS
@@ -87,6 +87,28 @@ def test_planes_of_printed_lines_tell_the_lens_within_their_errors():
     errors = np.sqrt(np.diag(found.covariance))[:3]
     estimate = [math.log(found.f_number_scale), *found.focus_shifts]
     assert np.abs(np.subtract(estimate, CHANGES) / errors).max() < 3.0
+
+
+def test_a_border_of_unknown_pixels_changes_nothing(pairs):
+    framed = [[np.pad(photo, 6, constant_values=np.nan) for photo in pair] for pair in pairs[:1]]
+    a, b = (
+        lm.imaging.calibrate_focus(some, DISTANCES[:1], STATED, PIXEL, **OPTIONS, origin=0.0)
+        for some in (framed, pairs[:1])
+    )
+    np.testing.assert_allclose(a.focus_shifts, b.focus_shifts, rtol=1e-6)
+    np.testing.assert_allclose(a.covariance, b.covariance, rtol=1e-6)
+
+
+def test_frames_are_cropped_to_known_pixels_and_others_filled_by_the_nearest():
+    images = np.arange(24.0, dtype=np.float32).reshape(1, 4, 6)
+    valid = np.zeros((4, 6), dtype=bool)
+    valid[1:, 2:] = True
+    valid[2, 5] = False
+    filled, known = _filled(images, valid)
+    assert filled.tolist() == [[[8, 9, 10, 11], [14, 15, 16, filled[0, 1, 3]], [20, 21, 22, 23]]]
+    assert filled[0, 1, 3] in (11, 16, 23)
+    assert known.sum() == 11
+    assert not known[1, 3]
 
 
 def test_depth_at_another_distance_is_right_after_calibration(found):

@@ -142,6 +142,7 @@ class DefocusVerdict(FitReport):
         compressed: bool = False,
         shift: Sequence[float] = (),
         magnifications: Sequence[float] = (),
+        likely: Sequence[float] = (),
         one: str = "",
     ) -> Self:
         """Return the verdict for a misfit and a scale.
@@ -166,6 +167,8 @@ class DefocusVerdict(FitReport):
             Pixels, down and right, by which a frame is shifted; empty if none was found.
         magnifications
             Those of the frames as recorded, relative to the first; empty if they are as stated.
+        likely
+            The same, which blurred edges of depth may explain, too.
         one
             What two frames may share, "focus" or "aperture", as every known depth is at equal blur; else empty.
 
@@ -205,13 +208,17 @@ class DefocusVerdict(FitReport):
                 text = "a frame is shifted by {:.1f} pixels down and {:.1f} right: register the images".format(*shift)
                 add("misfit", "error", text, {"excess": total, "shift": tuple(shift)})
             elif total > (wrong if compressed else _DOUBTFUL_EXCESS):
+                size = "which lommel calibrate names with its size"
+                if len(likely):
+                    times = ", ".join(f"{scale:.3f}" for scale in likely[1:])
+                    size = f"by about {times} times the first, or edges of depth seem so: try --magnification {times}"
                 text = (
                     f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted "
-                    "or magnified (focus breathing, which lommel calibrate names with its size), something moved, "
-                    "the lens or its foci are wrong, or they were denoised; noise and errors of depth are estimated "
-                    "from this difference"
+                    f"or magnified (focus breathing, {size}), something moved, the lens or its foci are wrong, or "
+                    "they were denoised; noise and errors of depth are estimated from this difference"
                 )
-                add("misfit", "error" if total > wrong else "doubt", text, {"excess": total})
+                numbers = {"excess": total, **({"magnifications": tuple(likely)} if len(likely) else {})}
+                add("misfit", "error" if total > wrong else "doubt", text, numbers)
             untested.insert(0, "registration and noise (the noise is estimated from the images)")
         elif judged < _MIN_JUDGED:
             text = (
@@ -365,7 +372,15 @@ def judge_frames(
     ends = np.percentile(known_vergence, [95.0, 5.0])
     sizes = np.stack([1.0 / ends, engine.lens_errors(ends, *lens_errors) / ends**2], axis=1)
     lens_error = dict(zip(("nearest", "farthest"), sizes.tolist(), strict=True))
-    scales = frame_scales(images[brightest], valid, engine.task.blur)
+    differ = noise is not None and excess * median > _DOUBTFUL_EXCESS
+    certain, likely = (
+        # Of frames as recorded, before they were resampled.
+        np.multiply(scales, engine.task.scales or 1.0).tolist() if scales else []
+        for scales in (
+            frame_scales(images[brightest], valid, engine.task.blur),
+            frame_scales(images[brightest], valid, 0.0) if differ else (),
+        )
+    )
     stated = None if lens_errors == (None, None) else engine.scale_error(*lens_errors)
     make_verdict = partial(
         DefocusVerdict.of,
@@ -378,8 +393,8 @@ def judge_frames(
         noise=noise,
         excess=excess,
         shift=frame_shift(images[brightest], valid, engine.task.blur) if noise else (),
-        # Of frames as recorded, before they were resampled.
-        magnifications=np.multiply(scales, engine.task.scales or 1.0).tolist() if scales else (),
+        magnifications=certain,
+        likely=likely,
         exchanged=noise is None and median > _DOUBTFUL_MISFIT and _exchanged_agree(engine, brightest, tiles),
         one=_shared(engine, known_vergence, errors[known]),
     )

@@ -1,7 +1,7 @@
 """What the method that is chosen costs over the better one, on random questions about round pupils, or apertures.
 
     python benchmarks/choice.py [--first 0] [--count 300] [--averages] [--write tests/methods/choice.csv "Zen 5"]
-    python benchmarks/choice.py --apertures [--first 0] [--count 250]
+    python benchmarks/choice.py --apertures [--first 0] [--count 250] [--write ...]
 
 Each question is asked by a prepared computation, on one thread, of the chordal rule, of the series, and of what is
 chosen, in turn; behind other apertures of NonuniformFFT instead of the series, by each of its ways: samples by the
@@ -121,8 +121,8 @@ def asked(first: int, count: int, *, averages: bool) -> list[tuple[float, float,
     return found
 
 
-def asked_of_apertures(first: int, count: int) -> None:
-    """Ask about apertures of telescopes, and print how long what is chosen takes over the best way."""
+def asked_of_apertures(first: int, count: int) -> list[str]:
+    """Ask about apertures of telescopes, and print; return the times of chords and of the best other way as text."""
     found = []
     for index in range(first, first + count):
         kind, question = aperture_question(index)
@@ -141,6 +141,12 @@ def asked_of_apertures(first: int, count: int) -> None:
     print("mean, 95 %, 97 %, largest:", *np.round([ratios.mean(), *np.quantile(ratios, [0.95, 0.97, 1.0])], 2))
     for ratio, index, kind, question, times in sorted(found, key=lambda one: -one[0])[:10]:
         print(f"{ratio:6.2f}  {index}, {kind}: {question};", *(f"{w} {1e3 * t:.3g} ms" for w, t in times.items()))
+    rows = []
+    for _, index, _, _, times in found:
+        if "chords" in times:
+            other = min(time for way, time in times.items() if way in ("series", *_WAYS))
+            rows.append(f"aperture {index},{1e6 * times['chords']:.1f},{1e6 * other:.1f}")
+    return rows
 
 
 def main() -> None:
@@ -156,14 +162,16 @@ def main() -> None:
     for level in [widest] if widest != "avx512" else ["avx512", "avx2"]:
         _core.limit_instructions(level)
         if options.apertures:
-            asked_of_apertures(options.first, options.count)
+            rows += [f"{level},{row}" for row in asked_of_apertures(options.first, options.count)]
             continue
         found = asked(options.first, options.count, averages=options.averages)
         rows += [f"{level},{index},{1e6 * chords:.1f},{1e6 * series:.1f}" for chords, series, _, index in found]
     if options.write:
         file, name = Path(options.write[0]), options.write[1]
         header, *others = file.read_text(encoding="utf-8").splitlines()
-        kept = [line for line in others if not line.startswith(f"{name},")]
+        kept = [
+            line for line in others if not line.startswith(f"{name},") or (",aperture " in line) != options.apertures
+        ]
         lines = [header, *kept, *(f"{name},{row}" for row in rows)]
         file.write_text("\n".join(lines) + "\n", encoding="utf-8")
 

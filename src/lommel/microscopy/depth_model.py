@@ -45,7 +45,7 @@ _MAX_MISFIT = 0.01  # largest rms deviation of a transfer function from rotation
 _MIN_HALF, _MAX_HALF_PLANES, _MAX_HALF_PIXELS = 8, 64, 48  # half widths of PSF windows, planes and pixels
 _SAMPLES_PER_NODE, _MAX_HALF_NODES = 3, 48  # coarse grid, along an axis: samples per node, largest half width
 _SHEET_END = 4.0  # distance from a light sheet, in thicknesses, beyond which its intensity is treated as constant
-_FOCUS_TABLE = 11  # number of depths at which the best focus is computed
+_FOCUS_TABLE = 11  # usual number of depths at which the best focus is computed
 _SPLINE_DEGREES = (3, 2)  # degrees of B-splines, in the order tried
 _BATCH = 2**21  # values of PSFs that are computed together
 MAX_RIM = 0.02
@@ -87,6 +87,7 @@ class DepthModel:
     emitter: Emitter = _ISOTROPIC
     aberrations: Wavefront | None = None
     degrees: tuple[int, int] | None = None  # degrees of the B-splines along z and across; None: the highest possible
+    foci: int = _FOCUS_TABLE  # number of depths at which the best focus is computed
     is_reversed: bool = False
 
     def changed(self, name: str, value: float) -> DepthModel:
@@ -261,7 +262,7 @@ class DepthModel:
         # Tabulate the best focus over depth, and invert the table by interpolation. Its range is 1.6 times the
         # paraxial range, which is the range of the stage multiplied by the ratio of the indices.
         span = float(np.abs(offset).max()) * self.objective.sample / self.objective.immersion
-        table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, _FOCUS_TABLE)
+        table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, self.foci)
         table = np.unique(np.append(table, self.depth))
         focus = self.objective.pupil(depth=table, wavelength=wave).focus
         # Interpolation needs ascending positions; at the glass the focus may jump back by nanometres.

@@ -29,6 +29,8 @@ NARROWEST = 25
 """Smallest side of PSFs of trials, pixels."""
 _WIDEST = 49  # largest side, pixels
 _MIN_MARGIN = 4  # planes
+_SMALL = 1 << 17  # voxels of a part for which one thread is used
+_FOCI = 5  # depths at which the best focus of trial PSFs is computed
 _DEPTHS = 3  # number of depths of PSFs, between which they are interpolated
 
 
@@ -102,7 +104,9 @@ class TrialDeconvolution:
         maps = {name: value if np.ndim(value) == 0 else value[rows, columns] for name, value in vars(camera).items()}
         self._camera = Noise(**maps)
         self._counted = PoissonLikelihood(self._values, self._camera, context.saturation)
-        self._threads, self._widest = context.threads, widest
+        # Starting threads would take as long as the work on a small part.
+        self._threads = 1 if self._values.size < _SMALL else context.threads
+        self._widest = widest
         self._degrees: tuple[int, int] | None = None  # degrees of the B-splines of the first model
         self._courses: dict[int, list[StepSettings]] = {}  # settings of the first trial with each number of steps
 
@@ -142,7 +146,7 @@ class TrialDeconvolution:
         """Return the blur of the part by narrower PSFs of a model, with the B-splines of the first model."""
         side = min(max(model.window[1], NARROWEST), self._widest)
         window_planes = model.window[0]
-        narrow_model = replace(model, window=(window_planes, side), planes=planes, degrees=self._degrees)
+        narrow_model = replace(model, window=(window_planes, side), planes=planes, degrees=self._degrees, foci=_FOCI)
         # All models have the same splines, since other splines would change the discrepancy.
         self._degrees = narrow_model.splines
         margin = min(window_planes // 2, max(_MIN_MARGIN, planes // 8)), side // 2

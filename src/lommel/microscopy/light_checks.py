@@ -74,10 +74,8 @@ def plane_light_findings(
     # Light that crosses edges, or leaves the focus, changes parts of the field by different amounts.
     changes = (np.linalg.lstsq(terms.T, parts, rcond=None)[0][1] - change * counts) / counts.mean()
     spread = float(np.sqrt(np.square(changes).sum() / max(len(tiles) - 1, 1) / len(tiles)))
-    total = mean + background
-    if total <= 0.0 or abs(change) < max(
-        _FADING * mean, _FADING_OF_ALL * total, _FADING_SIGMAS * error, _FADING_SPREADS * spread
-    ):
+    total, least = mean + background, max(_FADING_SIGMAS * error, _FADING_SPREADS * spread)
+    if total <= 0.0 or abs(change) < max(_FADING * mean, _FADING_OF_ALL * total, least):
         return []
     share = float(-change if reverse else change) / max(mean, _FADING_OF_ALL * total)
     text = (

@@ -347,8 +347,8 @@ def restore(
     NPY, PFM, PNG or EXR; with --at there is none. Without a lens file LENS, focal length and f-number come from the
     photo's EXIF. With PHOTO alone, the blur is estimated as a disc, the same all over the photo.
 
-    With one distance, the stated blur is compared with others. A photo that is sharper than stated is a doubt;
-    --accept then restores by the blur that agrees better.
+    With one distance, the stated blur is compared with others. A photo that is sharper than stated, or that was moved
+    during the exposure, is a doubt; --accept then restores by the blur that agrees better.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
     about 1 where they differ only by noise. Where it shows that depth, lens or noise do not fit, the photo is

@@ -179,7 +179,8 @@ class RestoreOptions(WindowOptions):
         By default ``Blend()`` where the whole scene has one distance (its blur varies by at most 0.1 pixel), in areas
         where it rings ``RichardsonLucy()``, which is the default for other scenes.
     accept : bool, default False
-        Restore by the blur that agrees better with the photograph, where the stated blur of one distance is doubtful.
+        Restore by the blur that agrees better with the photograph, where the stated blur of one distance is doubtful,
+        or by motion that the photograph shows.
     saturation : float, optional
         Level at which pixels saturate, as a fraction of white in linear light, such as 0.95; saturated pixels are
         lower limits of the light. By default 1, for a blur operator infinity; the largest integer is always

@@ -14,7 +14,7 @@ F = np.linspace(0.0, 0.5, 6)
 
 
 def measured(edge):
-    position, profile, _, variances = edge.profile()
+    position, profile, _, variances = edge.profile
     values, _ = response(position, profile, variances)
     return np.interp(F, np.linspace(0.0, 0.5, values.size), values)
 

@@ -161,12 +161,11 @@ def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
 def _compare(chart: EdgeChart, rows: list[Facts], instrument: Instrument, frequencies: Sequence[float]) -> None:
     """Add the computed MTF with pixel, and the difference in standard errors, to records of green or grey edges."""
     field = None if instrument.aberrations_of_field is None else instrument.field()
-    on_axis = instrument.pupil() if field is None else None
     for row in rows:
         if row.get("channel", "green") != "green":
             continue
         edge = chart.edges[row["edge"]]
-        pupil = field.pupil(edge.x, edge.y) if field is not None else on_axis
+        pupil = instrument.pupil() if field is None else field.pupil(edge.x, edge.y)
         angle = edge.response.angle
         f = np.array(frequencies) / instrument.side
         computed = mtf(pupil, f * np.cos(angle), f * np.sin(angle), pixel=instrument.side, tol=_TOL)

@@ -14,9 +14,9 @@ from scipy import ndimage
 from lommel import show
 from lommel.base.arrays import Array, Json, Values, plain
 from lommel.base.encoding import Encoding, checked
-from lommel.fit.findings import Finding, Findings, Judged
+from lommel.fit.findings import Finding, Findings, Judged, Severity
+from lommel.imaging.edge_checks import compression_findings
 from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE
-from lommel.imaging.pair_noise import is_compressed
 from lommel.imaging.slanted_edge import EdgeResponse, edge_response, image_counts, pixel_pitch, require_mosaic
 from lommel.recorded.counts import Counts
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 _REDUCED = 1.5e6  # largest number of pixels of the picture in which edges are found
 _SIGMAS, _CONTRAST = 8.0, 0.06  # least gradient of an edge: standard deviations, and of the largest
 _LEAST_LENGTH, _LEAST_HALF = 24.0, 9.0  # pixels along the edge, and on both sides of it
-_MOST_LENGTH, _MOST_HALF = 80.0, 28.0  # that are used, more if the blur is wide
+_MOST_LENGTH, _MOST_HALF = 64.0, 24.0  # that are used, more if the blur is wide
 _STRAIGHT = 0.15  # largest thickness of the gradient along an edge, of its length
 _FALL, _RISE = 0.2, 0.25  # fractions of the gradient at which the edge ends, and at which another structure begins
 _JPEG_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG are looked for
@@ -215,15 +215,15 @@ def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
     middle = tuple(slice(max(0, side - _JPEG_SIDE) // 16 * 8, None) for side in counts.shape[:2])
     part = np.asarray(counts.values[middle][:_JPEG_SIDE, :_JPEG_SIDE], float)
     findings = [Finding("saturation_assumed", "note", counts.assumed)] if counts.assumed else []
-    if is_compressed(np.where(np.isfinite(part), part, 0.0) if part.ndim == 2 else part[..., 1]):
-        findings.append(Finding("compressed", "doubt", "the picture has the blocks of 8 x 8 pixels of JPEG"))
+    green = part if part.ndim == 2 else part[..., 1]
+    findings += compression_findings(np.where(np.isfinite(green), green, 0.0))
     every = [[*(edge.response.channels or {"": edge.response}).values()] for edge in edges]
     firsts = {found.code: found for responses in every for one in responses for found in one.findings}
     for code, first in firsts.items():
         several = [r for r in every if any(found.code == code for one in r for found in one.findings)]
         if code != "left_out" and code not in [found.code for found in findings]:
             worst = [found for r in several for one in r for found in one.findings if found.code == code]
-            severity = "doubt" if 2 * sum(f.severity != "note" for f in worst) > len(edges) else "note"
+            severity: Severity = "doubt" if 2 * sum(f.severity != "note" for f in worst) > len(edges) else "note"
             text = f"{len(several)} of {len(edges)} edges: {first.text}"
             findings.append(Finding(code, severity, text, {"edges": len(several), "of": len(edges)}))
     return Findings(findings)

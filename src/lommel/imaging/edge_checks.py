@@ -46,6 +46,12 @@ def require_one_colour(image: Array, known: Mask) -> None:
         )
 
 
+def compression_findings(image: Array) -> list[Finding]:
+    """Return the finding on a picture with the blocks of JPEG, as a list."""
+    text = "the picture has the blocks of 8 x 8 pixels of JPEG"
+    return [Finding("compressed", "doubt", text)] if is_compressed(image) else []
+
+
 def edge_findings(
     edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array], pitch: float, *, rounded: bool
 ) -> list[Finding]:
@@ -104,14 +110,12 @@ def _of_processing(
     elif rounded and not correlations:
         text = "not tested: whether the picture was denoised, since its noise is below the rounding of its values"
         findings.append(Finding("untested", "note", text, {"what": ["denoising"]}))
-    if is_compressed(stored):
-        findings.append(Finding("compressed", "doubt", "the picture has the blocks of 8 x 8 pixels of JPEG"))
     return findings
 
 
 def _overshoot(edge: Edge) -> float:
     """Return the largest amount by which the profile exceeds its sides, as a fraction of the step; 0 within noise."""
-    position, profile, counts, variances = edge.profile()
+    position, profile, counts, variances = edge.profile
     share = (profile - edge.levels[0]) / (edge.levels[1] - edge.levels[0])
     bins = np.floor(2.0 * (position - position.min())).astype(int)
     weights = np.bincount(bins, counts)
@@ -136,7 +140,7 @@ def _correlations(edge: Edge, stored: Array, pitch: float, rounded: bool) -> lis
         design = np.stack([np.ones_like(u), u, u * u, u**3, along, u * along])
         part = values - np.linalg.solve(design @ design.T, design @ values) @ design if u.size > _FEW else u
         sigma = float(part.std()) if u.size > _FEW else 0.0
-        if sigma <= (_ROUNDING if rounded else 1e-4 * abs(float(np.median(values)) if u.size else 1.0)):
+        if sigma <= (_ROUNDING if rounded else 1e-4 * abs(float(values.mean()) if u.size else 1.0)):
             return []
         residual[side] = np.clip(part / sigma, -4.0, 4.0)
     found = []
@@ -154,7 +158,7 @@ def _of_symmetry(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Arr
 
     The light of a symmetric blur at equal distances on both sides of an edge sums to that of both sides.
     """
-    position, profile, counts, variances = edge.profile()
+    position, profile, counts, variances = edge.profile
     bright = max(edge.levels)
     if not min(edge.levels) > 0.0 or position.size < 16:
         return []

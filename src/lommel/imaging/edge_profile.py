@@ -7,7 +7,7 @@ derivative is the line spread function, whose Fourier transform is the response.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import uniform_filter
 
 from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
 
 Mask = NDArray[np.bool_]
 
@@ -38,7 +39,8 @@ MIN_TREND = 0.02
 _OUTLIER, _SLOPE, _LEAST = 6.0, 0.3, 0.02  # of outliers: standard deviations, pixels, fraction of the step
 
 
-class Edge(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Edge:
     """A nearly vertical edge in a picture; distances are in pixels.
 
     `light` is corrected for uneven light, `used` are the pixels that are known and no outliers, `distance` is signed,
@@ -76,8 +78,9 @@ class Edge(NamedTuple):
         """Largest distance of the edge from a straight line, pixels, about."""
         return float(1.5 * np.abs(self.line[2:]).max())
 
+    @cached_property
     def profile(self) -> tuple[Array, Array, Array, Array]:
-        """Return positions, values, numbers of samples and variances of the profile."""
+        """Positions, values, numbers of samples and variances of the profile."""
         inside = self.used & (np.abs(self.distance) <= self.reach)
         position, profile, counts = _bin_profile(self.distance[inside], self.light[inside])
         dark, bright = self.variances
@@ -93,13 +96,13 @@ def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
     line = _fit_edge(_filled(image, known)) if line is None else line.copy()
     terms = legendre.legvander(t, _TERMS - 1)
     first = 0 if is_new else _STEPS  # a stated line is near the edge
-    light, used, count, trend, tail = image, known, 2 if is_new else _TERMS, 0.0, 0.0
+    used, count = known, 2 if is_new else _TERMS
     distance, reach = _distances(line, image.shape)
-    levels, variances = _sides(light, distance, reach, used)
+    light, trend, tail, levels, variances = _evened(image, distance, reach, used)
     for step in range(first, 4 * _STEPS):
         line[count:] = 0.0
         distance, reach = _distances(line, image.shape)
-        if step in (1, _STEPS):
+        if is_new and step in (1, _STEPS):
             light, trend, tail, levels, variances = _evened(image, distance, reach, used)
         nodes, values = _smooth_profile(distance, light, used, height)
         expected = np.interp(distance, nodes, values)
@@ -125,7 +128,7 @@ def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
             errors = np.sqrt(np.diag(inverse) * float(np.mean(np.square(sigma[near]))))[2:]
             bent = (np.abs(line[2:]) > SIGMA * errors) & (np.abs(line[2:]) > _MIN_CURVATURE)
             count = _TERMS if bent.any() else 2
-        elif step >= 2 * _STEPS - 1 and np.abs(change).max() < _SETTLED:
+        elif step > _STEPS and np.abs(change).max() < _SETTLED:
             break
     distance, reach = _distances(line, image.shape)
     outliers = int((known & ~used).sum())
@@ -147,7 +150,7 @@ def require_measurable(edge: Edge, pitch: float) -> None:
             f"image must show the edge from end to end, at least {_MARGIN:g} pixels from the parallel sides, got an "
             f"edge from column {ends[0]:.1f} to {ends[1]:.1f} of {width} (rows for a horizontal edge)"
         )
-    gap = float(np.diff(edge.profile()[0]).max(initial=0.0))
+    gap = float(np.diff(edge.profile[0]).max(initial=0.0))
     if gap > _MAX_GAP * pitch:
         raise ValueError(
             f"image must have an edge whose slope is not a simple fraction such as 1/3, got a slope of "
@@ -192,7 +195,7 @@ def _smooth_profile(distance: Array, light: Array, used: Mask, height: int) -> t
     size = max(5, round(0.25 * height * float(used.mean()))) | 1
     parts = [values[used][order][: order.size // size * size].reshape(-1, size) for values in (distance, light)]
     nodes = parts[0].mean(axis=1)
-    middle = np.median(parts[1], axis=1)  # which hot pixels do not move
+    middle = np.partition(parts[1], size // 2, axis=1)[:, size // 2]  # the median, which hot pixels do not move
     rising, first = np.unique(nodes, return_index=True)
     return rising, middle[first]
 
@@ -209,7 +212,9 @@ def _distances(line: Array, shape: tuple[int, ...]) -> tuple[Array, float]:
 
 def _inverse(normal: Array) -> Array:
     """Return the inverse of a normal matrix."""
-    return np.asarray(np.linalg.inv(normal + 1e-12 * (float(np.trace(normal)) + 1e-300) * np.eye(len(normal))))
+    normal = normal.copy()
+    normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12
+    return np.asarray(np.linalg.inv(normal))
 
 
 def _width(nodes: Array, values: Array, levels: tuple[float, float]) -> float:

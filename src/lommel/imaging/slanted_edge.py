@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,7 +16,7 @@ from lommel.base.arrays import Array, Json, Numbers, numbers, plain
 from lommel.base.encoding import Encoding, checked, to_light
 from lommel.base.units import per_mm
 from lommel.fit.findings import Finding, Findings, Judged
-from lommel.imaging.edge_checks import edge_findings, require_one_colour
+from lommel.imaging.edge_checks import compression_findings, edge_findings, require_one_colour
 from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask, locate, require_measurable, response
 from lommel.recorded.counts import Counts, counts_of
 
@@ -28,6 +28,15 @@ _LEAST_SIDE = 20  # pixels
 _LARGEST_PIXEL = 0.1  # metres
 _PITCHES = {"R": 2.0, "G": math.sqrt(2.0), "B": 2.0}  # pixels, of the colours of a mosaic
 _COLOURS = {"R": "red", "G": "green", "B": "blue"}
+
+
+class _Plane(NamedTuple):
+    """One channel: light, stored values, known pixels, and their distance, pixels."""
+
+    light: Array
+    stored: Array
+    known: Mask
+    pitch: float = 1.0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -235,23 +244,24 @@ def edge_response(
         raise ValueError(
             "image must not be overexposed, got pixels with the largest value of their type: expose less"
         )
-    planes: dict[str, tuple[Array, Array, Mask, float]] = {"": (light, stored, known, 1.0)}
+    planes = {"": _Plane(light, stored, known)}
     if mosaic is not None:
         planes = _mosaic_planes(mosaic, light, stored, known)
     elif light.ndim == 3:
         names = _COLOURS.values()
-        planes = {name: (light[..., k], stored[..., k], known[..., k], 1.0) for k, name in enumerate(names)}
+        planes = {name: _Plane(light[..., k], stored[..., k], known[..., k]) for k, name in enumerate(names)}
     left_out = [Finding("saturation_assumed", "note", counts.assumed)] if counts.assumed else []
     if count := int((~known).sum()):
         text = f"{count} of {known.size} pixels left out (masked, saturated or NaN)"
         left_out.append(Finding("left_out", "note", text, {"pixels": count, "of": known.size}))
+    if inside is None:  # else the blocks may start anywhere
+        left_out += compression_findings(stored if stored.ndim == 2 else stored[..., 1])
     rounded = np.asarray(counts.values).dtype.kind in "iu"
     found: dict[str, EdgeResponse] = {}
     line: Array | None = None
     for name in sorted(planes, key=lambda name: name != "green"):  # first, for the others start from its edge
-        *parts, used, pitch = planes[name]
-        used = used if inside is None else used & inside
-        found[name], line = _measured(*parts, used, pitch, encoding, pixel, left_out, line, rounded=rounded)
+        plane = planes[name] if inside is None else planes[name]._replace(known=planes[name].known & inside)
+        found[name], line = _measured(plane, encoding, pixel, left_out, line, rounded=rounded)
     if "" in found:
         return found[""]
     return replace(found["green"], channels={name: found[name] for name in planes})
@@ -269,24 +279,19 @@ def _averaged(counts: Counts, encoding: Encoding) -> tuple[Array, Array, Mask, f
         return light, stored, known, full
     number = np.maximum(known.sum(axis=0), 1)
     means = [np.where(known, part, 0.0).sum(axis=0) / number for part in (light, stored)]
-    return means[0], means[1], known.any(axis=0), full
+    return means[0], means[1], np.asarray(known.any(axis=0)), full
 
 
-def _mosaic_planes(
-    mosaic: str, light: Array, stored: Array, known: Mask
-) -> dict[str, tuple[Array, Array, Mask, float]]:
+def _mosaic_planes(mosaic: str, light: Array, stored: Array, known: Mask) -> dict[str, _Plane]:
     """Return light, values, known pixels and pitch of each colour of a mosaic."""
     letters = np.array(list(mosaic)).reshape(2, 2)
     height, width = light.shape
     tiled = np.tile(letters, (height // 2 + 1, width // 2 + 1))[:height, :width]
-    return {name: (light, stored, known & (tiled == key), _PITCHES[key]) for key, name in _COLOURS.items()}
+    return {name: _Plane(light, stored, known & (tiled == key), _PITCHES[key]) for key, name in _COLOURS.items()}
 
 
 def _measured(
-    light: Array,
-    stored: Array,
-    known: Mask,
-    pitch: float,
+    plane: _Plane,
     encoding: Encoding,
     pixel: float | None,
     left_out: list[Finding],
@@ -294,7 +299,8 @@ def _measured(
     *,
     rounded: bool,
 ) -> tuple[EdgeResponse, Array]:
-    """Return the response of one channel with pixels `pitch` apart, and its edge, which is near `line` if given."""
+    """Return the response of one channel, and its edge, which is near `line` if given."""
+    light, stored, known, pitch = plane
     if known.sum() < _LEAST_SIDE**2 / pitch**2:
         raise ValueError(f"image must have known pixels, got {int(known.sum())} of {known.size}")
     # A nearly horizontal edge is transposed to a nearly vertical one.
@@ -304,7 +310,7 @@ def _measured(
     upright = (light.T, stored.T, known.T) if horizontal else (light, stored, known)
     edge = locate(upright[0], upright[2], line)
     require_measurable(edge, pitch)
-    position, profile, _, variances = edge.profile()
+    position, profile, _, variances = edge.profile
     values, errors = response(position, profile, variances, 0.5 / pitch)
     frequencies = np.linspace(0.0, 0.5 / pitch, values.size) / (pixel or 1.0)
     # The normal of the line x = start + slope y is along (1, -slope).

@@ -30,6 +30,7 @@ import lommel as lm
 import organisation
 import simulated_movies
 import simulated_stacks
+import slanted_edges
 from benchmarks import accuracy, report
 from command_lines import help_lines, lommel
 from frameworks import hasty_programs
@@ -226,6 +227,11 @@ def write_files(place: Path) -> None:
     ring = telescope.pupil().carrying(lm.Wavefront(15.0, nonradial={(3, 1): 0.6}), None)
     ring = 2e5 * lm.psf(ring, 64, telescope.pixel, blur=lm.Jitter(4e-6), tol=1e-4).values + 20.0
     fits.PrimaryHDU(lm.Noise(read=2.0).record(ring, seed=3).astype(np.float32)).writeto("donut.fits")
+    squares = slanted_edges.squares((150, 220), [(0.0, 0.0)], 90.0, 0.8)
+    seen = np.rint(250.0 * np.clip(squares, 0.0, 1.0) ** (1.0 / 2.2)).astype(np.uint8)
+    for suffix in ("jpg", "png", "tif"):
+        Image.fromarray(seen).save(f"squares.{suffix}")
+    tifffile.imwrite("mosaic.tif", np.rint(50000.0 * squares).astype(np.uint16), photometric="minisblack")
     names = "inside", "stars", "outside", "donuts"
     for name, exposure in zip(names, lm.Noise(read=2.0).record(sky, seed=2), strict=True):
         fits.PrimaryHDU(exposure.astype(np.float32)).writeto(f"{name}.fits")

@@ -53,7 +53,7 @@ def test_a_chart_is_told_and_written(folder, call_lommel):
     expected = np.exp(-2.0 * (0.1 * np.pi) ** 2 * (0.8**2 + 1 / 12))
     for row, record in zip(rows, data["edges"], strict=True):
         assert float(row["at_0.1"]) == record["at_0.1"] == pytest.approx(expected, abs=0.01)
-        assert record["mtf50"] == pytest.approx(record["mtf50_per_pixel"] / 4e-6)
+        assert record["mtf50"] == pytest.approx(record["mtf50_px"] / 4e-6)
         assert record["direction"] == "T"
     assert data["zones"][0]["edges"] == 4
 

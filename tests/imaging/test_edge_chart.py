@@ -42,8 +42,8 @@ def test_records_have_the_units_that_are_read():
     one = records[1]
     assert one["channel"] == "green"
     assert one["x"] == pytest.approx(4e-6 * (one["column"] - 159.5))
-    assert one["mtf50"] == pytest.approx(one["mtf50_per_pixel"] / 4e-6)
-    assert one["lw_ph"] == pytest.approx(2 * 160 * one["mtf50_per_pixel"])
+    assert one["mtf50"] == pytest.approx(one["mtf50_px"] / 4e-6)
+    assert one["lw_ph"] == pytest.approx(2 * 160 * one["mtf50_px"])
     assert one["at_0.2"] == pytest.approx(truth(0.2), abs=2e-3)
     data = found.to_dict()
     assert data["converged"]

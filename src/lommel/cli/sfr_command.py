@@ -7,8 +7,9 @@ import io
 import json
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import numpy as np
 
@@ -18,8 +19,8 @@ from lommel.base.arrays import plain
 from lommel.base.encoding import Encoding, as_json
 from lommel.base.options import Shown, filled
 from lommel.cli.command import OUTPUT, PLOT, command
-from lommel.cli.instruments import Sensor, instrument_of
-from lommel.cli.messages import report_findings
+from lommel.cli.instruments import PhotoCamera, instrument_of
+from lommel.cli.messages import given_flags, report_findings
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
 from lommel.cli.photo_commands import ENCODING, apply_mask, read_as
 from lommel.io.registry import suffixes
@@ -35,10 +36,26 @@ if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Instrument
 
 _NYQUIST = 0.5  # cycles per pixel
-_MOST_ROWS = 24  # of the table of edges; more are in files only
+_MOST_ROWS = 12  # of the table of edges; more are in files only
 _ZONES = (("centre", 0.0, 0.35), ("middle", 0.35, 0.7), ("corner", 0.7, np.inf))  # of half the diagonal
 _CURVES = 4  # edges in a figure: nearest to and farthest from the middle, in both directions
 _TOL = 1e-4  # of computed MTFs
+
+
+@dataclass(frozen=True, kw_only=True)
+class ChartCamera(PhotoCamera):
+    """Camera and lens of the picture of a chart.
+
+    Parameters
+    ----------
+    f_number
+        F-number; overrides the lens file.
+    object_distance
+        Distance of the chart, such as 2m; overrides the lens file.
+    """
+
+    heading: ClassVar[str] = "Camera and lens"
+    object_distance: Annotated[float | None, Shown(length="m")] = None
 
 
 @command
@@ -54,7 +71,7 @@ def sfr(
     encoding: Annotated[Encoding | None, ENCODING] = None,
     mosaic: Annotated[str | None, Shown(metavar="RGGB")] = None,
     mask: Annotated[Path | None, Shown(metavar="FILE")] = None,
-    sensor: Sensor = Sensor(),
+    camera: ChartCamera = ChartCamera(),
 ) -> Report:
     """Measure sharpness (SFR, MTF50) from a picture of a chart.
 
@@ -83,10 +100,10 @@ def sfr(
 
     Examples
     --------
-      lommel sfr chart.jpg -o map.png -o edges.csv
-      lommel sfr chart.tif --pixel 3.45um --frequency 0.125 0.25 --plot curves.png
-      lommel sfr chart.png --lens camera-field.toml
-      lommel sfr raw.tif --mosaic RGGB --encoding linear --pixel 2.4um -o edges.json
+      lommel sfr squares.jpg -o map.png -o edges.csv
+      lommel sfr squares.tif --pixel 3.45um --frequency 0.125 0.25 --plot curves.png
+      lommel sfr squares.png --lens camera-field.toml
+      lommel sfr mosaic.tif --mosaic RGGB --encoding linear --pixel 2.4um -o edges.json
     """
     for path in outputs:
         if path.suffix.lower() not in (".csv", ".json"):
@@ -94,9 +111,12 @@ def sfr(
         require_folder(path)
     for one in frequencies:
         validation.real("--frequency", one, above=0.0, most=_NYQUIST)
-    instrument = None if lens is None else instrument_of(lens, camera=sensor.camera, pixel=sensor.pixel)
-    pixel = sensor.pixel or (None if sensor.camera is None else sensor.camera.side)
-    pixel = instrument.side if instrument is not None else pixel
+    pixel = camera.pixel or (None if camera.camera is None else camera.camera.side)
+    instrument = None if lens is None else instrument_of(lens, **vars(camera))
+    if instrument is not None:
+        pixel = instrument.side
+    elif needless := {"focus_distance", "f_number", "object_distance"} & given_flags().keys():
+        raise ValueError(f"{given_flags()[min(needless)]} is of a lens file: give --lens")
     with progress("reading") as status:
         photo = imaging.read_photo(picture, encoding)
         (values,) = apply_mask([photo.values], mask)
@@ -120,7 +140,7 @@ def sfr(
             save_figure(chart.plot, path)
     save_figure(lambda: _curves(chart), figure)
     parts: Parts = [Wrapped(facts["read"]), Wrapped(chart.message.partition("; ")[0], "bold"), ""]
-    parts += [records_of("MTF50, median", facts["zones"]), ""]
+    parts += [records_of("medians", facts["zones"]), ""]
     if len(rows) <= _MOST_ROWS:
         hidden = ("findings", "edge") if pixel is None else ("findings", "edge", "row", "column")
         keys = [key for key in rows[0] if key not in hidden]
@@ -138,7 +158,7 @@ def _csv(rows: Sequence[Facts]) -> str:
 
 
 def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
-    """Return the median MTF50 of each zone of the sensor, direction and channel."""
+    """Return the medians of MTF50 and responses of each zone of the sensor, direction and channel."""
     height, width = chart.shape
     found: dict[tuple[str, str, str], list[Facts]] = {}
     for row in rows:
@@ -149,10 +169,12 @@ def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
     order = {name: k for k, (name, _, _) in enumerate(_ZONES)}
     zones = []
     for (zone, direction, channel), part in sorted(found.items(), key=lambda item: (order[item[0][0]], item[0][1])):
-        known = {
-            key: [row[key] for row in part if row.get(key) is not None]
-            for key in ("mtf50_per_pixel", "lw_ph", "mtf50")
-        }
+        keys = [
+            key
+            for key in part[0]
+            if key.split("_")[0] in ("mtf50", "lw", "at", "lens", "z") and key != "mtf50_px_error"
+        ]
+        known = {key: [row[key] for row in part if row.get(key) is not None] for key in keys}
         medians = {key: float(np.median(values)) if values else None for key, values in known.items()}
         zones.append({"zone": zone, "direction": direction, "channel": channel, "edges": len(part)} | medians)
     return zones

@@ -105,8 +105,8 @@ class EdgeChart(Judged):
         Returns
         -------
         list of dict
-            MTF50 is in cycles per pixel, in line widths per picture height ("lw_ph") and, if the pixel is known, in
-            cycles per metre ("mtf50").
+            MTF50 is in cycles per pixel ("mtf50_px"), in line widths per picture height ("lw_ph") and, if the pixel
+            is known, in cycles per metre ("mtf50").
         """
         records: list[Json] = []
         for number, edge in enumerate(self.edges):
@@ -116,7 +116,7 @@ class EdgeChart(Judged):
                 record: Json = {"edge": number, "row": edge.row, "column": edge.column}
                 record |= {} if one.pixel is None else {"x": edge.x, "y": edge.y}
                 record |= {"direction": edge.direction} | ({"channel": name} if name else {})
-                record |= {"mtf50_per_pixel": mtf50, "mtf50_error": error, "lw_ph": 2.0 * self.shape[0] * mtf50}
+                record |= {"mtf50_px": mtf50, "mtf50_px_error": error, "lw_ph": 2.0 * self.shape[0] * mtf50}
                 record |= {} if one.pixel is None else {"mtf50": one.mtf50[0]}
                 for f in frequencies:
                     at = f / pixel <= one.frequencies[-1] * (1.0 + 1e-12)

@@ -104,3 +104,23 @@ def test_what_would_fit_something_else_is_refused(words, said, folder, call_lomm
     result = call_lommel("retrieve", *words, folder=folder)
     assert result.returncode == 2
     assert said in result.stderr
+
+
+def test_a_star_of_large_images_is_cut_out(folder, call_lommel):
+    corners = ((10, 70), (55, 3), (40, 40))
+    for k, (row, column) in enumerate(corners):
+        sky = np.full((90, 120), 110, np.uint16)
+        sky[row : row + 33, column : column + 33] = tifffile.imread(folder / f"star-{k}.tif")
+        tifffile.imwrite(folder / f"large-{k}.tif", sky)
+    options = ["lens.toml", "--defocus", -4, 0, 4, *NOISE, "--terms", "coma x", "--json"]
+    small, large = (
+        json.loads(call_lommel("retrieve", *files, *options, folder=folder).stdout)
+        for files in (["star-*.tif"], ["large-*.tif", "--window", 31])
+    )
+    (coma,), (same,) = (facts["coefficients"].values() for facts in (large, small))
+    assert coma == pytest.approx(same, abs=0.02)
+    assert np.array(large["center"]) == pytest.approx(np.add(small["center"], corners), abs=0.1)
+    assert any("Windows of 31 x 31 pixels" in note for note in large["notes"])
+    unstated = json.loads(call_lommel("retrieve", "large-*.tif", *options, folder=folder).stdout)
+    assert any("Windows of 47 x 47 pixels" in note for note in unstated["notes"])
+    assert not any("Windows" in note for note in small["notes"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import math
 import re
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -23,6 +24,7 @@ from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraNoise, header_differences, instrument_of, require_microscope
 from lommel.cli.messages import report_findings, verdict_lines
 from lommel.cli.output import progress, require_file, save_figure, written
+from lommel.detection.molecules import smoothed
 from lommel.estimation import EFFORT
 from lommel.estimation.options import BeadOptions, FieldFitOptions, RetrieveOptions
 from lommel.fit.findings import Finding, Findings
@@ -46,6 +48,7 @@ if TYPE_CHECKING:
 _MOST_CROSSINGS = 100
 _WAVE = 2.0 * math.pi  # radians
 _FIELD_FACTOR = 1.6  # images whose side exceeds this multiple of the window show a field with several beads
+_MUCH_LARGER = 1.5  # images whose sides exceed this multiple of the window around a star are cut
 _MAX_BEADS = 20  # largest number of beads that are fitted
 _MAX_PITCH_DIFFERENCE = 0.05  # relative: five times the error of the pixel pitch that a fit allows for
 _SHAPE = "(beads, planes, height, width)"
@@ -60,6 +63,7 @@ def retrieve(
     *,
     options: RetrieveOptions = RetrieveOptions(),
     blur: bool = False,
+    window: Annotated[int | None, In(least=9, most=1025)] = None,
     output: Annotated[Path | None, OUTPUT] = None,
     figure: Annotated[Path | None, PLOT] = None,
     camera: CameraNoise = CameraNoise(),
@@ -90,6 +94,9 @@ def retrieve(
         Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.
     blur
         Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image, for telescopes on the ground.
+    window
+        Side of the window around the brightest star, pixels; by default 33, or more as --defocus needs, where images
+        are larger by half, else the whole image.
     output
         Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv.
     figure
@@ -116,9 +123,16 @@ def retrieve(
         if not options.defocus and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
         status("fitting")
+        pupil = instrument.pupil()
+        counts = Counts.of(stars, noise=noise, mask=camera.mask_of(stars), saturation=saturation)
+        radius = _defocused_radius(options.defocus, pupil, sizes[0])
+        counts, corners = _star_windows(counts, radius, window)
+        if counts.values.shape != stars.shape:
+            side = counts.values.shape[-1]
+            header.append(f"Windows of {side} x {side} pixels around the star were used; --window sets another side.")
         result = fit_stars(
-            Counts.of(stars, noise=noise, mask=camera.mask_of(stars), saturation=saturation),
-            instrument.pupil(),
+            counts,
+            pupil,
             pixel=instrument.side,
             noise=None,
             options=replace(
@@ -135,11 +149,40 @@ def retrieve(
     save_figure(lambda: result.plot(names=list(read.names)), figure)
     files = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
     facts = {"images": list(read.names)} | result.to_dict() | {"notes": [*without_compared(read.notes), *header]}
-    row, column = result.center.T.tolist()
+    facts["center"] = (result.center + corners).tolist()
+    row, column = (result.center + corners).T.tolist()
     titles = dict(zip(facts["coefficients"], map(label, result.coefficients), strict=True))
     blurs = blurs_in_words(result, instrument.side, None)
     shown = tables(facts | {"row": row, "column": column}, titles)
     return report_findings(facts, *verdict_lines(facts, result.summary), *shown, *blurs, "") + files
+
+
+def _defocused_radius(defocus: Sequence[float], pupil: Pupil, pixel: float) -> float:
+    """Return the geometric radius of the most defocused star, pixels; `pixel` is in metres."""
+    most = Pupil(Wavefront(max(map(abs, defocus), default=0.0)))
+    return float(most.geometric_radius()) * pupil.scale / pixel
+
+
+def _window_side(radius: float) -> int:
+    """Return the side of the window around a star of this radius, pixels."""
+    return max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1)
+
+
+def _star_windows(counts: Counts, radius: float, window: int | None) -> tuple[Counts, Array]:
+    """Return square windows around the brightest star of each image, and their first rows and columns (n, 2).
+
+    Images that are not much larger than the windows are returned as they are, unless a `window` is stated.
+    """
+    side, shape = window or _window_side(radius), counts.values.shape[1:]
+    is_mapped = any(np.ndim(part) for part in vars(counts.noise).values())
+    if min(shape) < side or is_mapped or (window is None and min(shape) < _MUCH_LARGER * side):
+        return counts, np.zeros((len(counts), 2), int)
+    smooth = [smoothed(image, max(2.0, 0.5 * radius)) for image in counts.filled()]
+    places = np.array([np.unravel_index(int(np.argmax(image)), image.shape) for image in smooth])
+    corners = np.clip(places - side // 2, 0, np.array(shape) - side)
+    pixels = [np.s_[k, row : row + side, column : column + side] for k, (row, column) in enumerate(corners.tolist())]
+    values, masks = (np.stack([part[one] for one in pixels]) for part in (counts.values, counts.hidden))
+    return Counts.of(values, noise=counts.known_noise(), mask=masks, saturation=counts.saturation), corners
 
 
 def _files(paths: list[Path]) -> list[Path]:
@@ -184,8 +227,7 @@ class Search(Options):
         given: Any = {"threshold": self.threshold, "width": self.width or max(2.0, 0.5 * radius)}
         if targets == "crossing":
             return detection.find_crossings(exposures, window=self.window, most=self.most or _MOST_CROSSINGS, **given)
-        side = max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1)
-        return detection.find_spots(exposures, window=self.window or side, most=self.most, **given)
+        return detection.find_spots(exposures, window=self.window or _window_side(radius), most=self.most, **given)
 
 
 @command
@@ -282,8 +324,7 @@ def fit_field(
         status(f"finding {kind}s")
         pupil, pitch = instrument.pupil(), float(min(np.atleast_1d(instrument.side)))
         hole = 0.0 if kind == "crossing" or options.size is None else options.size / pitch
-        defocused = Pupil(Wavefront(max(map(abs, options.defocus), default=0.0)))
-        radius = float(defocused.geometric_radius()) * pupil.scale / pitch + 0.5 * hole  # pixels
+        radius = _defocused_radius(options.defocus, pupil, pitch) + 0.5 * hole
         targets = search.find(exposures, kind, radius)
         save_figure(targets.plot, spots)
         if len(targets) < 4:

@@ -15,6 +15,7 @@ import lommel as lm
 from lommel.cli import collimate_command
 from lommel.cli.collimate_command import Telescope, _hour, _pictures, _read, _vector
 from lommel.cli.instruments import Sensor
+from lommel.estimation import collimation
 from lommel.estimation.collimation import Vector
 
 OPTIONS = ["--aperture", "200mm", "--focal-length", "2m", "--pixel", "7.6um"]
@@ -114,3 +115,36 @@ def test_new_pictures_are_read_once_and_when_whole(tmp_path, monkeypatch):
     (tmp_path / "a.png").write_bytes(b"1")
     found = [(path.name, path.stat().st_size) for path in _pictures([tmp_path], stop, watch=True)]
     assert found == [("a.png", 1), ("b.fits", 2)]
+
+
+def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_path, monkeypatch):
+    fits = pytest.importorskip("astropy.io.fits")
+    values = np.random.default_rng(0).random((30, 30))
+    fits.writeto(tmp_path / "a.fits", values)
+    fits.writeto(tmp_path / "b.fits", values, fits.Header({"ROWORDER": "TOP-DOWN"}))
+
+    def measured(image, *_, **__):
+        coma = next(comas)
+        fit = type("Fit", (), {"converged": True, "message": ""})()
+        fields = {"components": coma, "spherical": (0.0, 0.1), "waves": 5.0, "reliable": True, "fit": fit}
+        fields |= {"coma": Vector.of(coma, 0.01), "astigmatism": Vector.of(0.0j, 0.01, 2)}
+        return type("One", (), fields | {"star": collimation.Star(10.0, 12.0, 7.0)})()
+
+    monkeypatch.setattr(collimation, "measure_collimation", measured)
+    drawn = []
+    monkeypatch.setattr(collimate_command.show.estimates, "collimation", lambda *args: drawn.append(args))
+    monkeypatch.setattr(collimate_command, "save_figure", lambda draw, _: draw())
+    telescope = Telescope(aperture=0.2, focal_length=2.0, obscuration=0.3)
+    job = {"telescope": telescope, "sensor": Sensor(pixel=3.8e-6)}
+    comas = iter([0.1 + 0.2j, 0.1 - 0.2j])  # upwards in both pictures
+    facts = collimate_command.collimate.function([tmp_path / "a.fits", tmp_path / "b.fits"], **job).facts
+    assert facts["coma"]["degrees"] == pytest.approx(63.435)
+    assert facts["coma"]["waves"] == pytest.approx(abs(0.1 + 0.2j))
+    comas = iter([0.3, 0.1 + 0.2j])
+    monkeypatch.setattr(
+        collimate_command, "_pictures", lambda *_, **__: iter([tmp_path / "b.fits", tmp_path / "a.fits"])
+    )
+    report = collimate_command.collimate.function([tmp_path], watch=True, **job)
+    assert report.facts["coma"]["degrees"] == pytest.approx(63.435)
+    picture, star, angle, _ = drawn[-1]
+    assert (picture[0, 0], star.row, np.degrees(angle)) == pytest.approx((values[-1, 0], 19.0, 63.435))

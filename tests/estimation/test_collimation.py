@@ -86,12 +86,9 @@ def test_a_star_near_focus_is_refused():
 
 
 def test_a_mean_allows_for_the_scatter():
-    def measured(value):
-        return type("One", (), {"components": value, "coma": Vector.of(value, 0.01)})()
-
-    mean = mean_coma([measured(0.3 + 0.1j), measured(0.3 + 0.1j)])
+    mean = mean_coma([0.3 + 0.1j, 0.3 + 0.1j], [0.01, 0.01])
     assert (mean.size, mean.error) == pytest.approx((math.hypot(0.3, 0.1), 0.01 / math.sqrt(2.0)))
-    scattered = mean_coma([measured(value) for value in (0.3 + 0.1j, 0.5 + 0.1j, 0.4 - 0.1j)])
+    scattered = mean_coma([0.3 + 0.1j, 0.5 + 0.1j, 0.4 - 0.1j], [0.01] * 3)
     values = np.array([[0.3, 0.1], [0.5, 0.1], [0.4, -0.1]])
     assert scattered.error == pytest.approx(np.sqrt(values.var(axis=0, ddof=1).mean() / 3.0))
     assert Vector.of(0.02 + 0.0j, 0.01).angle is None

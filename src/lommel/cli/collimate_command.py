@@ -131,9 +131,10 @@ def collimate(
     if watch and (len(images) != 1 or not images[0].is_dir()):
         raise ValueError("--watch needs one folder, into which the camera writes")
     unstated = telescope.lens is None and telescope.obscuration is None
-    measured: list[Collimation] = []
+    components: list[complex] = []  # of coma, along columns and upwards in the pictures as shown
+    errors: list[float] = []
     records: list[Facts] = []
-    down, picture = True, np.zeros((1, 1))
+    picture = np.zeros((1, 1))  # the last one that was measured, as shown
     with Stop().signals() as stop, progress("waiting" if watch else "reading", endless=True) as status:
         paths = _pictures(images, stop, watch=watch)
         while (path := stop.next(paths)) is not None:
@@ -149,27 +150,32 @@ def collimate(
                 record["message"] = str(error)
             records.append(record)
             if record["converged"]:
-                picture = values
-                measured.append(one)
+                picture = values if down else values[::-1]
+                star = one.star if down else one.star._replace(row=len(values) - 1 - one.star.row)
+                errors.append(one.coma.error)
+                components.append(one.components.conjugate() if down else one.components)
             if watch:
                 status.tell(f"{path.name}: {_in_words(record)}")
     if not records:
         raise ValueError("IMAGES must be pictures or folders with some, got none")
     facts: Facts = {"pictures": records, "converged": all(r["converged"] for r in records)}
     facts["reliable"] = all(r.get("reliable", False) for r in records)
-    parts: list[Any] = [Wrapped(f"{record['picture']}: {_in_words(record)}", "bold") for record in records]
-    if measured:
-        coma = mean_coma(measured)
-        facts["coma"] = _vector(coma, down=down, unstated=unstated)
+    shown = [] if watch else records  # told while they were watched
+    parts: list[Any] = [Wrapped(f"{record['picture']}: {_in_words(record)}", "bold") for record in shown]
+    if components:
+        # Screws may have been turned between the pictures of a session: the last one counts.
+        used = slice(-1, None) if watch else slice(None)
+        coma = mean_coma(components[used], errors[used])
+        facts["coma"] = _vector(coma, down=False, unstated=unstated)
         title = _with_direction("coma", facts["coma"])
-        parts += [Wrapped(f"mean of {len(measured)}: {title}", "bold")] if len(measured) > 1 else []
+        if len(components) > 1:
+            name = "last picture" if watch else f"mean of {len(components)}"
+            parts.append(Wrapped(f"{name}: {title}", "bold"))
         parts += [Wrapped(text) for text in _advice(facts["coma"]["degrees"])]
         if unstated:
             parts.append("Neither --obscuration nor --telescope is stated: 0.33 was assumed.")
-        save_figure(
-            lambda: show.estimates.collimation(picture, measured[-1].star, coma.angle, title, down=down), figure
-        )
-    return Report(facts, parts, facts["converged"]) + written([figure] if measured else [])
+        save_figure(lambda: show.estimates.collimation(picture, star, coma.angle, title), figure)
+    return Report(facts, parts, facts["converged"]) + written([figure] if components else [])
 
 
 def _pictures(images: list[Path], stop: Stop, *, watch: bool) -> Iterator[Path]:

@@ -161,11 +161,10 @@ def _binned(window: Array, radius: float) -> tuple[Counts, int]:
     return Counts.of(binned, noise=Noise(read=step * _READ)), step
 
 
-def mean_coma(measured: Sequence[Collimation]) -> Vector:
+def mean_coma(components: Sequence[complex], errors: Sequence[float]) -> Vector:
     """Return the mean coma of several pictures; its error is at least that of their scatter."""
-    values = np.array([one.components for one in measured])
-    count, mean = len(values), complex(values.mean())
-    error = math.sqrt(sum(one.coma.error**2 for one in measured)) / count
+    values, count = np.array(components), len(components)
+    mean, error = complex(values.mean()), math.hypot(*errors) / count
     if count > 2:
         error = max(error, math.sqrt(float((np.abs(values - mean) ** 2).sum()) / (2.0 * count * (count - 1))))
     return Vector.of(mean, error)

@@ -501,29 +501,23 @@ _REASONS = {
 _MASKED = "#f7cdbb"  # colour of NaN and masked pixels
 
 
-def collimation(
-    image: Array, star: tuple[float, float, float], angle: float | None, title: str, *, down: bool
-) -> Axes:
-    """Draw a defocused star with the direction of coma and the hours of a clock.
+def collimation(image: Array, star: tuple[float, float, float], angle: float | None, title: str) -> Axes:
+    """Draw a defocused star, its first row at the top, with the direction of coma and the hours of a clock.
 
-    `star` are its row, column and radius, pixels, and `angle` points from columns to rows, None without direction.
-    The first row is at the top if `down`.
+    `star` are its row, column and radius, pixels, and `angle` is counterclockwise from the right, None for none.
     """
-    axes = drawing.new_axes(None, (5.6, 5.9))
+    axes = drawing.new_axes(None, (5.4, 5.7))
     row, column, radius = star
-    axes.imshow(image, cmap="gray", interpolation="nearest", origin="upper" if down else "lower")
-    reach, sign = 1.75 * radius, 1.0 if down else -1.0
+    axes.imshow(image, cmap="gray", interpolation="nearest")
     for hour in range(1, 13):
         turn = math.radians(30.0 * hour)
-        place = column + reach * math.sin(turn), row - sign * reach * math.cos(turn)
+        place = column + 1.75 * radius * math.sin(turn), row - 1.75 * radius * math.cos(turn)
         axes.text(*place, str(hour), color="w", fontsize=9, ha="center", va="center")
     if angle is not None:
-        tail = column + 1.55 * radius * math.cos(angle), row + 1.55 * radius * math.sin(angle)
+        tail = column + 1.55 * radius * math.cos(angle), row - 1.55 * radius * math.sin(angle)
         axes.annotate("", tail, (column, row), arrowprops={"arrowstyle": "->", "color": "C1", "linewidth": 2.0})
-    edge = 2.0 * radius
-    rows = row + sign * edge, row - sign * edge
-    axes.set(xlabel="column", ylabel="row", xlim=(column - edge, column + edge), ylim=rows)
-    axes.set_facecolor("k")
+    axes.set(xlim=(column - 2.0 * radius, column + 2.0 * radius), ylim=(row + 2.0 * radius, row - 2.0 * radius))
+    axes.set(xticks=[], yticks=[], facecolor="k")
     axes.set_title(drawing.fit_to_width(title, axes, 10), fontsize=10)
     return axes
 

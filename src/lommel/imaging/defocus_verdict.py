@@ -507,10 +507,12 @@ def _scale_minima(
     """Return the scales that fit equally well in the brightest channel, beginning with the best one.
 
     They are found in the binned tile `rough`. Aliases due to binning shift them by up to 8 %, and raise the misfit:
-    they are refined in `tiles`, which are not binned.
+    they are refined in `tiles`, which are not binned. `level` is the misfit of right lenses: 1, or as measured if the
+    noise is estimated.
     """
     if rough is None or len(_cells(np.stack([tile.variance for tile in tiles])[None])[1]) < _MIN_CELLS:
         return []
+    rough, *tiles = (tile._replace(variance=level * tile.variance) for tile in (rough, *tiles))
 
     def filters(k: int, *, binned: bool) -> _Filters:
         return _Filters(engine, brightest, math.exp(_LOG_STEP * k), binned=binned)
@@ -535,7 +537,7 @@ def _scale_minima(
     for index in range(1, len(medians) - 1):
         median = medians[index]
         if median <= min(medians[index - 1], medians[index + 1], limit):
-            minimum = _refine_minimum(misfits, _COARSE_STEP * index - _MAX_STEP, level)
+            minimum = _refine_minimum(misfits, _COARSE_STEP * index - _MAX_STEP)
             if minimum is not None and all(abs(minimum.scale - other.scale) > _LOG_STEP for other in minima):
                 minima.append(minimum)
     minima.sort(key=lambda minimum: minimum.misfit)
@@ -555,11 +557,8 @@ def _fits_equally(minimum: _Minimum, best: _Minimum, misfits: Callable[[int], Ar
     return mean <= max(_WRONG_DEVIATION * error, _MISFIT_ERROR + _MISFIT_ERROR_RATIO * abs(best.misfit - 1.0))
 
 
-def _refine_minimum(misfits: Callable[[int], Array], k: int, level: float) -> _Minimum | None:
-    """Return the local minimum of the misfit near step `k`; None if there is no minimum.
-
-    `level` is the misfit of right lenses: 1, or as measured if the noise is estimated.
-    """
+def _refine_minimum(misfits: Callable[[int], Array], k: int) -> _Minimum | None:
+    """Return the local minimum of the misfit near step `k`; None if there is no minimum."""
     visited = set[int]()
     offsets = np.arange(-2, 3)
     powers = np.vander(offsets, 4, increasing=True)
@@ -590,12 +589,12 @@ def _refine_minimum(misfits: Callable[[int], Array], k: int, level: float) -> _M
         min_misfit = float(np.array([minimum**n for n in range(4)]) @ cubics @ weights)
         # The standard error of the position of the minimum is (standard error of the slope) / curvature.
         cell_slopes = weights * (cubics[1] + minimum * (2.0 * cubics[2] + 3.0 * minimum * cubics[3]))
-        systematic = _LOG_STEP * _SLOPE_ERROR_RATIO * abs(min_misfit - level)
+        systematic = _LOG_STEP * _SLOPE_ERROR_RATIO * abs(min_misfit - 1.0)
         scale = math.exp(_LOG_STEP * (k + minimum))
         scatter = math.hypot(float(np.sqrt((cell_slopes**2).sum())), systematic)
         # d(scale) = scale d(log scale).
         # Scales whose misfits differ by less than their systematic error are not told apart.
-        alike = math.sqrt(2.0 * (_MISFIT_ERROR + _MISFIT_ERROR_RATIO * abs(min_misfit - level)) / curvature)
+        alike = math.sqrt(2.0 * (_MISFIT_ERROR + _MISFIT_ERROR_RATIO * abs(min_misfit - 1.0)) / curvature)
         error = scale * math.hypot(_LOG_STEP * scatter / curvature, _LOG_STEP * alike, _MIN_SCALE_ERROR)
         return _Minimum(scale, error, min_misfit, k, start - min_misfit)
     return None

@@ -9,6 +9,7 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 import lommel as lm
+from lommel.imaging import defocus_verdict
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from scenes import POINTS, ThinLens, before, lommel_lens, plane, record, texture
 
@@ -58,6 +59,21 @@ def test_a_wrong_f_number_is_told_with_its_size(pair, f_number, scale):
     assert abs(found.scale - scale) < 2.5 * found.scale_error
     assert not found.converged
     assert found.findings.get("lens_scale").numbers == {"scale": found.scale, "error": found.scale_error}
+
+
+def test_a_noise_that_is_estimated_four_times_too_large_does_not_change_the_size_of_blur(pair, monkeypatch):
+    search, seen = defocus_verdict._scale_minima, []
+
+    def both(engine, brightest, rough, tiles, level):
+        overstated = [tile._replace(variance=4.0 * tile.variance) for tile in (rough, *tiles)]
+        for one, many, of in ((rough, tiles, level), (overstated[0], overstated[1:], 0.25 * level)):
+            seen.append(search(engine, brightest, one, many, of)[0])
+        return seen[:1]
+
+    monkeypatch.setattr(defocus_verdict, "_scale_minima", both)
+    assert live(pair, lenses()).verdict().agrees
+    assert seen[1].scale == pytest.approx(seen[0].scale, rel=1e-6)
+    assert seen[1].error == pytest.approx(seen[0].error, rel=1e-6)
 
 
 def test_aliases_of_binned_pixels_do_not_change_the_size_of_blur():

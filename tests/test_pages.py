@@ -154,6 +154,9 @@ def write_files(place: Path) -> None:
     photo.save("photo.png")
     for name in ("photo", "raw"):
         photo.save(f"{name}.tif")
+    texture = np.random.default_rng(0).integers(0, 256, (25, 25)).astype(np.uint8)
+    for name, corner in (("shot-1", 0), ("shot-2", 3)):
+        Image.fromarray(texture).resize((225, 225)).crop((corner, 0, 200 + corner, 200)).save(f"{name}.tif")
     star = np.exp(-0.5 * (np.arange(-8.0, 9.0) / 1.5) ** 2)
     Image.fromarray((200.0 * star[:, None] * star).astype(np.uint8)).save("star.tif")
     distance = np.where(x < 32, 1.9, 2.1)

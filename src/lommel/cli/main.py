@@ -29,6 +29,7 @@ COMMANDS = {
     "blur": "photo_commands",
     "restore": "photo_commands",
     "deconvolve": "deconvolve_command",
+    "align": "photo_commands",
     "depth": "photo_commands",
     "sfr": "sfr_command",
     "calibrate": "calibrate_command",

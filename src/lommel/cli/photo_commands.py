@@ -1,4 +1,4 @@
-"""The commands on photographs: ``blur``, ``restore``, ``depth`` (from defocus) and ``precision`` (its bound)."""
+"""The commands on photographs: ``blur``, ``restore``, ``align``, ``depth`` (from defocus) and its ``precision``."""
 
 from __future__ import annotations
 
@@ -659,6 +659,49 @@ def verdict_report(verdict: DefocusVerdict) -> Report:
     lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
     lines += [finding.text for finding in verdict.findings.printed]
     return Report(facts, [*map(with_options, lines)], verdict.converged)
+
+
+@command
+@filled(photos=suffixes("photo"))
+def align(
+    photos: list[Path],
+    /,
+    *,
+    outputs: Annotated[tuple[Path, ...], OUTPUT],
+    encoding: Annotated[Encoding | None, ENCODING] = None,
+    blur: Annotated[float, Shown(metavar="PIXELS")] = 4.0,
+) -> Report:
+    """Align photos of one scene: hand-held ones, bursts, or those of two foci, whose sizes differ (focus breathing).
+
+    PHOTOS are two or more files of one size. The others are shifted, turned and scaled to the place of the first, and
+    all are cropped to what they share. They are refused where the displacement is uncertain by over 0.25 pixels.
+
+    Parameters
+    ----------
+    outputs
+        Aligned photos, one for each of PHOTOS, encoded as these: {photos}.
+    encoding
+        Encoding of the photos' values: srgb, linear, or a number, as 1.8 for light = value ** 1.8; by default as the
+        photos state (ICC profile), else integers are sRGB; floats are linear.
+    blur
+        Largest blur radius of the photos, pixels; it changes the standard errors alone.
+
+    Examples
+    --------
+      lommel align shot-1.tif shot-2.tif -o aligned-1.tif -o aligned-2.tif
+    """
+    if len(outputs) != len(photos):
+        raise ValueError(f"--output must be given for each of the {len(photos)} photos, got {len(outputs)}")
+    for path in outputs:
+        photo_files.find(path, "--output")
+    with progress("reading") as status:
+        pictures = read_alike(photos, encoding)
+        status("comparing the photos")
+        aligned = imaging.align([picture.light() for picture in pictures], blur=blur)
+        for path, picture, light in zip(outputs, pictures, aligned.frames, strict=True):
+            dtype, stored_as = output_type(picture, path)
+            imaging.write_photo(path, light, encoding=stored_as, dtype=dtype, like=picture)
+    return told(aligned.to_dict() | {"read": _read_as(pictures[0])}) + written(outputs)
 
 
 @command

@@ -2,6 +2,7 @@
 
 from lommel.deconvolve.algorithms import Restoration, RichardsonLucy, TotalVariation
 from lommel.deconvolve.linear import LinearBlur
+from lommel.imaging.alignment import Aligned, align
 from lommel.imaging.blended import Blend
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.datasets import DatasetOptions, DatasetPicture, LensRanges, render_dataset
@@ -24,6 +25,7 @@ from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
 __all__ = [
     "RED_GREEN_BLUE",
+    "Aligned",
     "Blend",
     "BlurOptions",
     "CalibratedPlane",
@@ -56,6 +58,7 @@ __all__ = [
     "RestoreOptions",
     "RichardsonLucy",
     "TotalVariation",
+    "align",
     "calibrate_focus",
     "depth_from_defocus",
     "depth_of_field",

@@ -197,7 +197,7 @@ class DefocusVerdict(FitReport):
             times = ", ".join(f"{scale:.4f}" for scale in magnifications[1:])
             text = (
                 f"the images are magnified {times} times the first, not as stated (focus breathing): state this "
-                "magnification, or register them"
+                "magnification, or align them (lommel align)"
             )
             add("misfit", "error", text, {"magnifications": tuple(magnifications)})
         elif noise is not None:

@@ -913,7 +913,7 @@ def calibrate_focus(
         if len(shift := frame_shift(images, valid, blur)):
             raise ValueError(
                 "the second photograph of the plane at {} is shifted by {:.1f} pixels down and {:.1f} right: "
-                "register the photographs".format(format_length(distance), *shift)
+                "align the photographs (lommel align)".format(format_length(distance), *shift)
             )
         if scales := frame_scales(images, valid, blur):
             magnified.append(scales[-1] * registered.scales[-1])
@@ -922,7 +922,7 @@ def calibrate_focus(
     if magnified:
         raise ValueError(
             f"the second photographs are magnified {np.median(magnified):.4f} times the first, not as stated (focus "
-            "breathing): state this magnification, or register the photographs"
+            "breathing): state this magnification, or align the photographs (lommel align)"
         )
     colours = spectra("channels", channel_spectra(shape, lenses[0].wavelength))
     spectrum = [line for colour in colours for line in colour]  # channels are summed

@@ -1,4 +1,4 @@
-"""Shift and magnification of frames of different focus, from the phases of their cross-spectrum.
+"""Shift, magnification and rotation of frames of different focus, from the phases of their cross-spectrum.
 
 Symmetric blurs leave the phases 0 or pi; a shift makes them proportional to the frequency. The windows move a single
 blurred edge by (their slope) * (difference of the variances of blur).
@@ -41,30 +41,49 @@ def frame_shift(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[
 
 def frame_scales(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[float, ...]:
     """Return magnifications of frames relative to frame 0; empty if none is certain and moves half a pixel (rms)."""
-    size = np.array(valid.shape) // 2
-    if min(size) < _MIN_WINDOW:
+    if min(valid.shape) // 2 < _MIN_WINDOW:
         return ()
-    tops = [_FREQUENCY]
-    while 0.5 * tops[0] * min(size) > _FIRST:
-        tops.insert(0, 0.5 * tops[0])
-    windows = [
-        (slice(i * size[0], (i + 1) * size[0]), slice(j * size[1], (j + 1) * size[1])) for i in (0, 1) for j in (0, 1)
-    ]
-    # Places of the windows' centres relative to the middle, and weighted least squares of a shift and a scale.
-    places = [np.array([i - 0.5, j - 0.5]) * size for i in (0, 1) for j in (0, 1)]
-    terms = np.concatenate([np.column_stack([np.eye(2), place]) for place in places])
     scales = [1.0]
     for other in frames[1:]:
-        moved = [_displacement(frames[0][window], other[window], valid[window], tops) for window in windows]
-        edges = _edge_shift(size, blur) ** 2 * np.eye(2)
-        weight = np.linalg.inv(scipy.linalg.block_diag(*(covariance + edges for _, covariance in moved)))
-        shifts, covariance = np.concatenate([shift for shift, _ in moved]), np.linalg.inv(terms.T @ weight @ terms)
-        fit = covariance @ terms.T @ weight @ shifts
-        left = shifts - terms @ fit
-        error = math.sqrt(covariance[2, 2] * max(1.0, left @ weight @ left / (len(left) - 3)))
+        fit, covariance, _ = motion(frames[0], other, valid, blur, 2, turns=False)
+        error = math.sqrt(covariance[2, 2])
         told = abs(fit[2]) > max(_CERTAIN * error, _LEAST * math.sqrt(12.0) / math.hypot(*valid.shape))
         scales.append(1.0 + float(fit[2]) if told else 1.0)
     return tuple(scales) if set(scales) != {1.0} else ()
+
+
+def motion(
+    first: Values, other: Values, valid: NDArray[np.bool_], blur: float, parts: int, *, turns: bool = True
+) -> tuple[Array, Array, float]:
+    """Return (1) shift and relative scale of a frame, and angle if it `turns`, (2) their covariance, (3) a misfit.
+
+    They are fitted to displacements of `parts` x `parts` windows about the middle of the frame; of one window only
+    the shift follows. An angle is positive from x to y. The misfit is the rms difference of displacements of windows
+    from the fit, pixels.
+    """
+    shape = np.array(valid.shape)
+    size = np.minimum(shape // parts, _SIDE)
+    tops = [_FREQUENCY]
+    while 0.5 * tops[0] * min(size) > (0.5 * _FIRST if parts == 1 else _FIRST):  # to find large shifts
+        tops.insert(0, 0.5 * tops[0])
+    steps = [0.5] if parts == 1 else np.linspace(0.0, 1.0, parts)
+    firsts = [[round(step * (shape[k] - size[k])) for step in steps] for k in (0, 1)]
+    corners = [(top, left) for top in firsts[0] for left in firsts[1]]
+    windows = [
+        tuple(slice(start, start + side) for start, side in zip(corner, size, strict=True)) for corner in corners
+    ]
+    moved = [_displacement(first[window], other[window], valid[window], tops) for window in windows]
+    # Places of the windows' centres relative to the middle, and weighted least squares.
+    places = np.array(corners) + 0.5 * (size - shape)
+    columns = [[*np.eye(2), place, (place[1], -place[0])][: 2 if parts == 1 else 3 + turns] for place in places]
+    terms = np.concatenate([np.column_stack(column) for column in columns])
+    edges = _edge_shift(tuple(size), blur) ** 2 * np.eye(2)
+    weight = np.linalg.inv(scipy.linalg.block_diag(*(covariance + edges for _, covariance in moved)))
+    shifts, covariance = np.concatenate([shift for shift, _ in moved]), np.linalg.inv(terms.T @ weight @ terms)
+    fit = covariance @ terms.T @ weight @ shifts
+    left = shifts - terms @ fit
+    covariance *= max(1.0, left @ weight @ left / max(1, len(left) - len(fit)))
+    return fit, covariance, math.sqrt(np.average(left**2, weights=np.diag(weight)))
 
 
 def _edge_shift(size: tuple[int, ...] | Array, blur: float) -> float:
@@ -100,7 +119,7 @@ def _displacement(
         weights, left = np.abs(cross), np.cos(2.0 * (phases - step @ slopes))
         share = max(_LEAST_SHARE, float(weights @ left) / max(float(weights.sum()), 1e-300))
         shift, covariance = shift + step / share, gradients @ gradients.T / share**2
-    # Phases of noise alone are about as likely at all displacements.
-    if weights @ left < _COHERENT * math.sqrt(0.5 * float(weights @ weights)):
+    # Phases of noise alone are about as likely at all displacements; even frames have none.
+    if weights @ left <= _COHERENT * math.sqrt(0.5 * float(weights @ weights)):
         covariance = covariance + _UNKNOWN**2 * np.eye(2)
     return shift, covariance

@@ -113,7 +113,7 @@ def test_planes_that_are_magnified_or_shifted_are_refused_with_the_number():
     lenses, distances = [LENS, LENS.focused(1.8)], [1.5]
     for made, text in (
         (frames(0.99), r"magnified 0\.99\d\d times the first, .* state this magnification"),
-        (frames(1.0, None, (0.0, 2.0)), r"plane at 1\.5 m is shifted by .* and [12]\.[09] right: register"),
+        (frames(1.0, None, (0.0, 2.0)), r"plane at 1\.5 m is shifted by .* and [12]\.[09] right: align"),
     ):
         with pytest.raises(ValueError, match=text):
             lm.imaging.calibrate_focus([made / 1e3], distances, lenses, 4e-6, encoding="linear", origin=0.0)

@@ -97,7 +97,7 @@ def test_what_is_no_movie_is_told(tmp_path):
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(100))
     assert "movie.tif: " in refused(path)
     path.write_bytes(b"GIF89a" + bytes(100))
-    assert "movie.tif is not a TIFF, FITS, NPY or PNG file, nor a folder of OME-Zarr" in refused(path)
+    assert "movie.tif is not a TIFF, FITS, NPY, PNG, ND2, CZI or LIF file, nor a folder of OME-Zarr" in refused(path)
     tifffile.imwrite(path, np.zeros((4, 8, 8, 3), np.uint8), photometric="rgb")
     assert "it holds colours (RGB), 4 x 8 x 8 x 3 along QYXS; save each channel in grey" in refused(path)
     tifffile.imwrite(path, np.zeros((2, 3, 8, 8), np.uint8), ome=True, metadata={"axes": "TZYX"})

@@ -234,6 +234,7 @@ def write_files(place: Path) -> None:
     seen = np.rint(250.0 * np.clip(squares, 0.0, 1.0) ** (1.0 / 2.2)).astype(np.uint8)
     for suffix in ("jpg", "png", "tif"):
         Image.fromarray(seen).save(f"squares.{suffix}")
+    write_video(place / "edge.mkv", [seen[:96, :128]] * 2)
     tifffile.imwrite("mosaic.tif", np.rint(50000.0 * squares).astype(np.uint16), photometric="minisblack")
     names = "inside", "stars", "outside", "donuts"
     for name, exposure in zip(names, lm.Noise(read=2.0).record(sky, seed=2), strict=True):

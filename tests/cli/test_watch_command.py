@@ -30,6 +30,7 @@ from lommel.cli import video_coding, video_commands
 from lommel.cli.instruments import FrameNoise
 from lommel.io import videos
 from scenes import ThinLens, lommel_lens, plane, record, texture
+from slanted_edges import gaussian, picture
 from video_files import frames_of, write_video
 
 LENS = """
@@ -585,3 +586,38 @@ def test_the_noise_of_video_is_estimated_from_its_first_pair_and_told(linear, fo
     for row, distance in zip(rows(folder / "found.csv")[1::2], DISTANCES, strict=True):
         assert abs(row["depth (m)"] - distance) < 0.6 * row["error (m)"]
         assert row["misfit"] == pytest.approx(1.0, abs=0.15)
+
+
+def test_sharpness_is_that_of_the_edge_in_the_middle_and_the_sharpest_frame_is_named(tmp_path, call_lommel):
+    sigmas = [1.6, 1.1, 0.7, 1.0]
+    frames = [(255.0 * picture(6.0, sigma, (80, 96), 4)).round().astype(np.uint8) for sigma in sigmas]
+    write_video(tmp_path / "edge.mkv", frames)
+    result = call_lommel(
+        "watch", "--sharpness", "--source", "edge.mkv", "--encoding", "linear", "--pixel", "4um", "--table", "f.csv",
+        "--json", folder=tmp_path,
+    )  # fmt: skip
+    assert result.returncode == 0, result.stderr
+    facts = json.loads(result.stdout)
+    assert facts["frames"] == facts["measured"] == 4
+    assert facts["sharpest_at"] == pytest.approx(2 / 25, abs=1e-3)
+    f = np.linspace(0.05, 0.5, 200)
+    halves = [np.interp(0.5, gaussian(f, np.radians(6.0), sigma)[::-1], f[::-1]) for sigma in sigmas]
+    rows = np.loadtxt(tmp_path / "f.csv", delimiter=",", skiprows=1)
+    np.testing.assert_allclose(rows[:, 1], halves, rtol=0.03)
+    assert facts["mtf50"] == pytest.approx(rows[2, 1] / 4e-6, rel=1e-4)
+    assert "MTF50" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--sharpness", "--source", "a", "--source", "b"], "--sharpness is of one --source, got a second --source"),
+        (["--sharpness", "--source", "a", "--between", "1m", "2m"], "--sharpness is of one --source, got --between"),
+        (["--source", "a", "--source", "b"], "LENS is missing"),
+        (["lens.toml", "--source", "a", "--source", "b"], "--between is missing"),
+    ],
+)
+def test_depth_and_sharpness_have_their_own_options(words, message, tmp_path, call_lommel):
+    result = call_lommel("watch", *words, folder=tmp_path)
+    assert result.returncode == 2
+    assert message in result.stderr

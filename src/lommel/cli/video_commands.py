@@ -24,12 +24,12 @@ from lommel.base import atomic, optional, validation
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.encoding import Encoding, from_light, warn_if_bright
 from lommel.base.options import In, Options, Shown, filled
-from lommel.base.units import percent
+from lommel.base.units import percent, with_error
 from lommel.cli import video_faults
 from lommel.cli.command import OUTPUT, command
 from lommel.cli.instruments import FrameNoise, PhotoCamera, radial_instrument, states_noise, tell_optics
 from lommel.cli.interrupts import Stop
-from lommel.cli.messages import with_options
+from lommel.cli.messages import given_flags, with_options
 from lommel.cli.output import Steps, progress, require_file, require_folder, written
 from lommel.cli.photo_commands import (
     BETWEEN,
@@ -47,6 +47,7 @@ from lommel.fit.findings import Findings
 from lommel.imaging import LiveDepth, LiveSharpen
 from lommel.imaging.blur import warn_of_depths
 from lommel.imaging.defocus_verdict import MIN_BLOCKS, DefocusVerdict, noise_finding
+from lommel.imaging.edge_chart import middle_edge
 from lommel.imaging.focal_engine import BLOCK, MAX_KNOWN_ERROR
 from lommel.imaging.live import LiveDepthMap
 from lommel.io import photos, videos
@@ -64,6 +65,7 @@ Map = NDArray[np.float32]
 
 _WHITE_PERCENTILE = 99.5  # percentile of the first all-in-focus image that is shown as white, for linear video
 _MAX_PAIRS = 2**16  # number of the most recent pairs over which statistics are computed
+_SAID_EVERY = 1.0  # seconds of video after which the sharpness is printed again
 _MAX_LEVEL = 65535  # largest level of lossless depth
 _CURVE_LEVELS = 4096  # number of levels of linear light in the sRGB lookup table
 _COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "frame time (s)", "dropped"]
@@ -131,12 +133,13 @@ class Files(Options):
 
 @command
 def watch(
-    lens: Path,
+    lens: Path | None = None,
     /,
     *,
     sources: Annotated[tuple[str, ...], Shown(("--source",), metavar="SOURCE")],
-    between: Annotated[tuple[float, float], BETWEEN],
+    between: Annotated[tuple[float, float] | None, BETWEEN] = None,
     alternating: bool = False,
+    sharpness: bool = False,
     encoding: Annotated[Encoding | None, ENCODING] = None,
     misfit: Annotated[float, In(least=1.0, infinite=True)] = 2.0,
     files: Files = Files(),
@@ -160,6 +163,9 @@ def watch(
         Nearest and farthest distance to search, such as 1m 3m or 1m inf.
     alternating
         The frames of one source alternate between two focus settings.
+    sharpness
+        Say MTF50 of the slanted edge nearest to the middle of each frame, for focusing, as `lommel sfr` measures it;
+        of one source, without LENS. Only --encoding, --pixel and --table apply.
     encoding
         Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is sRGB.
     f_number_error
@@ -180,7 +186,16 @@ def watch(
     --------
       lommel watch phone.toml --source near.mkv --source far.mkv --focus 1.3m --focus 2m --between 1m 3m -o depth.mkv
       lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
+      lommel watch --sharpness --source edge.mkv --table focus.csv
     """
+    if sharpness:
+        needless = given_flags().keys() - {"sharpness", "sources", "encoding", "pixel", "table", "as_json"}
+        if needless or lens is not None or len(sources) != 1:
+            names = [given_flags()[name] for name in sorted(needless)] or ["LENS" if lens else "a second --source"]
+            raise ValueError(f"--sharpness is of one --source, got {', '.join(names)}")
+        return _watch_sharpness(sources[0], encoding, cameras.pixel, files.table)
+    if lens is None or between is None:
+        raise ValueError(f"{'LENS' if lens is None else '--between'} is missing")
     with Stop().signals() as stop:
         _require_two(sources, alternating=alternating)
         instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
@@ -254,6 +269,46 @@ def watch(
             + verdict_report(verdict)
             + written([files.output, *files.depths, files.table])
         )
+
+
+def _watch_sharpness(source: str, encoding: Encoding | None, pixel: float | None, table: Path | None) -> Report:
+    """Say the MTF50 of the edge nearest to the middle of each frame, and report the sharpest frame."""
+    require_file(table, ".csv", "--table")
+    rows: list[tuple[float, float, float]] = []
+    count, said = 0, -math.inf
+    with Stop().signals() as stop, progress("opening the source", endless=True) as status, ExitStack() as stack:
+        frames = stack.enter_context(videos.video_frames(source, tell=status.tell))
+        used, first = encoding or frames.encoding, math.nan
+        while (frame := stop.next(frames)) is not None:
+            count += 1
+            first = frame.time if math.isnan(first) else first
+            try:
+                image = frame.values if frame.values.ndim == 2 else frame.values[..., 1]
+                found = middle_edge(image, None, encoding=used).response
+            except ValueError as error:
+                status(f"frame {count}: {with_options(str(error))}")
+                continue
+            rows.append((frame.time - first, *found.mtf50))
+            best = max((row[1] for row in rows if math.isfinite(row[1])), default=math.inf)
+            value, error_text = with_error(*found.mtf50) if math.isfinite(found.mtf50[0]) else ("> 0.5", "-")
+            doubt = "" if found.reliable else f"; {found.findings.printed[0].text}"
+            text = f"MTF50 {value} +- {error_text} cycles/pixel, best {best:.3g}{doubt}"
+            status(text)
+            if frame.time - said >= _SAID_EVERY:
+                said = frame.time
+                status.tell(f"{frame.time - first:.1f} s: {text}")
+        lost = "interrupted" if stop.requested else frames.lost
+    if not rows:
+        raise ValueError(f"no frame has a slanted edge that can be measured, of {count}")
+    scale = 1.0 if pixel is None else 1.0 / pixel
+    sharpest = max(rows, key=lambda row: row[1] if math.isfinite(row[1]) else math.inf)
+    if table is not None:
+        lines = ["time (s),MTF50 (cycles/pixel),error", *(",".join(f"{value:.6g}" for value in row) for row in rows)]
+        atomic.write(table, "\n".join([*lines, ""]).encode())
+    facts: Facts = {"frames": count, "measured": len(rows), "sharpest_at": sharpest[0]}
+    facts |= plain({"mtf50_px": sharpest[1], "mtf50_px_error": sharpest[2], "last_px": rows[-1][1]})
+    facts |= {} if pixel is None else plain({"mtf50": scale * sharpest[1]})
+    return told(facts | {"ended": lost or "the end"}, succeeded=frames.lost is None) + written([table])
 
 
 def _require_two(sources: tuple[str, ...], *, alternating: bool) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -188,26 +189,36 @@ def sfr_chart(
     require_mosaic(mosaic, counts.shape)
     if counts.shape[2:] not in ((), (3,)):
         raise ValueError(f"image must have the shape (height, width) or (height, width, 3), got {counts.shape}")
-    height, width = counts.shape[:2]
     edges: list[ChartEdge] = []
     refused: list[tuple[float, float, str]] = []
     for candidate in _candidates(counts, mosaic is not None):
         try:
-            found = _measure(counts, candidate, side, encoding, mosaic)
+            edges.append(_measure(counts, candidate, side, encoding, mosaic))
         except ValueError as error:
             refused.append((candidate.row, candidate.column, str(error).removeprefix("image ")))
-            continue
-        x, y = candidate.column - 0.5 * (width - 1), candidate.row - 0.5 * (height - 1)
-        along = abs(x * math.cos(found.angle) + y * math.sin(found.angle))
-        direction = "T" if along >= math.hypot(x, y) / math.sqrt(2.0) else "S"
-        scale = side or 1.0
-        edges.append(ChartEdge(candidate.row, candidate.column, scale * x, scale * y, direction, found))
     if not edges:
         reasons = "; ".join(dict.fromkeys(reason for _, _, reason in refused)) or "there are none"
         raise ValueError(f"image must show slanted edges, 24 pixels long or more, got none: {reasons}")
     return EdgeChart(
-        edges=tuple(edges), refused=tuple(refused), shape=(height, width), findings=_findings(counts, edges)
+        edges=tuple(edges),
+        refused=tuple(refused),
+        shape=(counts.shape[0], counts.shape[1]),
+        findings=_findings(counts, edges),
     )
+
+
+def middle_edge(image: ArrayLike, pixel: float | None, *, encoding: Encoding) -> ChartEdge:
+    """Return the measurable edge of a picture that is nearest to its middle; ValueError if there is none."""
+    counts = image_counts(image)
+    middle = [0.5 * (side - 1) for side in counts.shape[:2]]
+
+    def far(edge: _Candidate) -> float:
+        return math.hypot(edge.row - middle[0], edge.column - middle[1])
+
+    for candidate in sorted(_candidates(counts, False), key=far):
+        with suppress(ValueError):
+            return _measure(counts, candidate, pixel_pitch(pixel), encoding, None)
+    raise ValueError("image must show slanted edges, 24 pixels long or more, got none")
 
 
 def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
@@ -223,7 +234,8 @@ def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
         several = [r for r in every if any(found.code == code for one in r for found in one.findings)]
         if code != "left_out" and code not in [found.code for found in findings]:
             worst = [found for r in several for one in r for found in one.findings if found.code == code]
-            severity: Severity = "doubt" if 2 * sum(f.severity != "note" for f in worst) > len(edges) else "note"
+            bad: list[Severity] = [f.severity for f in worst if f.severity != "note"]
+            severity: Severity = "note" if 2 * len(bad) <= len(edges) else "error" if "error" in bad else "doubt"
             text = f"{len(several)} of {len(edges)} edges: {first.text}"
             findings.append(Finding(code, severity, text, {"edges": len(several), "of": len(edges)}))
     return Findings(findings)
@@ -231,8 +243,8 @@ def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
 
 def _measure(
     counts: Counts, edge: _Candidate, pixel: float | None, encoding: Encoding, mosaic: str | None
-) -> EdgeResponse:
-    """Return the response of an edge by the pixels around it."""
+) -> ChartEdge:
+    """Return an edge with its response, by the pixels around it."""
     height, width = counts.shape[:2]
     down, right = edge.normal
     sides = [
@@ -260,7 +272,11 @@ def _measure(
     mask = None if counts.mask is None else counts.mask[rows, columns]
     part = replace(counts, values=np.ascontiguousarray(counts.values[rows, columns]), mask=mask)
     part = replace(part, stated=counts.saturation if math.isfinite(counts.saturation) else None)
-    return edge_response(part, pixel, encoding, mosaic, inside)
+    found = edge_response(part, pixel, encoding, mosaic, inside)
+    u, v, scale = edge.column - 0.5 * (width - 1), edge.row - 0.5 * (height - 1), pixel or 1.0
+    along = abs(u * math.cos(found.angle) + v * math.sin(found.angle))
+    direction = "T" if along >= math.hypot(u, v) / math.sqrt(2.0) else "S"
+    return ChartEdge(edge.row, edge.column, scale * u, scale * v, direction, found)
 
 
 def _reduced(counts: Counts, mosaic: bool) -> tuple[Array, int]:

@@ -22,6 +22,8 @@ _CORRELATION, _ROUNDING = (
 )  # least correlation of neighbours; smallest noise in units of integers that is tested
 _POWERS = np.concatenate([np.geomspace(0.35, 0.8, 6), np.geomspace(1.25, 2.9, 6)])
 _GAIN = 12.0  # least gain in chi-squared / 2 by another encoding
+_LOSS = 2.0  # largest loss of it by an encoding that the noise of both sides shows
+_GAMMA = 2.2  # of that encoding
 _FEW = 64  # pixels of a side from which noise is tested
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
 
@@ -187,13 +189,12 @@ def _of_symmetry(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Arr
 
     stated = chi2(1.0)
     noisier, quieter = _noise_ratios(edge)
-    powers = _POWERS if stated > (0.5 if quieter else 2.0) * _GAIN else _POWERS[:0]
-    sizes = [chi2(float(power)) for power in powers]
-    gains = [
-        0.5 * (stated - size) - (_GAIN if power > 1.0 or not quieter else 0.25 * _GAIN)
-        for power, size in zip(powers, sizes, strict=True)
-    ]
-    power = float(powers[int(np.argmax(gains))]) if gains and max(gains) > 0.0 else 2.2 if noisier else 1.0
+    sizes = [chi2(float(power)) for power in _POWERS] if stated > 2.0 * _GAIN else [stated]
+    power = 1.0
+    if 0.5 * (stated - min(sizes)) > _GAIN:
+        power = float(_POWERS[int(np.argmin(sizes))])
+    elif noisier or (quieter and 0.5 * (chi2(1.0 / _GAMMA) - stated) < _LOSS):
+        power = _GAMMA if noisier else 1.0 / _GAMMA
     if power == 1.0:
         return []
     other = response(position, (np.maximum(profile, 0.0) / bright) ** power, variances, 0.5)[0]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -91,10 +92,9 @@ class Edge:
 def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
     """Return the nearly vertical edge in a picture, near `line` if given; ValueError if there is none."""
     height = len(image)
-    t = np.linspace(-1.0, 1.0, height)
     is_new = line is None
     line = _fit_edge(_filled(image, known)) if line is None else line.copy()
-    terms = legendre.legvander(t, _TERMS - 1)
+    terms, _ = _polynomials(height)
     first = 0 if is_new else _STEPS  # a stated line is near the edge
     used, count = known, 2 if is_new else _TERMS
     distance, reach = _distances(line, image.shape)
@@ -102,7 +102,7 @@ def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
     for step in range(first, 4 * _STEPS):
         line[count:] = 0.0
         distance, reach = _distances(line, image.shape)
-        if is_new and step in (1, _STEPS):
+        if is_new and step == _STEPS:
             light, trend, tail, levels, variances = _evened(image, distance, reach, used)
         nodes, values = _smooth_profile(distance, light, used, height)
         expected = np.interp(distance, nodes, values)
@@ -200,12 +200,19 @@ def _smooth_profile(distance: Array, light: Array, used: Mask, height: int) -> t
     return rising, middle[first]
 
 
+@lru_cache(maxsize=64)
+def _polynomials(height: int) -> tuple[Array, Array]:
+    """Return Legendre polynomials of the rows, from -1 to 1, and their slopes per row."""
+    t = np.linspace(-1.0, 1.0, height)
+    slopes = [legendre.legval(t, legendre.legder(one)) * 2.0 / (height - 1) for one in np.eye(_TERMS)]
+    return legendre.legvander(t, _TERMS - 1), np.stack(slopes, axis=1)
+
+
 def _distances(line: Array, shape: tuple[int, ...]) -> tuple[Array, float]:
     """Return the distance of each pixel from the edge, and the least distance of its ends from the sides."""
     height, width = shape
-    t = np.linspace(-1.0, 1.0, height)
-    columns = legendre.legval(t, line)
-    cosine = 1.0 / np.hypot(1.0, legendre.legval(t, legendre.legder(line)) * 2.0 / (height - 1))
+    terms, slopes = _polynomials(height)
+    columns, cosine = terms @ line, 1.0 / np.hypot(1.0, slopes @ line)
     distance = (np.arange(width) - columns[:, None]) * cosine[:, None]
     return distance, float(max(min((columns * cosine).min(), ((width - 1 - columns) * cosine).min()), 1.0))
 

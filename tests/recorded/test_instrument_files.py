@@ -103,12 +103,31 @@ def test_a_nikon_stack_has_its_axes_lengths_and_objective(tmp_path):
     assert "From the ND2 metadata of the file: 108 nm pixels, 300 nm planes apart." in channels.notes
 
 
+def test_positions_of_a_nikon_file_are_images_by_name(tmp_path):
+    pytest.importorskip("nd2")
+    points = {f"i{k:010}": {"dPosX": 9.0 * k, "dPosY": 0.0, "dPosName": f"well {k}"} for k in range(3)}
+    write_nd2(
+        tmp_path / "a.nd2", STACK.reshape(12, 6, 8)[:6, ..., None], [T_LOOP, (2, {"uiCount": 3, "Points": points})]
+    )
+    with pytest.raises(RecordingError, match=r"it holds 3 images, \[well 0\] of 2 T x 6 Y x 8 X, .*: name one"):
+        open_frames(tmp_path / "a.nd2")
+    for name in ("well 2", "2"):
+        with open_frames(tmp_path / f"a.nd2[{name}]") as found:
+            assert found.axes == "TYX"
+            assert np.array_equal(found[...], STACK.reshape(12, 6, 8)[[2, 5]])
+
+
 def test_a_nikon_file_that_is_not_calibrated_states_no_pixel(tmp_path):
     pytest.importorskip("nd2")
     write_nd2(tmp_path / "a.nd2", np.moveaxis(STACK[0, :1], 1, -1), calibrated=False)
     with open_frames(tmp_path / "a.nd2") as found:
         assert (found.axes, found.shape) == ("CYX", (2, 6, 8))
         assert found.metadata["pixel"] is found.metadata["step"] is None
+    write_nd2(tmp_path / "b.nd2", np.zeros((2, 6, 8, 1)), [(1, {**T_LOOP[1], "uiCount": 3})])
+    with open_frames(tmp_path / "b.nd2") as found:
+        assert not found[1].any()
+        with pytest.raises(RecordingError, match="image 2: it is missing: the recording was stopped"):
+            found[2]
     data = (tmp_path / "a.nd2").read_bytes()
     (tmp_path / "cut.nd2").write_bytes(data[:-2000])
     with pytest.raises(RecordingError, match=r"cut\.nd2: "):

@@ -22,6 +22,7 @@ MAX_CHANNELS = 4096
 """Largest number of channels of a file."""
 
 _MAX_IMAGES = 2**24  # largest number of images of a file
+_MISSING = "it is missing: the recording was stopped, or the file is cut off"
 _SETTINGS = 2**20  # largest size of the description of a movie, bytes
 _NIKON = {"laserScanConfocal": "confocal", "dsdConfocal": "spinning disc", "spinningDiskConfocal": "spinning disc"}
 _NIKON |= {"sweptFieldConfocalSlit": "confocal", "multiphoton": "two-photon"}  # modality flags of ND2
@@ -101,6 +102,8 @@ def _nd2(path: Path, part: str | None) -> Opened:
             for letter, side in loops.items():
                 place_in_file = place_in_file * side + at[letter]
             frame = np.asarray(file.read_frame(place_in_file))
+            if not (frame.any() or _is_stored(frame)):
+                raise ValueError(_MISSING)
             return np.array(frame[at["C"]] if "C" in at else frame)
 
         shape = tuple(sizes[letter] for letter in (*letters, "Y", "X"))
@@ -108,6 +111,13 @@ def _nd2(path: Path, part: str | None) -> Opened:
     except BaseException:
         file.close()
         raise
+
+
+def _is_stored(frame: Values) -> bool:
+    """Return False for an array of zeros that the library made in place of a frame."""
+    while isinstance(frame.base, np.ndarray):
+        frame = frame.base
+    return frame.base is not None
 
 
 def _nd2_metadata(channels: Sequence[Any], sizes: dict[str, int], stack: Any) -> Metadata:
@@ -163,7 +173,7 @@ def _czi(path: Path, part: str | None) -> Opened:
             at = {letter: k for letter, k in plane.items() if sides[letter] > 1} or None
             file.enumerate_subblocks_subset(stop_at_first, at, tuple(area), only_layer0=True)
             if not parts:  # the library would return zeros
-                raise ValueError("it is missing: the recording was stopped, or the file is cut off")
+                raise ValueError(_MISSING)
             return np.array(file.read(roi=tuple(area), plane=plane, scene=keys[place])[..., 0])
 
         shape = (*(sides[letter] for letter in letters), area.h, area.w)

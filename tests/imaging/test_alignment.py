@@ -59,6 +59,13 @@ def test_a_hand_held_pair_of_two_foci_is_aligned_to_a_tenth_of_a_pixel():
     assert np.sqrt(np.mean((found.frames[1] - still)[4:-4, 4:-4] ** 2)) < 0.009  # of noise 0.0057
 
 
+def test_aligned_frames_keep_most_of_their_noise():
+    first = frame(1, (0.5, 1.5))
+    little, much = (align([first, frame(1, (1.5, 0.5), noise=noise, **HAND)]) for noise in (0.004, 0.02))
+    noise = [found.frames[1][6:200, 6:260] for found in (little, much)]  # the same noise, of two sizes
+    assert 0.9 < np.std(noise[1] - noise[0]) / 0.016 < 1.0  # cubic splines leave 0.875
+
+
 @pytest.mark.parametrize("seed", range(10))
 def test_errors_contain_what_is_left(seed):
     rng = np.random.default_rng(seed)

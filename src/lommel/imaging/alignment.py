@@ -31,7 +31,7 @@ class Aligned:
     Attributes
     ----------
     frames : tuple of ndarray
-        Frames, resampled by cubic splines where they were moved, cropped to what all of them show.
+        Frames, resampled by quintic splines where they were moved, cropped to what all of them show.
     crop : tuple of slice
         Rows and columns of the first frame that are left.
     shifts : ndarray, shape (n, 2)
@@ -176,7 +176,7 @@ def _moved(frame: Values, move: _Move) -> Values:
     """Return a frame, also of channels, in the place of the first one."""
     places = _places(frame.shape[:2], move)[0]
     channels = np.moveaxis(frame.reshape(*frame.shape[:2], -1).astype(np.float64), 2, 0)
-    moved = [scipy.ndimage.map_coordinates(one, places, order=3, mode="nearest") for one in channels]
+    moved = [scipy.ndimage.map_coordinates(one, places, order=5, mode="nearest") for one in channels]
     return np.stack(moved, axis=-1).reshape(frame.shape)
 
 

@@ -163,3 +163,51 @@ def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated
     assert any("field.tif: 2 spots found; refused: 1 edge. Beads need 19 " in note for note in facts["notes"])
     assert facts["wavelength"] == pytest.approx(600e-9)
     assert facts["noise"]["offset"] == {"value": 100.0, "source": "option"}
+
+
+def test_a_report_grows_by_dates_and_channels(folder):
+    (folder / "day").mkdir()
+    field = tifffile.imread("field.tif")
+    for name in ("day/2026-11-30.tif", "day/20261201_b.tif"):
+        tifffile.imwrite(name, field, photometric="minisblack")
+    asked = (*ASKED, "--window", "19", "--report", "psf", "--json")
+    found = run("day/2026-11-30.tif", *asked)
+    assert found.returncode == 0, found.stderr
+    facts = json.loads(found.stdout)
+    table = facts["report"]["table"]
+    assert [row["date"] for row in table] == ["2026-11-30"] * 2
+    assert facts["files"][-2:] == ["psf/table.csv", "psf/report.html"]
+    for row, place in zip(table, facts["places"], strict=True):
+        assert row["x"] / 103.1746e-9 == pytest.approx(place["column"], abs=0.3)
+        assert row["height_error"] < 0.7 * row["z_error"]  # errors of the depth cancel
+        assert 2e-7 < row["gauss_x"] < 4e-7
+        assert 1.5e-7 < row["fwhm_x"] < row["gauss_x"]
+    # All of the folder: rows of the same file are replaced.
+    found = run("day", *asked)
+    assert found.returncode in (0, 4), found.stderr
+    lines = (folder / "psf" / "table.csv").read_text(encoding="utf-8").splitlines()
+    assert len(lines) == 1 + 4
+    page = (folder / "psf" / "report.html").read_text(encoding="utf-8")
+    assert "<h2>Trend</h2>" in page
+    printed = " ".join(run("field.tif", *ASKED, "--window", "19").stdout.split())
+    assert re.search(r"column z nm height nm", printed)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("empty", "objective.toml"), "empty has no stacks: TIFF, NPY, FITS or OME-Zarr"),
+        (("bead.tif", "objective.toml", "--report", "none/psf"), "No such file or directory"),
+        (
+            ("bead.tif", "objective.toml", "--report", "other"),
+            "table.csv is no table of beads that this command wrote",
+        ),
+    ],
+)
+def test_a_folder_without_stacks_or_of_another_table_is_refused(folder, words, told):
+    (folder / "empty").mkdir()
+    (folder / "other").mkdir()
+    (folder / "other" / "table.csv").write_text("a,b\n1,2\n")
+    found = run(*words)
+    assert found.returncode == 2
+    assert told in " ".join(found.stderr.split())

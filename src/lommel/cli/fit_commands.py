@@ -8,13 +8,14 @@ import re
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 
 from lommel import detection
-from lommel.base import reading
+from lommel.base import atomic, optional, reading
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.options import In, Options, Shown
 from lommel.base.units import ARCSEC, format_length
@@ -23,7 +24,7 @@ from lommel.blur.blurs import Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraNoise, header_differences, instrument_of, require_microscope
 from lommel.cli.messages import report_findings, verdict_lines
-from lommel.cli.output import progress, require_file, save_figure, written
+from lommel.cli.output import progress, require_file, require_folder, save_figure, written
 from lommel.detection.molecules import smoothed
 from lommel.estimation import EFFORT
 from lommel.estimation.options import BeadOptions, FieldFitOptions, RetrieveOptions
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
     from lommel.estimation.phase_retrieval import Retrieval
     from lommel.lensfiles.microscope_files import Microscope
     from lommel.recorded.headers import Unusable
+    from lommel.recorded.noise import Noise
 
 _MOST_CROSSINGS = 100
 _WAVE = 2.0 * math.pi  # radians
@@ -52,6 +54,8 @@ _MUCH_LARGER = 1.5  # images whose sides exceed this multiple of the window arou
 _MAX_BEADS = 20  # largest number of beads that are fitted
 _MAX_PITCH_DIFFERENCE = 0.05  # relative: five times the error of the pixel pitch that a fit allows for
 _SHAPE = "(beads, planes, height, width)"
+_TABLE, _PAGE = "table.csv", "report.html"  # files of a report
+_SUFFIXES = ".tif", ".tiff", ".npy", ".fits", ".fit", ".fits.gz", ".zarr"  # stacks in a folder
 _SHARPNESS_SIDE = 9  # side in pixels of the PSF whose sharpness is compared with that of hot pixels
 
 
@@ -444,14 +448,15 @@ def beads(
     options: BeadOptions = BeadOptions(diameter=1e-7),
     window: Annotated[int, In(least=9, most=101)] = 31,
     output: Annotated[Path | None, OUTPUT] = None,
+    folder: Annotated[Path | None, Shown(("--report",), metavar="FOLDER", writes=True)] = None,
     figure: Annotated[Path | None, PLOT] = None,
     camera: CameraNoise = CameraNoise(),
 ) -> Report:
     """Estimate aberrations of a microscope from bead stacks.
 
     STACKS are z stacks (TIFF, OME-TIFF, OME-Zarr, NPY, FITS) of single beads cut out, or of fields in which isolated
-    beads are found. LENS is the file of the objective: its section [sample] has the index of the medium of the beads,
-    and [aberrations.zernike], if there is one, the start of the search.
+    beads are found; a folder stands for its stacks. LENS is the file of the objective: its section [sample] has the
+    index of the medium of the beads, and [aberrations.zernike], if there is one, the start of the search.
 
     All beads share the aberrations and the constants of the microscope, which are estimated within their usual
     uncertainties. chi2 is about 1 where the model fits. It may be 1 even for a wrong constant: all constants are
@@ -476,6 +481,10 @@ def beads(
         Side in pixels of the windows around beads, if a file shows a field of them.
     output
         Microscope file (.toml) with the results, for all other commands.
+    folder
+        Folder of a report: table.csv with a row for each bead, and report.html to print. Further runs with the same
+        folder, of other channels and dates, add rows, chromatic shifts and a trend. The date is that in the name of
+        a file, such as 2026-12-01, otherwise that of the file.
     figure
         Figure of planes, model, residuals and terms: .png, .pdf or .svg.
 
@@ -483,8 +492,10 @@ def beads(
     --------
       lommel beads beads.tif zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 -o mine.toml
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
+      lommel beads 2026-12-01/ zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 --report psf
     """
     from lommel.estimation.bead_images import CONSTANTS
+    from lommel.estimation.bead_table import heights
     from lommel.estimation.beads import fit_beads
     from lommel.estimation.star_images import label
     from lommel.lensfiles.microscope_files import stage_step
@@ -492,6 +503,8 @@ def beads(
     from lommel.recorded.headers import combined_metadata
 
     require_file(output, ".toml")
+    stacks = _bead_files(stacks)
+    earlier = None if folder is None else _earlier(folder)
     microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
     if options.depth is None and microscope.depth > 0.5 * options.diameter:
@@ -518,7 +531,7 @@ def beads(
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
         windows, pitches, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
-        z = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step
+        z, sides = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step, dict[str, tuple[int, ...]]()
         sharpest = _sharpest(microscope, z, options)
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
@@ -530,6 +543,7 @@ def beads(
                     pitches[pitch] = _pitch_finding(pitch, stack.metadata.get(key), microscope)
             notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
             recorded_planes = stack[...]
+            sides[file] = recorded_planes.shape[1:]
             mask = camera.mask_of(recorded_planes)
             ignored = np.broadcast_to(False if mask is None else mask, recorded_planes.shape)
             masked = StackView(recorded_planes, math.inf if saturation is None else saturation, mask=ignored)
@@ -541,12 +555,24 @@ def beads(
             windows += _beads(file, values, Counts.of(values, noise=noise, saturation=saturation), window, notes)
         cut_out = [bead.window for bead in windows[:_MAX_BEADS]]
         status("fitting")
-        result = fit_beads(
-            counts_of("stacks", cut_out, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
-            microscope,
-            z=z,
-            options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share)),
-        )
+
+        def fitted(beads: list[Values], model: Microscope) -> BeadFit:
+            return fit_beads(
+                counts_of("stacks", beads, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
+                model,
+                z=z,
+                options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share)),
+            )
+
+        result = fitted(cut_out, microscope)
+        files_of = [bead.file for bead in windows[:_MAX_BEADS]]
+        relative = heights(result.z_covariance, np.array([bead.z for bead in result.beads]), files_of)
+        if folder is not None and earlier is not None:
+            report = _BeadReport(lens.stem, microscope, result, windows[: len(cut_out)], relative, noise, used_step)
+            alone = replace(microscope, aberrations=result.aberrations) if result.converged else microscope
+            fits = [result if len(cut_out) == 1 else fitted([bead], alone) for bead in cut_out]
+            dates = {path.name: _date(path) for path in stacks}
+            table = report.write(folder, fits, earlier, dates, sides)
     result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))
     if output is not None:
         _fitted(microscope, result, used_step).save(output)
@@ -562,9 +588,15 @@ def beads(
         fit | {"row": fit["row"] + bead.corner[0], "column": fit["column"] + bead.corner[1]}
         for fit, bead in zip(facts["beads"], windows, strict=False)
     ]
+    if np.isfinite(relative[0][[bead.used for bead in result.beads]]).all():
+        for place, height, error in zip(facts["places"], *map(plain, relative), strict=True):
+            place["height"], place["errors"] = height, place["errors"] | {"height": error}
     facts["beads"] = [window.name for window in windows[:_MAX_BEADS]]
+    if folder is not None:
+        facts["report"] = plain(table)
     status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
-    files = written([output, figure], lambda path: status_text if path == output else "")
+    pages = [] if folder is None else [folder / _TABLE, folder / _PAGE]
+    files = written([output, figure, *pages], lambda path: status_text if path == output else "")
     keys = dict(zip(facts["coefficients"], result.coefficients, strict=True))
     units = {key: CONSTANTS[name].unit if isinstance(name, str) else "rad" for key, name in keys.items()}
     titles = {key: name if isinstance(name, str) else label(name) for key, name in keys.items()}
@@ -583,8 +615,8 @@ def beads(
 
 def _places(fits: list[Facts], names: list[str]) -> Parts:
     """Return the table of where beads are and of their light, with standard errors, planes taken together."""
-    units = {"z": "nm", "depth": "nm", "flux": "electrons", "background": "electrons"}
-    factors = {"row": 1.0, "column": 1.0, "z": 1e9, "depth": 1e9, "flux": 1.0, "background": 1.0}
+    units = {"z": "nm", "height": "nm", "depth": "nm", "flux": "electrons", "background": "electrons"}
+    factors = {"row": 1.0, "column": 1.0, "z": 1e9, "height": 1e9, "depth": 1e9, "flux": 1.0, "background": 1.0}
     known = {k: factor for k, factor in factors.items() if all(k in fit["errors"] for fit in fits)}
 
     def columns(numbers: list[Facts]) -> Facts:
@@ -639,6 +671,99 @@ class _Bead(NamedTuple):
     name: str
     window: Values
     corner: tuple[int, int]
+
+    @property
+    def file(self) -> str:
+        """Name of the file."""
+        return self.name.rsplit(" [", 1)[0]
+
+
+def _bead_files(paths: list[Path]) -> list[Path]:
+    """Return the stacks, those in folders sorted by name; ValueError for a folder without one."""
+    found = list[Path]()
+    for path in paths:
+        if not path.is_dir() or any((path / name).exists() for name in ("zarr.json", ".zgroup", ".zattrs")):
+            found.append(path)
+            continue
+        inside = sorted(one for one in path.iterdir() if one.name.lower().endswith(_SUFFIXES))
+        if not inside:
+            raise ValueError(f"{line(path.name)} has no stacks: TIFF, NPY, FITS or OME-Zarr")
+        found += inside
+    return found
+
+
+def _date(path: Path) -> str:
+    """Return the date in the name of a file, otherwise that of the file: 2026-12-01."""
+    for year, month, day in re.findall(r"(?<!\d)((?:19|20)\d\d)[-_.]?(\d\d)[-_.]?(\d\d)(?!\d)", path.name):
+        with suppress(ValueError):
+            return date(int(year), int(month), int(day)).isoformat()
+    return date.fromtimestamp(path.stat().st_mtime).isoformat()
+
+
+def _earlier(folder: Path) -> list[dict[str, Any]]:
+    """Return the rows of earlier runs with this folder of a report; ValueError if it is not one."""
+    from lommel.report.bead_page import read_csv
+
+    optional.require("matplotlib", "nothing was computed: a report needs", "plot")
+    require_folder(folder)
+    return read_csv(folder / _TABLE) if (folder / _TABLE).exists() else []
+
+
+class _BeadReport(NamedTuple):
+    """What a report on beads has in it: the fit of all of them, their windows, relative heights and noise."""
+
+    lens: str
+    microscope: Microscope
+    result: BeadFit
+    windows: list[_Bead]
+    heights: tuple[Array, Array]
+    noise: Noise
+    step: float
+
+    def write(
+        self, folder: Path, fits: list[BeadFit], earlier: list[dict[str, Any]], dates: dict[str, str],
+        sides: dict[str, tuple[int, ...]],
+    ) -> dict[str, Any]:  # fmt: skip
+        """Write table and page, with the rows of earlier runs but those of the same files; return their numbers."""
+        from lommel.estimation.bead_table import focal_surface, row_of
+        from lommel.report.bead_page import page, write_csv
+
+        result, microscope, rows = self.result, self.microscope, list[dict[str, Any]]()
+        # The stated pixel, the same for all beads and channels: errors of estimates would shift beads far from row 0.
+        pixel, name = microscope.pixel / microscope.objective.magnification, microscope.name or self.lens
+        for k, (bead, window, fit) in enumerate(zip(result.beads, self.windows, fits, strict=True)):
+            heights = [None if math.isnan(part[k]) else float(part[k]) for part in self.heights]
+            z_error = bead.errors.get("z", math.nan)
+            rows.append(
+                {"bead": window.name, "file": window.file, "date": dates[window.file]}
+                | {"wavelength": microscope.wavelength, **row_of(fit, self.noise, self.step, pixel, window.corner)}
+                | {"z": bead.z, "z_error": None if math.isnan(z_error) else z_error}
+                | {"height": heights[0], "height_error": heights[1], "flux": float(bead.flux.sum())}
+            )
+        middles = [[0.5 * (side - 1.0) * pixel for side in sides[window.file][::-1]] for window in self.windows]
+        places = np.array([[row["x"], row["y"]] for row in rows], dtype=float) - middles
+        groups = [window.file for window in self.windows]
+        surface = focal_surface(result.z_covariance, np.array([bead.z for bead in result.beads]), places, groups)
+        same = {(row["file"], row["wavelength"], row["date"]) for row in rows}
+        kept = [row for row in earlier if (row["file"], row["wavelength"], row["date"]) not in same]
+        facts = [
+            ("objective", name),
+            ("NA, immersion", f"{microscope.objective.NA:.4g}, {microscope.objective.immersion:.4g}"),
+            ("emission", format_length(microscope.wavelength, digits=4)),
+            ("pixel in the sample", format_length(pixel, digits=4)),
+            ("step between planes", format_length(abs(self.step), digits=4)),
+            ("diameter of beads", format_length(result.diameter, digits=3)),
+            ("files", ", ".join(dict.fromkeys(groups))),
+            ("dates", ", ".join(sorted({row["date"] for row in rows}))),
+        ]
+        title, notes = f"Beads: {name}", [f"{one.severity}: {one.text}" for one in result.findings]
+        folder.mkdir(exist_ok=True)
+        write_csv(folder / _TABLE, [*kept, *rows])
+        good = sum(fit.converged for fit in fits)
+        verdict = f"One wavefront for all beads: {result.message}. Each bead alone: {good} of {len(fits)} converged."
+        text = page(title, facts, verdict, surface, [*kept, *rows], notes)
+        atomic.write(folder / _PAGE, text.encode())
+        return {"table": rows, "surface": surface}
 
 
 def _beads(file: str, planes: Values, counts: Counts, window: int, notes: list[str]) -> list[_Bead]:

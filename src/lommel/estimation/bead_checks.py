@@ -60,7 +60,8 @@ _REVERSED_GAIN = 12.0  # smallest increase of the log-posterior at which planes 
 _REVERSED_CHI2 = 0.25  # largest ratio of chi2 - 1 of a reversed stack that fits badly to chi2 - 1 of the original
 _GRADIENT = "background gradient"
 _MIN_BEADS = 3  # smallest number of beads at which a bead is held out of the fit
-_STEPS = 20  # maximum number of steps of a search that starts at a fit
+STEPS = 20
+"""Maximum number of steps of a search that starts at a fit."""
 _TERM = 0.1  # expected size of a missing term, radians rms
 _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
 _MISFIT_BEADS = 2  # largest number of beads in further searches after a misfit
@@ -268,7 +269,7 @@ def rounds(model: BeadModel, fit: Evaluation, stated: Setup, report: Report) -> 
         return freed and (freed, freed[1].log_posterior - few[1].log_posterior)
 
     def jointly(pair: Pair, names: Sequence[str]) -> Pair | None:
-        freed = _refit_with_free(*pair, names, stated, report, 3 * _STEPS)
+        freed = _refit_with_free(*pair, names, stated, report, 3 * STEPS)
         if freed is None or not freed[1].settled:
             return None
         state = freed[1].state
@@ -394,7 +395,7 @@ def _with_free(model: BeadModel, state: State, names: Sequence[str], stated: Set
 
 
 def _refit_with_free(
-    model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report, steps: int = _STEPS
+    model: BeadModel, fit: Evaluation, names: Sequence[str], stated: Setup, report: Report, steps: int = STEPS
 ) -> tuple[BeadModel, Evaluation] | None:
     """Return model and fit with the effects `names` estimated without narrow priors; None if not possible."""
     freed = _with_free(model, fit.state, names, stated) if fit.quality[0] < GROSS_CHI2 else None
@@ -458,7 +459,7 @@ def reversed_findings(
     stacks = tuple(replace(stack, z=-stack.z) for stack in model.stacks)
     places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(stacks, model.depths, strict=True))
     try:
-        steps = _STEPS if chi2 < GROSS_CHI2 else _STEPS // 2
+        steps = STEPS if chi2 < GROSS_CHI2 else STEPS // 2
         reversed_fit = climb(replace(model, stacks=stacks), State(start.setup, waves, places), steps, report)
     except (Declined, ValueError):
         return []
@@ -486,10 +487,10 @@ def held_out(model: BeadModel, fit: Evaluation, report: Report) -> tuple[float, 
     others_model, held_out_model = model.with_beads(others), model.with_beads([count - 1])
     try:
         start = _restricted(state, others)
-        others_state = climb(others_model, start, _STEPS, report).state
+        others_state = climb(others_model, start, STEPS, report).state
         fixed_model = replace(held_out_model, images=model.images.without_terms(others_state.waves), priors={})
         start = State(others_state.setup, np.zeros(0), state.places[-1:], state.light[-1:])
-        held_out_fit = climb(fixed_model, start, _STEPS, report)
+        held_out_fit = climb(fixed_model, start, STEPS, report)
     except (Declined, ValueError):
         return math.nan, []
     chi2, limit = held_out_fit.quality[0], float(goodness_of_fit.largest_plausible_chi2(held_out_fit.quality[1]))

@@ -37,6 +37,7 @@ from lommel.estimation.bead_search import (
     Search,
     State,
     brightest,
+    climb,
     start_of,
 )
 from lommel.estimation.favoured_effects import Round
@@ -291,8 +292,58 @@ class BeadFit(FitReport):
         TypeError, ValueError
             If `depth` is out of range, or if the light does not fall to half of its maximum on both sides.
         """
+        stack, (plane, row, column), values, rows = self._focus(depth)
+        step = float(stack.z[1] - stack.z[0])
+        lines: tuple[Any, ...] = (plane, row), (plane, slice(None), column), (slice(None), row, column)
+        sigmas, units = 0.1 * np.sqrt(np.diag(self.covariance)), (*2 * (self._fine_pixel(),), step)
+        widths, errors = np.zeros((2, 3))
+        for k, (line, unit) in enumerate(zip(lines, units, strict=True)):
+            profile, changes = values[line], sigmas[:, None] * rows[:, *line]
+            # Central differences over a fifth of a standard error: the width of a profile is no linear function.
+            gains = [profile_width(profile + change) - profile_width(profile - change) for change in changes]
+            slopes = unit * np.array(gains) / (2.0 * sigmas)
+            widths[k], errors[k] = unit * profile_width(profile), math.sqrt(slopes @ self.covariance @ slopes)
+        return widths, errors
+
+    def strehl(self, *, depth: float) -> tuple[float, float]:
+        """Return the Strehl ratio of the fitted Zernike terms at a depth, and its standard error.
+
+        Parameters
+        ----------
+        depth : float
+            Depth of the emitter below the cover glass, metres.
+
+        Returns
+        -------
+        ratio : float
+            Largest value of the PSF through focus, divided by that without Zernike terms: through the same objective,
+            media and depth, whose own spherical aberration is in both.
+        error : float
+            Standard error, from the covariance of the Zernike terms.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `depth` is out of range.
+        """
+        _, place, values, rows = self._focus(depth)
+        count = len(self._images.estimated_terms)
+        unaberrated = replace(self, _images=BeadImages((), {}, self._images.threads), _state=replace(
+            self._state, waves=np.zeros(0)), coefficients={}, errors={}, covariance=np.zeros((0, 0)))  # fmt: skip
+        peak = float(unaberrated._focus(depth)[2].max())
+        slopes = rows[(slice(count), *place)] / peak
+        return float(values.max()) / peak, math.sqrt(
+            max(float(slopes @ self.covariance[:count, :count] @ slopes), 0.0)
+        )
+
+    def _fine_pixel(self) -> float:
+        """Return the pitch of the images of :meth:`_focus` in the sample, metres."""
+        return 0.25 * self.objective.nyquist(wavelength=self.wavelength).pixel / self.objective.magnification
+
+    def _focus(self, depth: float) -> tuple[Stack, tuple[int, int, int], Array, Array]:
+        """Return a fine stack of a point through focus: stack, index of its brightest value, values, Jacobian."""
         bead_depth, objective = length("depth", depth, DEPTH_MOST), self.objective
-        pixel = 0.25 * objective.nyquist(wavelength=self.wavelength).pixel
+        pixel = self._fine_pixel() * objective.magnification
         setup = replace(self._state.setup, pixel=pixel, diameter=0.0, blur=0.0, step=1.0, integrate=False)
         # Aberrations move the focus: eight axial widths, in steps of a tenth.
         step = 0.1 * float(objective.focus(bead_depth, wavelength=self.wavelength).axial_fwhm)
@@ -305,16 +356,7 @@ class BeadFit(FitReport):
             before, middle, after = values[np.clip([plane - 1, plane, plane + 1], 0, len(z) - 1), row, column]
             top += 0.5 * step * (before - after) / min(before - 2.0 * middle + after, -1e-9 * middle)
         rows = self._jacobian(setup, bead_depth, stack, unaffected=("pixel", *_NOT_OF_POINTS))
-        lines: tuple[Any, ...] = (plane, row), (plane, slice(None), column), (slice(None), row, column)
-        sigmas, units = 0.1 * np.sqrt(np.diag(self.covariance)), (*2 * (pixel / objective.magnification,), step)
-        widths, errors = np.zeros((2, 3))
-        for k, (line, unit) in enumerate(zip(lines, units, strict=True)):
-            profile, changes = values[line], sigmas[:, None] * rows[:, *line]
-            # Central differences over a fifth of a standard error: the width of a profile is no linear function.
-            gains = [profile_width(profile + change) - profile_width(profile - change) for change in changes]
-            slopes = unit * np.array(gains) / (2.0 * sigmas)
-            widths[k], errors[k] = unit * profile_width(profile), math.sqrt(slopes @ self.covariance @ slopes)
-        return widths, errors
+        return stack, (plane, row, column), values, rows
 
     def _jacobian(
         self, setup: Setup, depth: float, stack: Stack, unaffected: Sequence[str] = _NOT_OF_POINTS
@@ -667,6 +709,8 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.
         if missing_findings or estimated_names or not Findings(findings).converged:
             few_model, few_fit = bead_checks.brightest_beads(model, fit)
+            if few_model is not model:  # beads may differ: their own fit, as that of the reversed planes is
+                few_fit = climb(few_model, few_fit.state, bead_checks.STEPS, search.report)
             # Of a fit that is grossly wrong, the terms are no start.
             waves = np.pad(search.waves, (0, len(state.waves) - len(search.waves)))
             waves = few_fit.state.waves if chi2 < GROSS_CHI2 else waves

@@ -550,3 +550,44 @@ def spots(
     axes.set(xlabel="column", ylabel="row", xlim=(-0.5, image.shape[1] - 0.5), ylim=(image.shape[0] - 0.5, -0.5))
     axes.set_title(drawing.fit_to_width(title, axes, 10), fontsize=10)
     return axes
+
+
+def bead_maps(x: Array, y: Array, maps: Sequence[tuple[str, Array, str]]) -> Figure:
+    """Draw maps of quantities of beads, each (name, values, unit), at positions x and y in the sample, metres."""
+    columns = min(len(maps), 3)
+    rows = math.ceil(len(maps) / columns)
+    figure = drawing.new_figure((3.1 * columns, 2.7 * rows))
+    panels = figure.subplots(rows, columns, squeeze=False)
+    for k, (panel, (name, values, unit)) in enumerate(zip(panels.flat, maps, strict=False)):
+        dots = panel.scatter(1e6 * x, 1e6 * y, c=values, s=34, cmap="viridis")
+        panel.set(aspect="equal", xlabel="x (µm)", ylabel="y (µm)")
+        panel.invert_yaxis()  # as in the image
+        panel.margins(0.12)
+        panel.set_title(f"{name} ({unit})" if unit else name, fontsize=9)
+        panel.tick_params(labelsize=7)
+        drawing.only_outer(panel, k, len(maps), columns)
+        figure.colorbar(dots, ax=panel, shrink=0.8).ax.tick_params(labelsize=7)
+    for empty in panels.flat[len(maps) :]:
+        empty.remove()
+    return figure
+
+
+def bead_curves(curves: Sequence[tuple[str, str, str, Mapping[str, tuple[Any, Array, Array]]]]) -> Figure:
+    """Draw panels (title, x label, y label, series); a series is x, values and standard errors (NaN: none)."""
+    figure = drawing.new_figure((3.4 * len(curves), 3.0))
+    for panel, (title, along, label, series) in zip(
+        figure.subplots(1, len(curves), squeeze=False).flat, curves, strict=True
+    ):
+        for (name, (x, values, errors)), mark in zip(series.items(), "os^vDP" * len(series), strict=False):
+            panel.errorbar(x, values, errors, fmt=mark, markersize=3.5, linewidth=1.0, label=name)
+        panel.set_title(title, fontsize=9)
+        panel.set_xlabel(along, fontsize=8)
+        panel.set_ylabel(label, fontsize=8)
+        panel.tick_params(labelsize=7)
+        panel.grid(alpha=0.3)
+        panel.margins(0.08, 0.15)
+        if any(isinstance(one, str) for x, *_ in series.values() for one in x):
+            panel.tick_params(axis="x", labelrotation=30)
+        if len(series) > 1:
+            panel.legend(fontsize=6, framealpha=0.0, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.25))
+    return figure

@@ -1,0 +1,241 @@
+"""Table of beads for a facility: widths by the fitted PSF and by Gaussians, heights, focal surface, chromatic shifts.
+
+A row is a mapping from the names of quantities to numbers in SI units (None: unknown); the standard error of
+"fwhm_x" is "fwhm_x_error".
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+import scipy
+
+from lommel.base.arrays import Array
+from lommel.estimation.beads import BeadFit, FittedBead
+from lommel.estimation.star_images import label
+from lommel.recorded.noise import Noise
+
+Row: TypeAlias = dict[str, Any]
+
+_AXES = "zyx"  # of a stack
+_STEP = 1e-4  # relative step of differences of the Jacobian of a Gaussian
+_LEAST = 6  # smallest number of points of a profile to which a Gaussian is fitted
+_PAIR = 1e-6  # metres: largest distance of the images of a bead in two channels
+MEASURES: Mapping[str, tuple[str, str, float]] = {
+    "fwhm_x": ("FWHM x, PSF", "nm", 1e9), "fwhm_y": ("FWHM y, PSF", "nm", 1e9), "fwhm_z": ("FWHM z, PSF", "nm", 1e9),
+    "gauss_x": ("FWHM x, Gaussian", "nm", 1e9), "gauss_y": ("FWHM y, Gaussian", "nm", 1e9),
+    "gauss_z": ("FWHM z, Gaussian", "nm", 1e9), "asymmetry": ("lateral asymmetry", "", 1.0),
+    "strehl": ("Strehl ratio", "", 1.0), "rms": ("wavefront rms", "waves", 0.5 / math.pi),
+    "height": ("relative height", "nm", 1e9), "focus": ("focus", "nm", 1e9), "z": ("z", "nm", 1e9),
+}  # fmt: skip
+"""Quantities of a bead with standard errors: words, unit, and the factor from SI units."""
+
+
+def gaussian_fit(profile: Array, variance: Array) -> tuple[Array, Array]:
+    """Return the least-squares Gaussian of a profile and its covariance: background, height, centre, deviation.
+
+    Weights are equal, as in programs that measure PSFs, so that errors follow from the variance of the noise by the
+    implicit function theorem, also where the profile is no Gaussian (a sandwich, with the whole Hessian).
+
+    Parameters
+    ----------
+    profile, variance : ndarray, shape (n,)
+        Values at steps of 1, NaN where unknown, and variances of their noise.
+
+    Raises
+    ------
+    ValueError
+        If there are too few points, or the profile has no such width.
+    """
+    x, known = np.arange(len(profile), dtype=float), np.isfinite(profile)
+    x, y, variance = x[known], profile[known], variance[known]
+    if len(y) < _LEAST or not np.ptp(y) > 0.0:
+        raise ValueError("a profile has too few values for a Gaussian")
+    low, top = float(np.median(y)), float(y.max())
+    low = min(low, top - 0.1 * float(np.ptp(y)))
+    wide = max(1.0, float((y > 0.5 * (low + top)).sum())) / 2.355
+
+    def jacobian(p: Array) -> Array:
+        u = (x - p[2]) / p[3]
+        bell = np.exp(-0.5 * u * u)
+        return np.stack([np.ones_like(u), bell, p[1] * bell * u / p[3], p[1] * bell * u * u / p[3]], axis=1)
+
+    def residual(p: Array) -> Array:
+        return np.asarray(p[0] + p[1] * np.exp(-0.5 * ((x - p[2]) / p[3]) ** 2) - y)
+
+    start = np.array([low, top - low, x[y.argmax()], wide])
+    found = scipy.optimize.least_squares(
+        residual, start, jacobian, method="lm", x_scale=np.maximum(np.abs(start), 1.0)
+    )
+    p = found.x * [1.0, 1.0, 1.0, np.sign(found.x[3])]
+    if not found.success or p[1] <= 0.0 or not x[0] < p[2] < x[-1] or 2.355 * p[3] > np.ptp(x):
+        raise ValueError("a profile is wider than the stack, or has no maximum in it")
+    slope, rest = jacobian(p), residual(p)
+    hessian, steps = slope.T @ slope, _STEP * np.array([p[1], p[1], p[3], p[3]])
+    for k, step in enumerate(np.diag(steps)):
+        hessian[k] += rest @ (jacobian(p + step) - jacobian(p - step)) / (2.0 * steps[k])
+    influence = np.linalg.solve(hessian, slope.T)
+    return p, np.asarray((influence * variance) @ influence.T)
+
+
+class Widths(NamedTuple):
+    """Gaussians along z, y and x: full widths at half maximum and centres, with standard errors, (3,)."""
+
+    fwhm: Array
+    fwhm_errors: Array
+    centers: Array
+    center_errors: Array
+
+
+def gaussian_widths(bead: FittedBead, noise: Noise) -> Widths:
+    """Return the Gaussians of a bead along z, y and x, in planes and pixels, NaN where there is none.
+
+    Lines run through the brightest voxel of the fitted model, which noise moves less than that of the images.
+    """
+    place = np.unravel_index(int(np.argmax(bead.model)), bead.model.shape)
+    scale = math.sqrt(8.0 * math.log(2.0))
+    found = np.full((4, 3), math.nan)
+    electrons = np.where(np.isfinite(bead.images), bead.images, bead.model)
+    variance = noise.variance(np.maximum(noise.electrons(bead.model), 0.0))
+    values = np.where(np.isfinite(bead.images), noise.electrons(electrons), np.nan)
+    for axis in range(3):
+        line = tuple(slice(None) if k == axis else index for k, index in enumerate(place))
+        try:
+            p, covariance = gaussian_fit(values[line], variance[line])
+        except ValueError:
+            continue
+        found[:, axis] = scale * p[3], scale * math.sqrt(covariance[3, 3]), p[2], math.sqrt(covariance[2, 2])
+    return Widths(*found)
+
+
+def heights(covariance: Array, z: Array, groups: Sequence[object]) -> tuple[Array, Array]:
+    """Return heights of beads relative to the mean of their group, and their standard errors, (beads,).
+
+    Errors of the microscope, common to all beads, cancel. `covariance` is that of `z`; NaN for beads without one.
+    """
+    used, found = np.isfinite(np.diag(covariance)), np.full((2, len(z)), math.nan)
+    for group in dict.fromkeys(groups):
+        k = [j for j, one in enumerate(groups) if one == group and used[j]]
+        if len(k) > 1:
+            centred = np.eye(len(k)) - 1.0 / len(k)
+            found[0, k] = centred @ z[k]
+            found[1, k] = np.sqrt(np.maximum(np.diag(centred @ covariance[np.ix_(k, k)] @ centred), 0.0))
+    return found[0], found[1]
+
+
+def focal_surface(covariance: Array, z: Array, places: Array, groups: Sequence[object]) -> dict[str, Any] | None:
+    """Return tilt (radians) and curvature (1 / m) of the surface z = a + b x + c y + d (x^2 + y^2) / 2, with errors.
+
+    Each group, an image, has its own a. `places` (beads, 2) are x and y in the sample, metres, from the middle of the
+    field. Errors are larger by the root of chi2 where heights scatter more than their errors: beads that lie at
+    several heights. None for too few beads.
+    """
+    k: list[int] = np.flatnonzero(np.isfinite(np.diag(covariance)) & np.isfinite(places).all(axis=1)).tolist()
+    names = list(dict.fromkeys(groups[j] for j in k))
+    x, y = places[k].T
+    reach = max(float(np.hypot(x, y).max(initial=0.0)), 1e-9)
+    columns = [np.array([groups[j] == name for j in k], dtype=float) for name in names]
+    design = np.stack([*columns, x / reach, y / reach, 0.5 * (x**2 + y**2) / reach**2], axis=1)
+    freedom = len(k) - design.shape[1]
+    if freedom < 1 or np.linalg.matrix_rank(design) < design.shape[1]:
+        return None
+    root = np.linalg.cholesky(covariance[np.ix_(k, k)])
+    whitened, data = (np.linalg.solve(root, part) for part in (design, z[k]))
+    found, normal = np.linalg.lstsq(whitened, data, rcond=None)[0], np.linalg.inv(whitened.T @ whitened)
+    chi2 = float(((data - whitened @ found) ** 2).sum()) / freedom
+    errors = np.sqrt(np.diag(normal) * max(1.0, chi2))
+    units = np.array([1.0 / reach, 1.0 / reach, 1.0 / reach**2])
+    terms = "tilt_x", "tilt_y", "curvature"
+    values, deviations = found[-3:] * units, errors[-3:] * units
+    facts: dict[str, Any] = {"chi2": chi2, "beads": len(k)}
+    for name, value, error in zip(terms, values.tolist(), deviations.tolist(), strict=True):
+        facts |= {name: value, f"{name}_error": error}
+    return facts
+
+
+def row_of(fit: BeadFit, noise: Noise, step: float, pixel: float, corner: tuple[int, int] = (0, 0)) -> Row:
+    """Return the row of a bead from the fit of it alone: widths, Strehl ratio, wavefront, Gaussians.
+
+    Widths by the PSF, terms and Strehl ratio are None where the fit did not converge. `step` of the stage and `pixel`
+    in the sample are as stated, metres, and `corner` is the first pixel of the window. "focus" is a stage position.
+    """
+    bead, row = fit.beads[0], dict[str, Any]()
+    keys = "fwhm_x", "fwhm_y", "fwhm_z", "strehl", "rms"
+    pairs: dict[str, tuple[float, float]] = {}
+    if fit.converged and bead.used:
+        try:
+            widths, errors = fit.fwhm(depth=bead.depth)
+        except ValueError:  # strong aberrations have no single focus
+            pass
+        else:
+            pairs = dict(zip(keys, zip(widths.tolist(), errors.tolist(), strict=True), strict=False))
+            pairs["strehl"] = fit.strehl(depth=bead.depth)
+        names = [name for name in fit.coefficients if not isinstance(name, str)]
+        waves, covariance = np.array([fit.coefficients[n] for n in names]), fit.covariance[: len(names), : len(names)]
+        rms = math.sqrt(float(waves @ waves))
+        pairs["rms"] = rms, math.sqrt(float(waves @ covariance @ waves)) / max(rms, 1e-12)
+        pairs |= {label(n): (fit.coefficients[n], fit.errors[n]) for n in names}
+    gaussians = gaussian_widths(bead, noise)
+    units = np.array([abs(step), pixel, pixel])
+    for k, axis in enumerate(_AXES):
+        pairs[f"gauss_{axis}"] = units[k] * gaussians.fwhm[k], units[k] * gaussians.fwhm_errors[k]
+    (_, y, x), (_, y_error, x_error) = gaussians[:2]
+    ratio = min(x, y) / max(x, y)
+    pairs["asymmetry"] = ratio, ratio * math.hypot(x_error / x, y_error / y)
+    middle = gaussians.centers - [len(bead.images) // 2, -corner[0], -corner[1]]
+    for k, name in enumerate(("focus", "y", "x")):
+        pairs[name] = (step if k == 0 else pixel) * middle[k], units[k] * gaussians.center_errors[k]
+    for name in (*keys, *pairs):
+        value, error = pairs.get(name, (math.nan, math.nan))
+        known = math.isfinite(value) and math.isfinite(error)
+        row |= {name: float(value) if known else None, f"{name}_error": float(error) if known else None}
+    return row | {"chi2": bead.chi2, "verdict": fit.status}
+
+
+def summary(rows: Sequence[Row], names: Sequence[str]) -> list[Row]:
+    """Return for each quantity the mean over beads, their spread, and the rms of their standard errors."""
+    found = []
+    for name in names:
+        values = [row[name] for row in rows if row.get(name) is not None]
+        errors = [row[f"{name}_error"] for row in rows if row.get(name) is not None]
+        if values:
+            spread = float(np.std(values, ddof=1)) if len(values) > 1 else None
+            facts = {"mean": float(np.mean(values)), "spread": spread}
+            found.append(
+                {"name": name, "beads": len(values), **facts, "error": float(np.sqrt(np.mean(np.square(errors))))}
+            )
+    return found
+
+
+def chromatic_shifts(rows: Sequence[Row]) -> list[Row]:
+    """Return the shifts of beads between two channels: rows of different wavelengths.
+
+    Beads of one date at one place of the field are the same bead. Shifts are those of the longer wavelength relative
+    to the shortest, metres: of the centres of Gaussians along x, y and z, and "shift_psf" of the fitted z.
+    """
+    rows = [row for row in rows if None not in (row["x"], row["y"])]
+    waves, found = sorted({row["wavelength"] for row in rows}), list[Row]()
+    for row in rows:
+        if row["wavelength"] != waves[0]:
+            continue
+        for wave in waves[1:]:
+            others = [
+                (math.hypot(*(other[k] - row[k] for k in ("x", "y"))), j)
+                for j, other in enumerate(rows)
+                if other["wavelength"] == wave and other["date"] == row["date"]
+            ]
+            distance, j = min(others, default=(math.inf, 0))
+            if distance > _PAIR:
+                continue
+            pair: Row = {"bead": row["bead"], "date": row["date"], "wavelengths": (waves[0], wave)}
+            pair |= {k: row[k] for k in ("x", "y")}
+            for axis, key in (("x", "x"), ("y", "y"), ("z", "focus"), ("psf", "z")):
+                ends: list[Any] = [one.get(key) for one in (row, rows[j])]
+                errors: list[Any] = [one.get(f"{key}_error") for one in (row, rows[j])]
+                if None not in (*ends, *errors):
+                    pair |= {f"shift_{axis}": ends[1] - ends[0], f"shift_{axis}_error": math.hypot(*errors)}
+            found.append(pair)
+    return found

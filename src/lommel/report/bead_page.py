@@ -1,0 +1,276 @@
+"""Report on beads for a facility: a CSV table that grows with each run, and an HTML page to print."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lommel.base import atomic
+from lommel.base.arrays import Array
+from lommel.base.units import number, with_error
+from lommel.estimation.bead_table import MEASURES, Row, chromatic_shifts, summary
+from lommel.show import drawing, estimates
+
+_TEXTS = "bead", "file", "date", "verdict"
+_IN_TABLE = (
+    "gauss_x", "gauss_y", "gauss_z", "fwhm_x", "fwhm_y", "fwhm_z", "asymmetry", "strehl", "rms", "z", "height",
+    "focus",
+)  # fmt: skip
+_IN_SUMMARY = _IN_TABLE[:9]
+_IN_MAPS = "gauss_x", "gauss_y", "gauss_z", "fwhm_z", "strehl", "height"
+_LEAST_MAP = 4  # smallest number of beads of a map
+_LEAST_SPREAD = 5e-6  # metres: smallest extent of a map; windows cut out by other programs have no places
+_NOTES = (
+    "FWHM, Gaussian: least-squares Gaussians with a background along lines through the brightest voxel, as "
+    "MetroloJ_QC, PSFj and the protocols of QUAREP-LiMi measure beads. Bead and pixel widen them. Standard errors "
+    "are those of photon and read noise.",
+    "FWHM, PSF: of the PSF fitted to each bead alone, without bead and pixel. Standard errors include those of the "
+    "constants of the microscope.",
+    "Lateral asymmetry: the smaller over the larger of the Gaussian FWHM along x and y. Strehl ratio: peak of the "
+    "fitted PSF over that without its Zernike terms. Wavefront rms: of these terms.",
+    "z: position of the stage at which the bead would be sharpest without aberrations; its standard error is "
+    "mostly that of the depth, common to all beads. Relative height: z from the mean of the beads of an image, in "
+    "which that cancels. Focus: centre of the Gaussian along z, from the middle plane.",
+    "Chromatic shifts: differences of the centres of Gaussians and, along z, also of the z of the fitted PSFs, whose "
+    "standard errors are smaller; planes and stage of both channels must be the same.",
+)
+_STYLE = """
+:root { color-scheme: light dark; --line: #8886; --mark: #8882; }
+body { font: 15px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 72rem; padding: 1rem; }
+h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.15rem; margin: 2rem 0 .5rem; }
+figure, .table { margin: .5rem 0; overflow-x: auto; }
+svg { max-width: 100%; height: auto; min-width: 20rem; } svg text { fill: currentColor; }
+table { border-collapse: collapse; font-size: .86rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .2rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
+th { font-weight: 600; white-space: normal; vertical-align: bottom; }
+th:first-child, td:first-child { text-align: left; }
+tr:nth-child(even) td { background: var(--mark); }
+p.verdict { border-left: .3rem solid currentColor; padding-left: .7rem; }
+@media print { @page { size: A4 landscape; margin: 12mm; } :root { color-scheme: light; }
+  body { max-width: none; padding: 0; font-size: 9pt; } table { font-size: 7pt; } th, td { padding: .1rem .3rem; }
+  figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .table { overflow: visible; } }
+"""
+
+
+def _header(name: str) -> str:
+    """Return the heading of a column: the name and the unit."""
+    stem, error = name.removesuffix("_error"), "_error" if name.endswith("_error") else ""
+    unit = MEASURES.get(stem, ("", "rad" if stem.startswith("noll") else "", 1.0))[1]
+    return f"{stem} ({unit}){error}" if unit else name
+
+
+def _factor(name: str) -> float:
+    return MEASURES.get(name.removesuffix("_error"), ("", "", 1.0))[2]
+
+
+def write_csv(path: Path, rows: Sequence[Row]) -> None:
+    """Write the rows of beads: lengths in nm, positions x and y and the wavelength in metres."""
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([_header(name) for name in names])
+    for row in rows:
+        values = [row.get(name) for name in names]
+        writer.writerow(
+            ["" if v is None else v if isinstance(v, str) else repr(float(v * _factor(name)))
+             for name, v in zip(names, values, strict=True)]
+        )  # fmt: skip
+    atomic.write(path, text.getvalue().encode())
+
+
+def read_csv(path: Path) -> list[Row]:
+    """Return the rows that :func:`write_csv` wrote; ValueError for another file."""
+    with path.open(newline="", encoding="utf-8") as file:
+        lines = list(csv.reader(file))
+    names = [_name(header) for header in (lines or [[]])[0]]
+    if not {*_TEXTS, "wavelength"} <= {*names} or any(len(line) != len(names) for line in lines):
+        raise ValueError(f"{path.name} is no table of beads that this command wrote: name another folder")
+    try:
+        return [
+            {n: v if n in _TEXTS else float(v) / _factor(n) if v else None for n, v in zip(names, line, strict=True)}
+            for line in lines[1:]
+        ]
+    except ValueError as error:
+        raise ValueError(f"{path.name} has a cell that is no number: {error}") from None
+
+
+def _name(header: str) -> str:
+    stem, _, rest = header.partition(" (")
+    return stem + ("_error" if rest.endswith("_error") else "") if rest else header
+
+
+def _value(row: Mapping[str, Any], name: str, factor: float, sign: str = " ± ") -> str:
+    value, error = row.get(name), row.get(f"{name}_error")
+    if value is None:
+        return "–"
+    pair = with_error(factor * value, factor * error) if error else (number(factor * value),)
+    return drawing.true_minus(sign.join(pair))
+
+
+def _table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    cells = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
+    return (
+        f'<div class="table"><table><thead><tr>{"".join(f"<th>{escape(name)}</th>" for name in head)}</tr></thead>'
+        f"<tbody>{cells}</tbody></table></div>"
+    )
+
+
+def _words(name: str, unit: bool = True) -> str:
+    text, in_unit, _ = MEASURES[name]
+    return f"{text} ({in_unit})" if unit and in_unit else text
+
+
+def _figure(figure: Any) -> str:
+    """Return a figure as SVG, whose lines and letters have the colour of the page's text."""
+    pyplot = drawing.pyplot()
+    with pyplot.rc_context({"svg.fonttype": "none", "svg.hashsalt": "lommel"}):
+        data = atomic.contents(figure.savefig, format="svg", transparent=True, metadata={"Date": None})
+    pyplot.close(figure)
+    text = data.decode()
+    return f"<figure>{text[text.index('<svg') :].replace('#000000', 'currentColor')}</figure>"
+
+
+def _array(rows: Sequence[Row], name: str) -> Array:
+    return np.array([math.nan if row.get(name) is None else row[name] for row in rows])
+
+
+def _nanometres(wavelength: float) -> str:
+    return f"{1e9 * wavelength:.0f} nm"
+
+
+def _channels(rows: Sequence[Row]) -> dict[str, list[Row]]:
+    waves = sorted({row["wavelength"] for row in rows})
+    return {_nanometres(wave): [row for row in rows if row["wavelength"] == wave] for wave in waves}
+
+
+def _summaries(rows: Sequence[Row]) -> list[str]:
+    parts = []
+    for channel, beads in _channels(rows).items():
+        lines = []
+        for one in summary(beads, _IN_SUMMARY):
+            factor = MEASURES[one["name"]][2]
+            mean_error = None if one["spread"] is None else one["spread"] / math.sqrt(one["beads"])
+            mean = _value({"mean": one["mean"], "mean_error": mean_error}, "mean", factor)
+            spread = "–" if one["spread"] is None else f"{factor * one['spread']:.2g}"
+            lines.append([_words(one["name"]), mean, spread, f"{factor * one['error']:.2g}", str(one["beads"])])
+        head = channel, "mean ± standard error", "spread over the beads", "standard error of one bead", "beads"
+        parts.append(_table(head, lines))
+    return parts
+
+
+def _drawn(rows: Sequence[Row]) -> list[str]:
+    parts = []
+    for beads in _channels(rows).values():
+        x, y = _array(beads, "x"), _array(beads, "y")
+        maps = [(_words(n, False), MEASURES[n][2] * _array(beads, n), MEASURES[n][1]) for n in _IN_MAPS]
+        maps = [one for one in maps if np.isfinite(one[1]).sum() >= _LEAST_MAP]
+        if maps and np.isfinite(x).sum() >= _LEAST_MAP and np.nanmax(x) - np.nanmin(x) > _LEAST_SPREAD:
+            parts.append(_figure(estimates.bead_maps(x, y, maps)))
+    curves = []
+    for title, names in (("lateral FWHM", ("gauss_x", "gauss_y")), ("axial FWHM", ("gauss_z", "fwhm_z"))):
+        series = dict[str, tuple[Array, Array, Array]]()
+        for channel, beads in _channels(rows).items():
+            x, y = _array(beads, "x"), _array(beads, "y")
+            away = 1e6 * np.hypot(x - np.nanmean(x), y - np.nanmean(y))
+            series |= {
+                f"{MEASURES[n][0].split(', ')[1] if n[-1] == 'z' else n[-1]}, {channel}": (
+                    away, 1e9 * _array(beads, n), 1e9 * _array(beads, f"{n}_error"),
+                )
+                for n in names
+            }  # fmt: skip
+        curves.append((title, "distance from the middle of the beads (µm)", "FWHM (nm)", series))
+    return [*parts, _figure(estimates.bead_curves(curves))]
+
+
+def _chromatic(rows: Sequence[Row]) -> list[str]:
+    pairs = chromatic_shifts(rows)
+    if not pairs:
+        return []
+    axes = "x", "y", "z", "psf"
+    head = ["bead", "channels", *(f"shift {axis} (nm)" for axis in "xyz"), "shift z, PSF (nm)"]
+    lines, by_waves = [], dict[tuple[float, float], list[Row]]()
+    for pair in pairs:
+        waves = pair["wavelengths"]
+        by_waves.setdefault(waves, []).append(pair)
+        cells = [_value(pair, f"shift_{axis}", 1e9) for axis in axes]
+        lines.append([pair["bead"], " − ".join(map(_nanometres, waves[::-1])), *cells])
+    means = []
+    for waves, group in by_waves.items():
+        cells = []
+        for axis in axes:
+            (one,) = summary(group, [f"shift_{axis}"]) or [{"mean": None, "spread": None, "beads": 0}]
+            error = (one["spread"] or 0.0) / math.sqrt(max(one["beads"], 1))
+            cells.append(_value({"mean": one["mean"], "mean_error": error}, "mean", 1e9))
+        means.append([f"mean of {len(group)}", " − ".join(map(_nanometres, waves[::-1])), *cells])
+    return ["<h2>Chromatic shifts</h2>", _table(head, [*means, *lines])]
+
+
+def _trend(rows: Sequence[Row]) -> list[str]:
+    dates = sorted({row["date"] for row in rows})
+    if len(dates) < 2:
+        return []
+    names = "gauss_x", "gauss_y", "gauss_z", "fwhm_z", "strehl"
+    lines, series = [], {name: dict[str, Any]() for name in names}
+    for channel, beads in _channels(rows).items():
+        for date in dates:
+            found = {one["name"]: one for one in summary([row for row in beads if row["date"] == date], names)}
+            for name, one in found.items():
+                part = series[name].setdefault(channel, ([], [], []))
+                for values, value in zip(part, (date, one["mean"], one["spread"]), strict=True):
+                    values.append(value if isinstance(value, str) else MEASURES[name][2] * (value or 0.0))
+            cells = [
+                _value({"mean": found[n]["mean"], "mean_error": found[n]["spread"]}, "mean", MEASURES[n][2])
+                if n in found else "–" for n in names
+            ]  # fmt: skip
+            if found:
+                lines.append([date, channel, str(max(one["beads"] for one in found.values())), *cells])
+    curves = [
+        (_words(n, False), "", MEASURES[n][1], series[n]) for n in ("gauss_x", "gauss_z", "strehl") if series[n]
+    ]
+    head = ["date", "channel", "beads", *map(_words, names)]
+    return [
+        "<h2>Trend</h2>", "<p>Means over the beads of a day ± their spread.</p>",
+        _figure(estimates.bead_curves(curves)), _table(head, lines),
+    ]  # fmt: skip
+
+
+def page(
+    title: str, facts: Sequence[tuple[str, str]], verdict: str, surface: Mapping[str, Any] | None,
+    rows: Sequence[Row], notes: Sequence[str],
+) -> str:  # fmt: skip
+    """Return the page of rows: those of the newest date in tables and maps, all of them in the trend."""
+    newest = max(row["date"] for row in rows)
+    shown = [row for row in rows if row["date"] == newest]
+    parts = [f"<h1>{escape(title)}</h1>", f'<p class="verdict">{escape(verdict)}</p>', _table(("", ""), facts)]
+    parts += ["<h2>Widths, Strehl ratio, wavefront</h2>", *_summaries(shown)]
+    parts += ["<h2>Over the field</h2>", *_drawn(shown)]
+    if surface is not None:
+        lines = [
+            ("tilt along x (nm over 100 µm)", _value(surface, "tilt_x", 1e5)),
+            ("tilt along y (nm over 100 µm)", _value(surface, "tilt_y", 1e5)),
+            ("field curvature (nm of height, 100 µm from the middle)", _value(surface, "curvature", 5.0)),
+            ("chi2 of heights about this surface", number(surface["chi2"])),
+        ]
+        parts.append(_table((f"focal surface (stage position), {surface['beads']} beads", ""), lines))
+    parts += _chromatic(shown) + _trend(rows) + ["<h2>Beads</h2>"]
+    head = ["bead", "channel", "x (µm)", "y (µm)", *map(_words, _IN_TABLE), "chi2", "fit"]
+    cells = [
+        [
+            row["bead"], _nanometres(row["wavelength"]), *(_value({k: row[k]}, k, 1e6) for k in "xy"),
+            *(_value(row, name, MEASURES[name][2]) for name in _IN_TABLE), number(row["chi2"]), row["verdict"],
+        ]
+        for row in shown
+    ]  # fmt: skip
+    parts += [_table(head, cells), "<h2>Notes</h2>", *(f"<p>{escape(note)}</p>" for note in (*notes, *_NOTES))]
+    return (
+        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" '
+        f'content="width=device-width, initial-scale=1"><title>{escape(title)}</title><style>{_STYLE}</style></head>'
+        f"<body>{''.join(parts)}</body></html>\n"
+    )

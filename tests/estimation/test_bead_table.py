@@ -1,0 +1,118 @@
+"""Table of beads: Gaussians against noise of profiles that are none, heights, focal surface, pairs of channels."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import bead_fields
+import lommel as lm
+from lommel.estimation.bead_table import chromatic_shifts, focal_surface, gaussian_fit, heights, row_of, summary
+from lommel.measures.spot import profile_width
+
+
+def profile(center=9.3, width=3.1):
+    """Return electrons along a line through an Airy-like image: no Gaussian, with rings and a background."""
+    x = (np.arange(21) - center) / width
+    return 900.0 * np.sinc(x) ** 2 * (1.0 + 0.3 * np.tanh(x)) + 20.0
+
+
+def test_errors_of_a_gaussian_are_the_scatter_of_fits_to_profiles_that_are_none():
+    truth, rng, found = gaussian_fit(profile(), profile())[0], np.random.default_rng(3), []
+    for _ in range(60):
+        p, covariance = gaussian_fit(rng.poisson(profile()).astype(float), profile())
+        found.append((p - truth) / np.sqrt(np.diag(covariance)))
+    rms = np.sqrt(np.mean(np.square(found), axis=0))
+    assert np.all((rms > 0.75) & (rms < 1.25)), rms
+
+
+def test_a_gaussian_is_itself_where_pixels_are_left_out():
+    x = np.arange(15.0)
+    y = 5.0 + 70.0 * np.exp(-0.5 * ((x - 6.2) / 1.7) ** 2)
+    y[[5, 9]] = np.nan
+    p, _ = gaussian_fit(y, np.ones(15))
+    np.testing.assert_allclose(p, [5.0, 70.0, 6.2, 1.7], rtol=1e-6)
+
+
+@pytest.mark.parametrize("values", [np.ones(15), np.arange(15.0), np.array([1.0, 2.0, 1.0])])
+def test_a_profile_without_a_width_is_refused(values):
+    with pytest.raises(ValueError, match="a profile"):
+        gaussian_fit(values, np.ones(len(values)))
+
+
+def test_errors_common_to_all_beads_cancel_in_heights():
+    z = np.array([3e-8, 1e-8, 8e-8, 9e-8, 0.0])
+    covariance = np.full((5, 5), 4e-16) + np.diag(np.full(5, 1e-18))
+    covariance[4] = covariance[:, 4] = math.nan
+    found, errors = heights(covariance, z, ["a", "a", "b", "b", "b"])
+    np.testing.assert_allclose(found[:4], [1e-8, -1e-8, -5e-9, 5e-9], rtol=1e-9)
+    np.testing.assert_allclose(errors[:4], 1e-9 * math.sqrt(0.5), rtol=1e-6)
+    assert np.isnan([found[4], errors[4]]).all()
+
+
+def test_tilt_and_curvature_of_the_focal_surface_are_found_whatever_the_heights_of_images():
+    rng = np.random.default_rng(5)
+    places, groups = rng.uniform(-6e-5, 6e-5, (24, 2)), ["a"] * 12 + ["b"] * 12
+    x, y = places.T
+    truth = {"tilt_x": 3e-3, "tilt_y": -1e-3, "curvature": 40.0}
+    z = 3e-3 * x - 1e-3 * y + 20.0 * (x**2 + y**2) + np.repeat([0.0, 7e-7], 12)
+    covariance = np.full((24, 24), 4e-16) + np.diag(np.full(24, 1e-18))
+    sizes = []
+    for _ in range(40):
+        noise = rng.normal(0.0, 1e-9, 24) + rng.normal(0.0, 2e-8)
+        found = focal_surface(covariance, z + noise, places, groups)
+        sizes.append([(found[name] - truth[name]) / found[f"{name}_error"] for name in truth])
+    assert 0.75 < np.sqrt(np.mean(np.square(sizes))) < 1.15
+    assert focal_surface(covariance[:4, :4], z[:4], places[:4], groups[:4]) is None
+
+
+def test_beads_of_two_channels_are_paired_by_place_and_date():
+    def row(wave, x, date="2026-12-01", focus=1e-7):
+        return {
+            "bead": f"{wave}", "date": date, "wavelength": wave, "x": x, "y": 2e-6, "focus": focus, "z": None,
+            "x_error": 3e-9, "y_error": 3e-9, "focus_error": 4e-9, "z_error": None,
+        }  # fmt: skip
+
+    green, far = row(5.2e-7, 1e-6), row(5.2e-7, 9e-6)
+    red, other = row(6.1e-7, 1.02e-6, focus=3e-7), row(6.1e-7, 1.01e-6, "2026-12-02")
+    (pair,) = chromatic_shifts([red, far, other, green])
+    assert pair["wavelengths"] == (5.2e-7, 6.1e-7)
+    np.testing.assert_allclose(
+        [pair["shift_x"], pair["shift_z"], pair["shift_z_error"]], [2e-8, 2e-7, 5.65685e-9], 1e-5
+    )
+    assert "shift_psf" not in pair
+
+
+def test_a_summary_has_the_spread_and_the_errors_of_known_values():
+    rows = [{"strehl": 0.8, "strehl_error": 0.03}, {"strehl": 0.9, "strehl_error": 0.04}, {"strehl": None}]
+    (found,) = summary(rows, ["strehl", "rms"])
+    assert found["beads"] == 2
+    np.testing.assert_allclose(
+        [found["mean"], found["spread"], found["error"]], [0.85, 0.0707107, 0.0353553], rtol=1e-5
+    )
+
+
+def test_widths_and_strehl_ratio_of_a_fit_are_those_of_another_simulator():
+    wave, terms, z = 520e-9, {"astigmatism": 0.3, "spherical": -0.25}, (np.arange(9) - 4) * 300e-9
+    light = bead_fields.point(z, (8.2, 7.7), 17, terms, wave)
+    noise = lm.Noise(read=1.6, offset=100, white=0.5)
+    stack = noise.record(3e4 * light / light[4].sum() + 10.0, seed=2)
+    objective = lm.Objective(NA=bead_fields.NA, magnification=60, immersion=1.333, sample=1.333)
+    microscope = lm.Microscope(objective, wave, bead_fields.PIXEL)
+    fit = lm.fit_beads(stack, microscope, z=z, noise=noise, terms=7, priors={})
+    row = row_of(fit, noise, 300e-9, bead_fields.PIXEL / 60.0, (3, 5))
+    zs, line = np.arange(-50, 51) * 20e-9, np.arange(-40, 41) * 10e-9
+    axis, peaks = (bead_fields.intensity(zs, [0.0], [0.0], one, wave)[:, 0, 0] for one in (terms, {}))
+    focus = [zs[axis.argmax()]]
+    truth = {
+        "fwhm_x": 10e-9 * profile_width(bead_fields.intensity(focus, [0.0], line, terms, wave)[0, 0]),
+        "fwhm_y": 10e-9 * profile_width(bead_fields.intensity(focus, line, [0.0], terms, wave)[0, :, 0]),
+        "fwhm_z": 20e-9 * profile_width(axis), "strehl": axis.max() / peaks.max(),
+    }  # fmt: skip
+    for name, value in truth.items():
+        assert row[name] == pytest.approx(value, rel=0.01), name
+        assert 0.0 < row[f"{name}_error"] < 0.01 * value
+    assert row["x"] == pytest.approx(12.7 * 108.33e-9, abs=3.0 * row["x_error"] + 5e-9)
+    assert row["rms"] == pytest.approx(math.hypot(0.3, 0.25), abs=4.0 * row["rms_error"] + 0.005)

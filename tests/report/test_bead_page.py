@@ -1,0 +1,64 @@
+"""Report on beads: the table that grows, and a page that has all of it without scripts."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from lommel.report.bead_page import page, read_csv, write_csv
+
+
+def rows(date="2026-12-01", wave=5.2e-7, count=5):
+    """Return rows of beads on a circle."""
+    pair = {"gauss_x": 2.6e-7, "gauss_y": 2.7e-7, "gauss_z": 8e-7, "asymmetry": 0.97, "strehl": 0.82, "height": 4e-9}
+    return [
+        {"bead": f"<b>{k}", "file": "field.tif", "date": date, "verdict": "converged", "wavelength": wave}
+        | {"x": 1e-5 * k, "y": 1e-5 * (k * k % 3), "chi2": 1.0, "noll 5 astigmatism 45": 0.1, "rms": None}
+        | {"x_error": 2e-9, "y_error": 2e-9, "focus": 1e-7 + 1e-8 * k, "focus_error": 3e-9, "z": None}
+        | {name: value * (1.0 + 0.01 * k) for name, value in pair.items()}
+        | {f"{name}_error": 0.01 * value for name, value in pair.items()}
+        for k in range(count)
+    ]  # fmt: skip
+
+
+def test_a_table_is_read_as_it_was_written(tmp_path):
+    beads = rows()
+    write_csv(tmp_path / "table.csv", beads)
+    head = (tmp_path / "table.csv").read_text().split("\n")[0].split(",")
+    assert {"gauss_x (nm)", "gauss_x (nm)_error", "noll 5 astigmatism 45 (rad)", "strehl"} <= {*head}
+    for found, bead in zip(read_csv(tmp_path / "table.csv"), beads, strict=True):
+        assert found == {name: pytest.approx(value, rel=1e-12) if isinstance(value, float) else value
+                         for name, value in bead.items()}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", ["", "a,b\n1,2\n", "bead,file,date,verdict,wavelength\nx,y,2026-12-01,ok,red\n"])
+def test_another_table_is_refused(tmp_path, text):
+    (tmp_path / "table.csv").write_text(text)
+    with pytest.raises(ValueError, match=r"table\.csv"):
+        read_csv(tmp_path / "table.csv")
+
+
+def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
+    surface = {"tilt_x": 1e-3, "tilt_x_error": 1e-5, "tilt_y": 0.0, "tilt_y_error": 1e-5, "chi2": 1.1, "beads": 5}
+    surface |= {"curvature": 30.0, "curvature_error": 1.0}
+    both = [*rows("2026-11-01"), *rows(), *rows(wave=6.1e-7)]
+    text = page("Beads: <lens>", [("files", "a & b")], "converged", surface, both, ["a note"])
+    assert not re.search(r"<script|https?://(?!www\.w3\.org|purl|creativecommons|matplotlib)|<b>|<lens>", text)
+    assert text.count("<svg") == 4  # maps of two channels, curves, trend
+    titles = re.findall(r"<h2>(.*?)</h2>", text)
+    assert titles == [
+        "Widths, Strehl ratio, wavefront", "Over the field", "Chromatic shifts", "Trend", "Beads", "Notes",
+    ]  # fmt: skip
+    for part in (
+        "100.0 ± 1.0",
+        "tilt along x",
+        "2026-11-01",
+        "mean of 5",
+        "610 nm − 520 nm",
+        "currentColor",
+        "a &amp; b",
+    ):
+        assert part in text, part
+    alone = page("Beads", [], "converged", None, rows(count=1), [])
+    assert not re.search(r"Chromatic shifts</h2>|Trend|focal surface", alone)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import json
+import math
 import re
 from pathlib import Path
 
@@ -125,13 +126,13 @@ def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_p
 
     def measured(image, *_, **__):
         coma = next(comas)
-        fit = type("Fit", (), {"converged": True, "message": ""})()
+        fit = type("Fit", (), {"converged": fits_well, "message": "misfit: chi2 9; noise; wrong"})()
         fields = {"components": coma, "spherical": (0.0, 0.1), "waves": 5.0, "reliable": True, "fit": fit}
         fields |= {"coma": Vector.of(coma, 0.01), "astigmatism": Vector.of(0.0j, 0.01, 2)}
         return type("One", (), fields | {"star": collimation.Star(10.0, 12.0, 7.0)})()
 
     monkeypatch.setattr(collimation, "measure_collimation", measured)
-    drawn = []
+    fits_well, drawn = True, []
     monkeypatch.setattr(collimate_command.show.estimates, "collimation", lambda *args: drawn.append(args))
     monkeypatch.setattr(collimate_command, "save_figure", lambda draw, _: draw())
     telescope = Telescope(aperture=0.2, focal_length=2.0, obscuration=0.3)
@@ -140,6 +141,15 @@ def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_p
     facts = collimate_command.collimate.function([tmp_path / "a.fits", tmp_path / "b.fits"], **job).facts
     assert facts["coma"]["degrees"] == pytest.approx(63.435)
     assert facts["coma"]["waves"] == pytest.approx(abs(0.1 + 0.2j))
+    # Misfits have no errors but those of the scatter.
+    fits_well, comas = False, iter([0.1 + 0.2j])
+    (line, *_) = (part.text for part in collimate_command.collimate.function([tmp_path / "b.fits"], **job).parts)
+    assert line == "b.fits: coma about 0.22 waves towards 5 o'clock, errors unknown: misfit: chi2 9; noise"
+    comas = iter([0.1 + 0.2j, 0.12 + 0.2j, 0.11 + 0.2j])
+    report = collimate_command.collimate.function([tmp_path / "a.fits"] * 3, **job)
+    assert not report.succeeded
+    assert report.facts["coma"]["error"] == pytest.approx(0.01 / math.sqrt(6.0))
+    fits_well = True
     comas = iter([0.3, 0.1 + 0.2j])
     monkeypatch.setattr(
         collimate_command, "_pictures", lambda *_, **__: iter([tmp_path / "b.fits", tmp_path / "a.fits"])

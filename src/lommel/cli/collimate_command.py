@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 import time
 from collections.abc import Iterator
@@ -108,8 +109,9 @@ def collimate(
     row at the top. The donut is narrow and bright on the opposite side. Both are the same on either side of focus.
     The screws of a secondary mirror (Cassegrain, Schmidt-Cassegrain) must move the star in the direction of the tail,
     those of the primary mirror of a Newtonian against it. Bring the star back to the middle with the mount, and
-    repeat. Sizes are in waves rms, angles in degrees counterclockwise from the right. The exit code is 3 if a picture
-    cannot be measured.
+    repeat. Sizes are in waves rms, angles in degrees counterclockwise from the right. If the model does not fit a
+    picture, errors are unknown; the mean of three or more pictures then has the error of their scatter. The exit code
+    is 3 for a misfit, and 4 for a result in doubt.
 
     Parameters
     ----------
@@ -126,13 +128,13 @@ def collimate(
       lommel collimate donut.fits --aperture 200mm --focal-length 2m --pixel 3.8um --obscuration 0.35
       lommel collimate donut.fits --telescope telescope.toml --plot coma.png
     """
-    from lommel.estimation.collimation import mean_coma, measure_collimation
+    from lommel.estimation.collimation import measure_collimation
 
     if watch and (len(images) != 1 or not images[0].is_dir()):
         raise ValueError("--watch needs one folder, into which the camera writes")
     unstated = telescope.lens is None and telescope.obscuration is None
     components: list[complex] = []  # of coma, along columns and upwards in the pictures as shown
-    errors: list[float] = []
+    errors: list[float | None] = []  # None of misfits
     records: list[Facts] = []
     picture = np.zeros((1, 1))  # the last one that was measured, as shown
     with Stop().signals() as stop, progress("waiting" if watch else "reading", endless=True) as status:
@@ -148,12 +150,12 @@ def collimate(
                 if len(images) == 1 and not images[0].is_dir():
                     raise
                 record["message"] = str(error)
-            records.append(record)
-            if record["converged"]:
+            else:
                 picture = values if down else values[::-1]
                 star = one.star if down else one.star._replace(row=len(values) - 1 - one.star.row)
-                errors.append(one.coma.error)
+                errors.append(one.coma.error if one.fit.converged else None)
                 components.append(one.components.conjugate() if down else one.components)
+            records.append(record)
             if watch:
                 status.tell(f"{path.name}: {_in_words(record)}")
     if not records:
@@ -165,7 +167,7 @@ def collimate(
     if components:
         # Screws may have been turned between the pictures of a session: the last one counts.
         used = slice(-1, None) if watch else slice(None)
-        coma = mean_coma(components[used], errors[used])
+        coma = _mean(components[used], errors[used])
         facts["coma"] = _vector(coma, down=False, unstated=unstated)
         title = _with_direction("coma", facts["coma"])
         if len(components) > 1:
@@ -224,25 +226,44 @@ def _read(path: Path) -> tuple[Array, Metadata, bool]:
     return np.asarray(values[0], np.float64), header, not is_up
 
 
+def _mean(components: list[complex], errors: list[float | None]) -> Vector:
+    """Return the mean coma of pictures; with misfits its error is the scatter of three or more, or infinite."""
+    from lommel.estimation.collimation import Vector, mean_coma
+
+    known = [(value, error) for value, error in zip(components, errors, strict=True) if error is not None]
+    if len(known) == len(components):
+        return mean_coma(*map(list, zip(*known, strict=True)))
+    if len(components) > 2:
+        return mean_coma(components, [0.0] * len(components))
+    mean = sum(components) / len(components)
+    return Vector(abs(mean), math.inf, cmath.phase(mean), math.inf)
+
+
 def _vector(vector: Vector, *, down: bool, unstated: bool = False, folds: int = 1) -> Facts:
     """Return an aberration as facts, with its angle in the picture as shown."""
-    found = {"waves": vector.size, "error": math.hypot(vector.error, _UNKNOWN * vector.size * unstated)}
-    if vector.angle is None:
-        return found | {"degrees": None, "degrees_error": None}
-    degrees = math.degrees(-vector.angle if down else vector.angle) % (360.0 / folds)
-    return found | {"degrees": degrees, "degrees_error": math.degrees(vector.angle_error)}
+    error = math.hypot(vector.error, _UNKNOWN * vector.size * unstated)
+    found = {
+        "waves": vector.size,
+        "error": error if math.isfinite(error) else None,
+        "degrees": None,
+        "degrees_error": None,
+    }
+    if vector.angle is not None:
+        found["degrees"] = math.degrees(-vector.angle if down else vector.angle) % (360.0 / folds)
+        found["degrees_error"] = math.degrees(vector.angle_error) if math.isfinite(error) else None
+    return found
 
 
 def _facts(one: Collimation, *, down: bool, unstated: bool) -> Facts:
-    """Return the result of a picture as data."""
-    return {
-        "converged": one.fit.converged,
-        "reliable": one.reliable,
+    """Return the result of a picture as data; of a misfit only coma, without an error."""
+    facts = {"converged": one.fit.converged, "reliable": one.reliable, "message": one.fit.message}
+    if not one.fit.converged:
+        return facts | {"coma": _vector(_mean([one.components], [None]), down=down)}
+    return facts | {
         "coma": _vector(one.coma, down=down, unstated=unstated),
         "astigmatism": _vector(one.astigmatism, down=down, unstated=unstated, folds=2),
         "spherical": None if unstated else dict(zip(("waves", "error"), one.spherical, strict=True)),
         "defocus": one.waves,
-        "message": one.fit.message,
     }
 
 
@@ -253,6 +274,8 @@ def _hour(degrees: float) -> int:
 
 def _with_direction(name: str, part: Facts) -> str:
     """Return the size of coma or astigmatism and its direction in words."""
+    if part["error"] is None:
+        return f"{name} about {part['waves']:.2f} waves towards {_hour(part['degrees'])} o'clock, errors unknown"
     text = f"{name} {part['waves']:.3f} +- {part['error']:.3f} waves"
     if part["degrees"] is None:
         return text
@@ -262,13 +285,15 @@ def _with_direction(name: str, part: Facts) -> str:
 
 def _in_words(record: Facts) -> str:
     """Return the result of a picture in a line."""
+    message = with_options(record["message"])
     if not record["converged"]:
-        return f"not measured: {with_options(record['message'])}"
+        found = f"{_with_direction('coma', record['coma'])}: " if "coma" in record else "not measured: "
+        return found + "; ".join(message.split("; ")[:2])
     texts = [_with_direction(name, record[name]) for name in ("coma", "astigmatism")]
     if (sphere := record["spherical"]) is not None:
         texts.append(f"spherical {sphere['waves']:+.3f} +- {sphere['error']:.3f} waves")
     texts.append(f"{abs(record['defocus']):.1f} waves {'in' if record['defocus'] > 0.0 else 'out'}side focus")
-    return "; ".join(texts if record["reliable"] else [*texts, with_options(record["message"])])
+    return "; ".join(texts if record["reliable"] else [*texts, *message.split("; ")[:2]])
 
 
 def _advice(degrees: float | None) -> list[str]:

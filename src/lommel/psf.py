@@ -123,8 +123,9 @@ def psf(
     ------
     TypeError, ValueError
         If an argument is out of range, if the method does not support the pupil, or pupil and window take more than
-        its limits (leave `method` out, or follow the message), if `tol` is given for a method without an error bound, if the result would exceed 2^31 values, or if float32 is requested with a tolerance
-        below 2.4e-7, which rounding to float32 would exceed.
+        its limits (leave `method` out, or follow the message), if `tol` is given for a method without an error
+        bound, if the result would exceed 2^31 values, or if float32 is requested with a tolerance below 2.4e-7,
+        which rounding to float32 would exceed.
     ToleranceError
         If the method cannot meet its tolerance.
 

@@ -143,7 +143,8 @@ def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_p
     assert facts["coma"]["waves"] == pytest.approx(abs(0.1 + 0.2j))
     # Misfits have no errors but those of the scatter.
     fits_well, comas = False, iter([0.1 + 0.2j])
-    (line, *_) = (part.text for part in collimate_command.collimate.function([tmp_path / "b.fits"], **job).parts)
+    line, advice = (part.text for part in collimate_command.collimate.function([tmp_path / "b.fits"], **job).parts)
+    assert advice.startswith("The direction may be wrong")
     assert line == "b.fits: coma about 0.22 waves towards 5 o'clock, errors unknown: misfit: chi2 9; noise"
     comas = iter([0.1 + 0.2j, 0.12 + 0.2j, 0.11 + 0.2j])
     report = collimate_command.collimate.function([tmp_path / "a.fits"] * 3, **job)

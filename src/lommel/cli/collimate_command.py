@@ -173,7 +173,7 @@ def collimate(
         if len(components) > 1:
             name = "last picture" if watch else f"mean of {len(components)}"
             parts.append(Wrapped(f"{name}: {title}", "bold"))
-        parts += [Wrapped(text) for text in _advice(facts["coma"]["degrees"])]
+        parts += [Wrapped(text) for text in _advice(facts["coma"])]
         if unstated:
             parts.append("Neither --obscuration nor --telescope is stated: 0.33 was assumed.")
         save_figure(lambda: show.estimates.collimation(picture, star, coma.angle, title), figure)
@@ -296,10 +296,13 @@ def _in_words(record: Facts) -> str:
     return "; ".join(texts if record["reliable"] else [*texts, *message.split("; ")[:2]])
 
 
-def _advice(degrees: float | None) -> list[str]:
-    """Return what to do against coma in a direction."""
+def _advice(coma: Facts) -> list[str]:
+    """Return what to do against coma."""
+    degrees = coma["degrees"]
+    if coma["error"] is None:
+        return ["The direction may be wrong: take three or more pictures, some on the other side of focus."]
     if degrees is None:
-        return ["No coma is seen: more or longer exposures are more accurate."]
+        return ["No direction is certain: more or longer exposures are more accurate."]
     towards, against = (f"{_hour(angle)} o'clock" for angle in (degrees, degrees + 180.0))
     return [
         f"The sharp star has its tail towards {towards}; the defocused star is narrow and bright at {against}.",

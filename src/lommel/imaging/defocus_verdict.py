@@ -217,8 +217,8 @@ class DefocusVerdict(FitReport):
                     f"or magnified (focus breathing, {size}), something moved, the lens or its foci are wrong, or "
                     "they were denoised; noise and errors of depth are estimated from this difference"
                 )
-                numbers = {"excess": total, **({"magnifications": tuple(likely)} if len(likely) else {})}
-                add("misfit", "error" if total > wrong else "doubt", text, numbers)
+                magnified: dict[str, object] = {"magnifications": tuple(likely)} if len(likely) else {}
+                add("misfit", "error" if total > wrong else "doubt", text, {"excess": total, **magnified})
             untested.insert(0, "registration and noise (the noise is estimated from the images)")
         elif judged < _MIN_JUDGED:
             text = (

@@ -64,6 +64,13 @@ def test_masked_edges_are_left_out():
     assert len(found.edges) == 4
 
 
+def test_the_border_of_a_picture_that_was_turned_is_no_edge():
+    y, x = np.ogrid[:160, :320]
+    outside = (y - 0.1 * x < -10) | (x + 0.1 * y < 20)
+    found = lm.imaging.sfr_chart(np.where(outside, 0.0, CHART))
+    assert len(found.edges) == len(lm.imaging.sfr_chart(CHART).edges)
+
+
 def test_a_tilted_checkerboard_has_an_edge_on_each_side_of_a_crossing():
     y, x = np.ogrid[:150, :150]
     x, y = x - 74.5, y - 74.5

@@ -17,7 +17,7 @@ from lommel.base.arrays import Array, Json, Values, plain
 from lommel.base.encoding import Encoding, checked
 from lommel.fit.findings import Finding, Findings, Judged, Severity
 from lommel.imaging.edge_checks import compression_findings
-from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE
+from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask
 from lommel.imaging.slanted_edge import EdgeResponse, edge_response, image_counts, pixel_pitch, require_mosaic
 from lommel.recorded.counts import Counts
 
@@ -294,6 +294,13 @@ def _reduced(counts: Counts, mosaic: bool) -> tuple[Array, int]:
     return np.where(np.isfinite(total), total, 0.0) / factor**2, factor
 
 
+def _empty(image: Array) -> Mask:
+    """Return the areas of exactly 0 at the border of a picture, as of one that was turned: their edges are none."""
+    labels, count = ndimage.label(image == 0.0)
+    border = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
+    return np.isin(labels, border[border > 0]) if count else np.zeros(image.shape, bool)
+
+
 def _candidates(counts: Counts, mosaic: bool) -> Iterator[_Candidate]:
     """Yield straight pieces of edges with uniform areas on both sides."""
     image, factor = _reduced(counts, mosaic)
@@ -302,7 +309,7 @@ def _candidates(counts: Counts, mosaic: bool) -> Iterator[_Candidate]:
     size = np.hypot(down, right)
     noise = 1.4826 * float(np.median(np.abs(np.diff(image[::3], axis=1)))) / math.sqrt(2.0) * 0.25
     least = max(_SIGMAS * noise, _CONTRAST * float(np.max(size)))
-    strong = size > least
+    strong = (size > least) & ~ndimage.binary_dilation(_empty(image), iterations=3)
     vertical = np.abs(right) > np.abs(down)
     kinds = np.where(vertical, np.where(right > 0.0, 1, 2), np.where(down > 0.0, 3, 4)) * strong
     found: list[_Candidate] = []

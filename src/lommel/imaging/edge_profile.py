@@ -205,7 +205,7 @@ def _polynomials(height: int) -> tuple[Array, Array]:
     """Return Legendre polynomials of the rows, from -1 to 1, and their slopes per row."""
     t = np.linspace(-1.0, 1.0, height)
     slopes = [legendre.legval(t, legendre.legder(one)) * 2.0 / (height - 1) for one in np.eye(_TERMS)]
-    return legendre.legvander(t, _TERMS - 1), np.stack(slopes, axis=1)
+    return np.asarray(legendre.legvander(t, _TERMS - 1), np.float64), np.stack(slopes, axis=1)
 
 
 def _distances(line: Array, shape: tuple[int, ...]) -> tuple[Array, float]:

@@ -292,18 +292,18 @@ class BeadFit(FitReport):
         TypeError, ValueError
             If `depth` is out of range, or if the light does not fall to half of its maximum on both sides.
         """
-        stack, (plane, row, column), values, rows = self._focus(depth)
+        stack, top, values, rows = self._focus(depth)
         step = float(stack.z[1] - stack.z[0])
-        lines: tuple[Any, ...] = (plane, row), (plane, slice(None), column), (slice(None), row, column)
-        sigmas, units = 0.1 * np.sqrt(np.diag(self.covariance)), (*2 * (self._fine_pixel(),), step)
-        widths, errors = np.zeros((2, 3))
-        for k, (line, unit) in enumerate(zip(lines, units, strict=True)):
-            profile, changes = values[line], sigmas[:, None] * rows[:, *line]
-            # Central differences over a fifth of a standard error: the width of a profile is no linear function.
-            gains = [profile_width(profile + change) - profile_width(profile - change) for change in changes]
-            slopes = unit * np.array(gains) / (2.0 * sigmas)
-            widths[k], errors[k] = unit * profile_width(profile), math.sqrt(slopes @ self.covariance @ slopes)
-        return widths, errors
+        sigmas, units = 0.1 * np.sqrt(np.diag(self.covariance)), (step, *2 * (self._fine_pixel(),))
+        # Central differences over a fifth of a standard error: widths are no linear function, and the brightest
+        # point moves with the parameters.
+        gains = np.array(
+            [_widths(values + s * change, top) - _widths(values - s * change, top)
+             for s, change in zip(sigmas, rows, strict=True)]
+        )  # fmt: skip
+        slopes = gains / (2.0 * sigmas[:, None])
+        variances = np.einsum("ik,ij,jk->k", slopes, self.covariance, slopes)
+        return (_widths(values, top) * units)[::-1], (np.sqrt(variances) * units)[::-1]
 
     def strehl(self, *, depth: float) -> tuple[float, float]:
         """Return the Strehl ratio of the fitted Zernike terms at a depth, and its standard error.
@@ -423,6 +423,23 @@ class BeadFit(FitReport):
 def _point_stack(z: Array, shape: tuple[int, int]) -> Stack:
     """Return a stack without data, of images with the stage at z from the brightest focus."""
     return Stack(np.ones((4, z.size, math.prod(shape))), shape, z)
+
+
+def _widths(values: Array, top: tuple[int, int, int]) -> Array:
+    """Return the widths at half maximum along planes, rows and columns through the maximum next to a sample `top`."""
+    found = np.zeros(3)
+    for axis in range(3):
+        profile = values
+        for other in (2, 1, 0):
+            if other != axis:
+                line = values[tuple(slice(None) if k == other else index for k, index in enumerate(top))]
+                near = np.clip(top[other] + np.arange(-1, 2), 0, len(line) - 1)
+                before, middle, after = line[near].tolist()
+                t = 0.5 * (before - after) / min(before - 2.0 * middle + after, -1e-9 * middle)
+                weights = np.array([0.5 * t * (t - 1.0), 1.0 - t * t, 0.5 * t * (t + 1.0)])
+                profile = np.tensordot(weights, np.take(profile, near, axis=other), (0, other))
+        found[axis] = profile_width(profile)
+    return found
 
 
 def _focused(setup: Setup, depth: float) -> Place:

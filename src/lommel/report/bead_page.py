@@ -260,15 +260,19 @@ def page(
         ]
         parts.append(_table((f"focal surface (stage position), {surface['beads']} beads", ""), lines))
     parts += _chromatic(shown) + _trend(rows) + ["<h2>Beads</h2>"]
-    head = ["bead", "channel", "x (µm)", "y (µm)", *map(_words, _IN_TABLE), "chi2", "fit"]
-    cells = [
-        [
-            row["bead"], _nanometres(row["wavelength"]), *(_value({k: row[k]}, k, 1e6) for k in "xy"),
-            *(_value(row, name, MEASURES[name][2]) for name in _IN_TABLE), number(row["chi2"]), row["verdict"],
-        ]
-        for row in shown
-    ]  # fmt: skip
-    parts += [_table(head, cells), "<h2>Notes</h2>", *(f"<p>{escape(note)}</p>" for note in (*notes, *_NOTES))]
+    names = [(row["bead"], _nanometres(row["wavelength"])) for row in shown]
+    places = [[_value({k: row[k]}, k, 1e6) for k in "xy"] for row in shown]
+    ends = [[number(row["chi2"]), row["verdict"]] for row in shown]
+    # Two tables, each as wide as a sheet of paper.
+    for columns, first, last in ((_IN_TABLE[:7], places, None), (_IN_TABLE[7:], None, ends)):
+        head = ["bead", "channel", *(["x (µm)", "y (µm)"] if first else []), *map(_words, columns)]
+        cells = [
+            [*name, *(first[k] if first else []), *(_value(row, one, MEASURES[one][2]) for one in columns),
+             *(last[k] if last else [])]
+            for k, (name, row) in enumerate(zip(names, shown, strict=True))
+        ]  # fmt: skip
+        parts.append(_table([*head, *(["chi2", "fit"] if last else [])], cells))
+    parts += ["<h2>Notes</h2>", *(f"<p>{escape(note)}</p>" for note in (*notes, *_NOTES))]
     return (
         f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" '
         f'content="width=device-width, initial-scale=1"><title>{escape(title)}</title><style>{_STYLE}</style></head>'

@@ -199,7 +199,8 @@ def write_files(place: Path) -> None:
     planes |= {"depth": 5e-8, "z": 1e-7 * (np.arange(9.0) - 4.0)}
     bead = 1e4 * lm.psf(seen.objective.pupil(**planes), 17, seen.pixel).values + 5.0
     beads = lm.Noise(read=1.6, offset=100.0).record(bead, seed=2)
-    for name in ("beads", "field-1", "field-2"):
+    Path("2026-12-01").mkdir()
+    for name in ("beads", "field-1", "field-2", "2026-12-01/green"):
         tifffile.imwrite(f"{name}.tif", np.round(beads).astype(np.uint16), photometric="minisblack")
     planes |= {"z": 2.5e-7 * (np.arange(9.0) - 4.0)}
     bead = 1e4 * lm.psf(seen.objective.pupil(**planes), 17, seen.pixel).values + 5.0

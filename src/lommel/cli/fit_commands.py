@@ -492,7 +492,7 @@ def beads(
     --------
       lommel beads beads.tif zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 -o mine.toml
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
-      lommel beads 2026-12-01/ zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 --report psf
+      lommel beads 2026-12-01 zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 --report psf
     """
     from lommel.estimation.bead_images import CONSTANTS
     from lommel.estimation.bead_table import heights

@@ -538,7 +538,12 @@ def _scale_minima(
         median = medians[index]
         if median <= min(medians[index - 1], medians[index + 1], limit):
             minimum = _refine_minimum(misfits, _COARSE_STEP * index - _MAX_STEP)
-            if minimum is not None and all(abs(minimum.scale - other.scale) > _LOG_STEP for other in minima):
+            # A texture of one period has no valley of the energy at some scales, and misfits below 0 there.
+            if (
+                minimum is not None
+                and minimum.misfit > 0.0
+                and all(abs(minimum.scale - other.scale) > _LOG_STEP for other in minima)
+            ):
                 minima.append(minimum)
     minima.sort(key=lambda minimum: minimum.misfit)
     return [minimum for minimum in minima if minimum is minima[0] or _fits_equally(minimum, minima[0], misfits)]

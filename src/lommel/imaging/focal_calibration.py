@@ -903,6 +903,8 @@ def calibrate_focus(
     for pair, distance in zip(photographs, metres.tolist(), strict=True):
         electrons, valid, shape, _ = counts_in_electrons(list_photographs(pair, lenses), encoding, used)
         images = electrons.sum(axis=0, dtype=np.float32)
+        if np.array_equal(*images):
+            raise ValueError(f"photographs of the plane at {format_length(distance)} must differ, got one twice")
         compressed |= any(map(is_compressed, images))
         registered = Registration(stated, lenses, valid.shape, processors())
         if registered:

@@ -282,8 +282,9 @@ PAIR = [np.full((160, 160), 0.5)] * 2
         ({"distances": [1.2, 1.4]}, "distances must be one for each of 1 pairs"),
         ({"distances": [0.03]}, "above its focal length"),
         ({"distances": [1.2], "origin": -1.19}, "above its focal length"),
-        ({"photographs": [[np.full((64, 64), 0.5)] * 2]}, "must have 8 tiles of 32 x 32"),
+        ({"photographs": [[np.full((64, 64), 0.5), np.full((64, 64), 0.4)]]}, "must have 8 tiles of 32 x 32"),
         ({"photographs": [PAIR[:1]]}, "as many as lenses"),
+        ({"photographs": [PAIR]}, "must differ, got one twice"),
         ({"noise": 3.0}, "noise must be"),
     ],
 )

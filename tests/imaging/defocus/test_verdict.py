@@ -76,6 +76,14 @@ def test_a_noise_that_is_estimated_four_times_too_large_does_not_change_the_size
     assert seen[1].error == pytest.approx(seen[0].error, rel=1e-6)
 
 
+def test_misfits_below_0_as_of_one_period_tell_no_size_of_blur(pair, monkeypatch):
+    minimum = defocus_verdict._Minimum(1.75, 0.05, -2.0, 56, 0.0)
+    monkeypatch.setattr(defocus_verdict, "_refine_minimum", lambda misfits, k: minimum)
+    found = live(pair, lenses()).verdict()
+    assert "lens_scale" not in found.findings.codes
+    assert np.isnan(found.scale)
+
+
 def test_aliases_of_binned_pixels_do_not_change_the_size_of_blur():
     foci = (1.3325, 1.845)
     made = [ThinLens(35e-3, 5.88, focus, 540e-9, PIXEL) for focus in foci]

@@ -233,7 +233,7 @@ def write_files(place: Path) -> None:
     fits.PrimaryHDU(lm.Noise(read=2.0).record(ring, seed=3).astype(np.float32)).writeto("donut.fits")
     squares = slanted_edges.squares((150, 220), [(0.0, 0.0)], 90.0, 0.8)
     seen = np.rint(250.0 * np.clip(squares, 0.0, 1.0) ** (1.0 / 2.2)).astype(np.uint8)
-    for suffix in ("jpg", "png", "tif"):
+    for suffix in ("png", "tif"):
         Image.fromarray(seen).save(f"squares.{suffix}")
     write_video(place / "edge.mkv", [seen[:96, :128]] * 2)
     tifffile.imwrite("mosaic.tif", np.rint(50000.0 * squares).astype(np.uint16), photometric="minisblack")

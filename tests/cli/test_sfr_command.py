@@ -85,7 +85,7 @@ def test_pictures_in_doubt_end_with_exit_code_4(folder, call_lommel):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["chart.png", "-o", "map.txt"], "must end in .png, .pdf or .svg"),
+        (["chart.png", "-o", "map.txt"], "--output must end in .csv, .json (table), .png, .pdf or .svg (map)"),
         (["chart.png", "--frequency", "0.7"], "--frequency must be"),
         (["chart.png", "--mosaic", "RGB"], "--mosaic must have the letters"),
     ],

@@ -38,8 +38,9 @@ if TYPE_CHECKING:
 _NYQUIST = 0.5  # cycles per pixel
 _MOST_ROWS = 12  # of the table of edges; more are in files only
 _ZONES = (("centre", 0.0, 0.35), ("middle", 0.35, 0.7), ("corner", 0.7, np.inf))  # of half the diagonal
-_CURVES = 4  # edges in a figure: nearest to and farthest from the middle, in both directions
+_CURVES = 4  # edges in a figure: nearest to and farthest from the centre, in both directions
 _TOL = 1e-4  # of computed MTFs
+_TABLES, _MAPS = (".csv", ".json"), (".png", ".pdf", ".svg")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,7 +85,7 @@ def sfr(
     outputs
         Table of all edges: .csv or .json; map of MTF50: .png, .pdf or .svg. May be repeated.
     figure
-        Figure of the response with standard errors, in the middle and in a corner: .png, .pdf or .svg.
+        Figure of the response with standard errors, in the centre and in a corner: .png, .pdf or .svg.
     frequencies
         Frequency at which the response is listed, cycles per pixel; repeat for several.
     lens
@@ -100,13 +101,17 @@ def sfr(
 
     Examples
     --------
-      lommel sfr squares.jpg -o map.png -o edges.csv
+      lommel sfr squares.png -o map.png -o edges.csv
       lommel sfr squares.tif --pixel 3.45um --frequency 0.125 0.25 --plot curves.png
       lommel sfr squares.png --lens camera-field.toml
       lommel sfr mosaic.tif --mosaic RGGB --encoding linear --pixel 2.4um -o edges.json
     """
     for path in outputs:
-        if path.suffix.lower() not in (".csv", ".json"):
+        suffix = path.suffix.lower()
+        if suffix not in (*_TABLES, *_MAPS):
+            names = f"{', '.join(_TABLES)} (table), {', '.join(_MAPS[:-1])} or {_MAPS[-1]} (map)"
+            raise ValueError(f"--output must end in {names}, got {validation.shown(str(path))}")
+        if suffix in _MAPS:
             figure_format(path)
         require_folder(path)
     for one in frequencies:
@@ -133,7 +138,7 @@ def sfr(
     facts |= {"encoding": as_json(photo.encoding), "seconds": seconds}
     facts["read"] = read_as(dtype, 8 * dtype.itemsize, photo.encoding, photo.stated)
     for path in outputs:
-        if path.suffix.lower() in (".csv", ".json"):
+        if path.suffix.lower() in _TABLES:
             text = json.dumps(facts, indent=2, allow_nan=False) if path.suffix.lower() == ".json" else _csv(rows)
             atomic.write(path, text.encode())
         else:
@@ -204,7 +209,7 @@ def _curves(chart: EdgeChart) -> Axes:
     curves = {}
     for direction in "ST":
         edges = sorted((e for e in chart.edges if e.direction == direction), key=lambda e: np.hypot(e.x, e.y))
-        for name, edge in zip(("middle", "corner"), (edges[0], edges[-1]) if edges else (), strict=False):
+        for name, edge in zip(("centre", "corner"), (edges[0], edges[-1]) if edges else (), strict=False):
             one = edge.response
             curves[f"{name}, {direction}"] = (one.frequencies * (one.pixel or 1.0), one.values, one.errors)
     return estimates.responses(curves, "cycles/pixel")

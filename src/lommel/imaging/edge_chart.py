@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
@@ -16,9 +16,17 @@ from lommel import show
 from lommel.base.arrays import Array, Json, Values, plain
 from lommel.base.encoding import Encoding, checked
 from lommel.fit.findings import Finding, Findings, Judged, Severity
-from lommel.imaging.edge_checks import compression_findings
+from lommel.imaging.edge_checks import compression_findings, require_one_colour
+from lommel.imaging.edge_noise import Evidence
 from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask
-from lommel.imaging.slanted_edge import EdgeResponse, edge_response, image_counts, pixel_pitch, require_mosaic
+from lommel.imaging.slanted_edge import (
+    EdgeResponse,
+    edge_response,
+    image_counts,
+    pixel_pitch,
+    require_mosaic,
+    with_processing,
+)
 from lommel.recorded.counts import Counts
 
 if TYPE_CHECKING:
@@ -30,7 +38,8 @@ _LEAST_LENGTH, _LEAST_HALF = 24.0, 9.0  # pixels along the edge, and on both sid
 _MOST_LENGTH, _MOST_HALF = 64.0, 24.0  # that are used, more if the blur is wide
 _STRAIGHT = 0.15  # largest thickness of the gradient along an edge, of its length
 _FALL, _RISE = 0.2, 0.25  # fractions of the gradient at which the edge ends, and at which another structure begins
-_JPEG_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG are looked for
+_MIDDLE_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG and mosaics are looked for
+_LARGEST_CROP = 256  # pixels of a side of a picture of one edge, of which all pixels are used
 
 
 class _Candidate(NamedTuple):
@@ -90,7 +99,8 @@ class EdgeChart(Judged):
     @property
     def message(self) -> str:
         """Status, numbers of edges, and findings."""
-        return self._message(f"{len(self.edges)} edges measured, {len(self.refused)} refused")
+        plural = "edge" if len(self.edges) == 1 else "edges"
+        return self._message(f"{len(self.edges)} {plural} measured, {len(self.refused)} refused")
 
     def __repr__(self) -> str:
         return f"<EdgeChart {self.message}>"
@@ -190,15 +200,40 @@ def sfr_chart(
     if counts.shape[2:] not in ((), (3,)):
         raise ValueError(f"image must have the shape (height, width) or (height, width, 3), got {counts.shape}")
     edges: list[ChartEdge] = []
+    evidence: list[dict[str, Evidence]] = []
     refused: list[tuple[float, float, str]] = []
-    for candidate in _candidates(counts, mosaic is not None):
+    if mosaic is None and len(counts.shape) == 2:
+        middle = _middle(counts)
+        require_one_colour(counts.filled()[middle], counts.known[middle])
+    candidates, angles = _candidates(counts, mosaic is not None)
+    reasons = [f"one is at {angle:.1f} degrees" for angle in angles[:1]]
+    if len(candidates) < 2 and max(counts.shape[:2]) <= _LARGEST_CROP:
+        try:  # all pixels of a crop, as lm.sfr does
+            place = candidates[0][:2] if candidates else (0.5 * (counts.shape[0] - 1), 0.5 * (counts.shape[1] - 1))
+            one, found = edge_response(counts, side, encoding, mosaic)
+            edges.append(_chart_edge(counts.shape, place, side, one))
+            evidence.append(found)
+            candidates = []
+        except ValueError as error:
+            if not str(error).startswith("image must show one"):
+                reasons = reasons or [str(error).removeprefix("image ")]
+    for candidate in candidates:
         try:
-            edges.append(_measure(counts, candidate, side, encoding, mosaic))
+            edge, found = _measure(counts, candidate, side, encoding, mosaic)
         except ValueError as error:
             refused.append((candidate.row, candidate.column, str(error).removeprefix("image ")))
+        else:
+            edges.append(edge)
+            evidence.append(found)
     if not edges:
-        reasons = "; ".join(dict.fromkeys(reason for _, _, reason in refused)) or "there are none"
-        raise ValueError(f"image must show slanted edges, 24 pixels long or more, got none: {reasons}")
+        reasons = [*dict.fromkeys(reason for _, _, reason in refused)] or reasons
+        raise ValueError(
+            f"image must show slanted edges at {MIN_ANGLE:g} to {MAX_ANGLE:g} degrees to its rows or columns, "
+            f"{_LEAST_LENGTH:g} pixels long or more, between uniform areas of {_LEAST_HALF:g} pixels or more, got "
+            f"none{''.join(f'; {reason}' for reason in reasons)}"
+        )
+    responses = with_processing([(edge.response, one) for edge, one in zip(edges, evidence, strict=True)])
+    edges = [replace(edge, response=one) for edge, one in zip(edges, responses, strict=True)]
     return EdgeChart(
         edges=tuple(edges),
         refused=tuple(refused),
@@ -215,16 +250,22 @@ def middle_edge(image: ArrayLike, pixel: float | None, *, encoding: Encoding) ->
     def far(edge: _Candidate) -> float:
         return math.hypot(edge.row - middle[0], edge.column - middle[1])
 
-    for candidate in sorted(_candidates(counts, False), key=far):
+    for candidate in sorted(_candidates(counts, False)[0], key=far):
         with suppress(ValueError):
-            return _measure(counts, candidate, pixel_pitch(pixel), encoding, None)
+            edge, evidence = _measure(counts, candidate, pixel_pitch(pixel), encoding, None)
+            return replace(edge, response=with_processing([(edge.response, evidence)])[0])
     raise ValueError("image must show slanted edges, 24 pixels long or more, got none")
+
+
+def _middle(counts: Counts) -> tuple[slice, ...]:
+    """Return the rows and columns of the middle of a picture, from the start of a block of JPEG."""
+    starts = [max(0, side - _MIDDLE_SIDE) // 16 * 8 for side in counts.shape[:2]]
+    return tuple(slice(start, start + _MIDDLE_SIDE) for start in starts)
 
 
 def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
     """Return findings on a picture: those of its edges, by the number that have them, and compression."""
-    middle = tuple(slice(max(0, side - _JPEG_SIDE) // 16 * 8, None) for side in counts.shape[:2])
-    part = np.asarray(counts.values[middle][:_JPEG_SIDE, :_JPEG_SIDE], float)
+    part = np.asarray(counts.values[_middle(counts)], float)
     findings = [Finding("saturation_assumed", "note", counts.assumed)] if counts.assumed else []
     green = part if part.ndim == 2 else part[..., 1]
     findings += compression_findings(np.where(np.isfinite(green), green, 0.0))
@@ -236,15 +277,16 @@ def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
             worst = [found for r in several for one in r for found in one.findings if found.code == code]
             bad: list[Severity] = [f.severity for f in worst if f.severity != "note"]
             severity: Severity = "note" if 2 * len(bad) <= len(edges) else "error" if "error" in bad else "doubt"
-            text = f"{len(several)} of {len(edges)} edges: {first.text}"
-            findings.append(Finding(code, severity, text, {"edges": len(several), "of": len(edges)}))
+            text = f"{len(several)} of {len(edges)} edges: {first.text}" if len(edges) > 1 else first.text
+            numbers = {**first.numbers, "edges": len(several), "of": len(edges)}
+            findings.append(Finding(code, severity, text, numbers))
     return Findings(findings)
 
 
 def _measure(
     counts: Counts, edge: _Candidate, pixel: float | None, encoding: Encoding, mosaic: str | None
-) -> ChartEdge:
-    """Return an edge with its response, by the pixels around it."""
+) -> tuple[ChartEdge, dict[str, Evidence]]:
+    """Return an edge with its response and the evidence of sharpening, by the pixels around it."""
     height, width = counts.shape[:2]
     down, right = edge.normal
     sides = [
@@ -272,11 +314,19 @@ def _measure(
     mask = None if counts.mask is None else counts.mask[rows, columns]
     part = replace(counts, values=np.ascontiguousarray(counts.values[rows, columns]), mask=mask)
     part = replace(part, stated=counts.saturation if math.isfinite(counts.saturation) else None)
-    found = edge_response(part, pixel, encoding, mosaic, inside)
-    u, v, scale = edge.column - 0.5 * (width - 1), edge.row - 0.5 * (height - 1), pixel or 1.0
+    found, evidence = edge_response(part, pixel, encoding, mosaic, inside)
+    return _chart_edge(counts.shape, (edge.row, edge.column), pixel, found), evidence
+
+
+def _chart_edge(
+    shape: tuple[int, ...], place: tuple[float, float], pixel: float | None, found: EdgeResponse
+) -> ChartEdge:
+    """Return the edge at a place (row, column) of a picture."""
+    (row, column), (height, width) = place, shape[:2]
+    u, v, scale = column - 0.5 * (width - 1), row - 0.5 * (height - 1), pixel or 1.0
     along = abs(u * math.cos(found.angle) + v * math.sin(found.angle))
     direction = "T" if along >= math.hypot(u, v) / math.sqrt(2.0) else "S"
-    return ChartEdge(edge.row, edge.column, scale * u, scale * v, direction, found)
+    return ChartEdge(row, column, scale * u, scale * v, direction, found)
 
 
 def _reduced(counts: Counts, mosaic: bool) -> tuple[Array, int]:
@@ -301,8 +351,8 @@ def _empty(image: Array) -> Mask:
     return np.isin(labels, border[border > 0]) if count else np.zeros(image.shape, bool)
 
 
-def _candidates(counts: Counts, mosaic: bool) -> Iterator[_Candidate]:
-    """Yield straight pieces of edges with uniform areas on both sides."""
+def _candidates(counts: Counts, mosaic: bool) -> tuple[list[_Candidate], list[float]]:
+    """Return straight pieces of edges with uniform areas on both sides, by rows, and the angles of other ones."""
     image, factor = _reduced(counts, mosaic)
     smooth = ndimage.gaussian_filter(image, 0.8, mode="nearest")
     down, right = (np.gradient(smooth, axis=axis) for axis in (0, 1))
@@ -313,6 +363,7 @@ def _candidates(counts: Counts, mosaic: bool) -> Iterator[_Candidate]:
     vertical = np.abs(right) > np.abs(down)
     kinds = np.where(vertical, np.where(right > 0.0, 1, 2), np.where(down > 0.0, 3, 4)) * strong
     found: list[_Candidate] = []
+    angles: list[float] = []
     for kind in (1, 2, 3, 4):
         labels, count = ndimage.label(kinds == kind, np.ones((3, 3)))
         if not count:
@@ -336,7 +387,9 @@ def _candidates(counts: Counts, mosaic: bool) -> Iterator[_Candidate]:
                 candidate = _fitted(size, (float(rows[k]), float(columns[k])), normal, float(lengths[k]), factor)
                 if candidate is not None:
                     found.append(candidate)
-    yield from sorted(found, key=lambda edge: (edge.row, edge.column))
+            else:
+                angles.append(slant)
+    return sorted(found, key=lambda edge: (edge.row, edge.column)), angles
 
 
 def _fitted(

@@ -1,4 +1,4 @@
-"""Checks of the picture of a slanted edge: clipping, sharpening, denoising, JPEG, encoding, uneven light."""
+"""Checks of the picture of a slanted edge: clipping, JPEG, encoding, uneven light."""
 
 from __future__ import annotations
 
@@ -15,16 +15,10 @@ from lommel.imaging.pair_noise import is_compressed
 _EFFECT = 0.02  # change of the response from which a fault is a doubt
 _CURVATURE = 0.15  # least that is told, pixels
 _MANY = 0.01  # fraction of outliers from which they are a doubt
-_OVERSHOOT = 0.015  # fraction of the step
-_CORRELATION, _ROUNDING = (
-    0.04,
-    0.3,
-)  # least correlation of neighbours; smallest noise in units of integers that is tested
 _POWERS = np.concatenate([np.geomspace(0.35, 0.8, 6), np.geomspace(1.25, 2.9, 6)])
 _GAIN = 12.0  # least gain in chi-squared / 2 by another encoding
 _LOSS = 2.0  # largest loss of it by an encoding that the noise of both sides shows
 _GAMMA = 2.2  # of that encoding
-_FEW = 64  # pixels of a side from which noise is tested
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
 
 
@@ -54,10 +48,8 @@ def compression_findings(image: Array) -> list[Finding]:
     return [Finding("compressed", "doubt", text)] if is_compressed(image) else []
 
 
-def edge_findings(
-    edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array], pitch: float, *, rounded: bool
-) -> list[Finding]:
-    """Return the findings on an edge; `found` are its response and the errors, `rounded` if `stored` are integers."""
+def edge_findings(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]) -> list[Finding]:
+    """Return the findings on an edge; `found` are its response and the errors."""
     findings = []
     total = int(edge.used.sum()) + edge.outliers
     if edge.outliers:
@@ -80,79 +72,7 @@ def edge_findings(
     if edge.curvature > _CURVATURE:
         text = f"the edge is curved, by {edge.curvature:.2g} pixels (distortion): a polynomial was fitted"
         findings.append(Finding("curved_edge", "note", text, {"curvature": edge.curvature}))
-    findings += _of_processing(edge, stored, found, pitch, rounded)
-    if not any(finding.code == "sharpened" for finding in findings):
-        findings += _of_symmetry(edge, stored, encoding, found)
-    return findings
-
-
-def _of_processing(
-    edge: Edge, stored: Array, found: tuple[Array, Array], pitch: float, rounded: bool
-) -> list[Finding]:
-    """Return findings on sharpening, denoising and compression, by overshoot, noise of neighbours and blocks of 8."""
-    findings = []
-    overshoot = _overshoot(edge)
-    correlations = _correlations(edge, stored, pitch, rounded)
-    most = max(correlations or [(0.0, 1.0)], key=lambda pair: abs(pair[0]))
-    values, errors = found
-    above = float(np.max(values[1:] - 1.0 - SIGMA * errors[1:]))
-    numbers = {"overshoot": overshoot, "correlation": most[0]}
-    significant = abs(most[0]) > max(SIGMA * most[1], _CORRELATION)
-    if overshoot > 0.0 or above > _EFFECT or (significant and most[0] < 0.0):
-        signs = [f"the profile overshoots by {100 * overshoot:.1f} % of the step"] * (overshoot > 0.0)
-        signs += [f"the response exceeds 1 by {above:.2g}"] * (above > _EFFECT)
-        signs += [f"noise of neighbours has the correlation {most[0]:.2f}"] * significant
-        findings.append(Finding("sharpened", "doubt", f"the picture was sharpened: {', '.join(signs)}", numbers))
-    elif significant:
-        text = (
-            f"noise of neighbours has the correlation {most[0]:.2f}: the picture was denoised, demosaiced, resized "
-            "or compressed, which changes the response"
-        )
-        findings.append(Finding("correlated_noise", "doubt", text, numbers))
-    elif rounded and not correlations:
-        text = "not tested: whether the picture was denoised, since its noise is below the rounding of its values"
-        findings.append(Finding("untested", "note", text, {"what": ["denoising"]}))
-    return findings
-
-
-def _overshoot(edge: Edge) -> float:
-    """Return the largest amount by which the profile exceeds its sides, as a fraction of the step; 0 within noise."""
-    position, profile, counts, variances = edge.profile
-    share = (profile - edge.levels[0]) / (edge.levels[1] - edge.levels[0])
-    bins = np.floor(2.0 * (position - position.min())).astype(int)
-    weights = np.bincount(bins, counts)
-    means = np.bincount(bins, counts * share) / np.maximum(weights, 1.0)
-    sigma = np.sqrt(np.bincount(bins, counts**2 * variances)) / np.maximum(weights, 1.0) / edge.step
-    middle = np.bincount(bins, counts * position) / np.maximum(weights, 1.0)
-    inside = (weights > 0.0) & (np.abs(middle) < min(edge.width + 6.0, 0.9 * edge.reach))
-    excess = np.maximum(means - 1.0, -means) - np.maximum(SIGMA * sigma, 0.0)
-    largest = np.where(inside, excess, -1.0).argmax()
-    size = float(np.maximum(means - 1.0, -means)[largest])
-    return size if excess[largest] > 0.0 and size > _OVERSHOOT else 0.0
-
-
-def _correlations(edge: Edge, stored: Array, pitch: float, rounded: bool) -> list[tuple[float, float]]:
-    """Return the correlations of the noise of neighbours, each with its standard error; none if there is no noise."""
-    flat = edge.used & (np.abs(edge.distance) > 0.5 * edge.reach)
-    residual = np.zeros_like(stored)
-    rows, d = np.linspace(-0.5, 0.5, len(stored))[:, None], edge.distance / edge.reach
-    for sign in (-1.0, 1.0):
-        side = flat & (sign * edge.distance > 0.0)
-        along, u, values = np.broadcast_to(rows, d.shape)[side], d[side], stored[side]
-        design = np.stack([np.ones_like(u), u, u * u, u**3, along, u * along])
-        part = values - np.linalg.solve(design @ design.T, design @ values) @ design if u.size > _FEW else u
-        sigma = float(part.std()) if u.size > _FEW else 0.0
-        if sigma <= (_ROUNDING if rounded else 1e-4 * abs(float(values.mean()) if u.size else 1.0)):
-            return []
-        residual[side] = np.clip(part / sigma, -4.0, 4.0)
-    found = []
-    for down, right in ((0, 2), (2, 0)) if pitch == 2.0 else ((1, 1),) if pitch > 1.0 else ((0, 1), (1, 0)):
-        first = slice(None, -down or None), slice(None, -right or None)
-        second = slice(down, None), slice(right, None)
-        pairs = flat[first] & flat[second] & (edge.distance[first] * edge.distance[second] > 0.0)
-        count = max(int(pairs.sum()), 1)
-        found.append((float((residual[first] * residual[second])[pairs].sum()) / count, 1.0 / math.sqrt(count)))
-    return found
+    return findings + _of_symmetry(edge, stored, encoding, found)
 
 
 def _of_symmetry(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]) -> list[Finding]:

@@ -323,7 +323,8 @@ def _fit_edge(values: Array) -> Array:
         middle = float(np.median(step))
         if not middle > _MIN_CONTRAST * noise:
             raise ValueError(
-                "image must show an edge between two uniform areas, whose step exceeds the noise of its pixels"
+                "image must show one edge between two uniform areas, whose step exceeds the noise of its pixels, "
+                "from end to end; lm.imaging.sfr_chart finds edges beside corners and other edges"
             )
         kept = step > 0.5 * middle
         centroids = (steps @ positions) / np.where(kept, step, 1.0)

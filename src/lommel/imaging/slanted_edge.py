@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -17,6 +17,7 @@ from lommel.base.encoding import Encoding, checked, to_light
 from lommel.base.units import per_mm
 from lommel.fit.findings import Finding, Findings, Judged
 from lommel.imaging.edge_checks import compression_findings, edge_findings, require_one_colour
+from lommel.imaging.edge_noise import Evidence, evidence_of, processing_findings
 from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask, locate, require_measurable, response
 from lommel.recorded.counts import Counts, counts_of
 
@@ -199,7 +200,7 @@ def sfr(
     require_mosaic(mosaic, counts.shape)
     if mosaic is None and len(counts.shape) == 2:
         require_one_colour(counts.filled(), counts.known)
-    return edge_response(counts, side, checked(encoding), mosaic)
+    return with_processing([edge_response(counts, side, checked(encoding), mosaic)])[0]
 
 
 def pixel_pitch(pixel: float | None) -> float | None:
@@ -237,8 +238,8 @@ def image_counts(image: ArrayLike | Counts) -> Counts:
 
 def edge_response(
     counts: Counts, pixel: float | None, encoding: Encoding, mosaic: str | None, inside: Mask | None = None
-) -> EdgeResponse:
-    """Return the response of the edge in a picture, by the pixels `inside`."""
+) -> tuple[EdgeResponse, dict[str, Evidence]]:
+    """Return the response of the edge in a picture, by the pixels `inside`, and the evidence of sharpening."""
     light, stored, known, full = _averaged(counts, encoding)
     if full > _MAX_FULL:
         raise ValueError(
@@ -258,13 +259,32 @@ def edge_response(
         left_out += compression_findings(stored if stored.ndim == 2 else stored[..., 1])
     rounded = np.asarray(counts.values).dtype.kind in "iu"
     found: dict[str, EdgeResponse] = {}
+    evidence: dict[str, Evidence] = {}
     line: Array | None = None
     for name in sorted(planes, key=lambda name: name != "green"):  # first, for the others start from its edge
         plane = planes[name] if inside is None else planes[name]._replace(known=planes[name].known & inside)
-        found[name], line = _measured(plane, encoding, pixel, left_out, line, rounded=rounded)
+        found[name], evidence[name], line = _measured(plane, encoding, pixel, left_out, line, rounded=rounded)
     if "" in found:
-        return found[""]
-    return replace(found["green"], channels={name: found[name] for name in planes})
+        return found[""], evidence
+    return replace(found["green"], channels={name: found[name] for name in planes}), evidence
+
+
+def with_processing(edges: Sequence[tuple[EdgeResponse, dict[str, Evidence]]]) -> list[EdgeResponse]:
+    """Return the responses of the edges of a picture with the findings on sharpening and denoising of all of them."""
+    found = {name: processing_findings([evidence[name] for _, evidence in edges]) for name in edges[0][1]}
+
+    def joined(one: EdgeResponse, name: str) -> EdgeResponse:
+        if any(finding.code == "sharpened" for finding in found[name]):  # which may look like another encoding
+            others = [finding for finding in one.findings if finding.code != "asymmetric"]
+        else:
+            others = [*one.findings]
+        return replace(one, findings=Findings([*others, *found[name]]))
+
+    responses = []
+    for one, _ in edges:
+        channels = {name: joined(part, name) for name, part in one.channels.items()}
+        responses.append(replace(channels["green"], channels=channels) if channels else joined(one, ""))
+    return responses
 
 
 def _averaged(counts: Counts, encoding: Encoding) -> tuple[Array, Array, Mask, float]:
@@ -298,8 +318,8 @@ def _measured(
     line: Array | None,
     *,
     rounded: bool,
-) -> tuple[EdgeResponse, Array]:
-    """Return the response of one channel, and its edge, which is near `line` if given."""
+) -> tuple[EdgeResponse, Evidence, Array]:
+    """Return the response of one channel, evidence, and its edge, which is near `line` if given."""
     light, stored, known, pitch = plane
     if known.sum() < _LEAST_SIDE**2 / pitch**2:
         raise ValueError(f"image must have known pixels, got {int(known.sum())} of {known.size}")
@@ -316,9 +336,9 @@ def _measured(
     # The normal of the line x = start + slope y is along (1, -slope).
     angle = math.atan2(1.0, -edge.slope) if horizontal else math.atan2(-edge.slope, 1.0)
     contrast = edge.step / max(abs(sum(edge.levels)), 1e-300)
-    found = edge_findings(edge, upright[1], encoding, (values, errors), pitch, rounded=rounded)
-    findings = Findings([*found, *left_out])
-    return EdgeResponse(frequencies, values, errors, angle, float(contrast), findings, pixel), edge.line
+    findings = Findings([*edge_findings(edge, upright[1], encoding, (values, errors)), *left_out])
+    evidence = evidence_of(edge, upright[1], (values, errors), pitch, rounded=rounded)
+    return EdgeResponse(frequencies, values, errors, angle, float(contrast), findings, pixel), evidence, edge.line
 
 
 def slanted_edge(

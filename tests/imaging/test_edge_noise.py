@@ -1,0 +1,62 @@
+"""Mild sharpening shows in the noise of all edges of a picture together; smooth light is no denoising."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.ndimage import gaussian_filter
+
+import lommel as lm
+from slanted_edges import across, picture, squares
+
+CHART = squares((160, 320), [(-80.0, 0.0), (80.0, 0.0)], 70.0, 0.8)
+EDGE = 0.1 + 0.65 * across((np.arange(90) - 44.5) * 0.996 - 0.087 * (np.arange(120)[:, None] - 59.5), 0.7)
+
+
+def noisy(light, electrons=10000.0, seed=0):
+    return np.random.default_rng(seed).poisson(light * electrons) / electrons
+
+
+def unsharp(image, amount, radius=1.0):
+    return image + amount * (image - gaussian_filter(image, radius))
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_mild_sharpening_is_told_of_all_edges_though_of_none_alone(seed):
+    image = noisy(CHART, seed=seed)
+    assert not lm.imaging.sfr_chart(image).findings
+    found = lm.imaging.sfr_chart(unsharp(image, 0.2))
+    finding = found.findings.get("sharpened")
+    assert not found.reliable
+    assert finding.text.startswith("8 of 8 edges")
+    assert -0.06 < finding.numbers["correlation"] < -0.01
+    assert finding.numbers["strength"] < -4.0
+    assert all("sharpened" in edge.response.findings.codes for edge in found.edges)
+
+
+@pytest.mark.parametrize(("amount", "radius"), [(0.3, 1.0), (0.5, 1.5), (0.3, 4.0)])
+def test_a_crop_that_is_sharpened_is_told_alike_by_both_functions(amount, radius):
+    image = unsharp(noisy(EDGE, seed=5), amount, radius)
+    one, chart = lm.sfr(image), lm.imaging.sfr_chart(image)
+    assert one.findings.codes == chart.findings.codes == ("sharpened",)
+    assert np.array_equal(one.values, chart.edges[0].response.values)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_light_that_falls_off_smoothly_is_no_fault(seed):
+    y, x = (np.linspace(-1.0, 1.0, side) for side in EDGE.shape)
+    found = lm.sfr(noisy(EDGE * (1.0 - 0.015 * x**2 - 0.015 * y[:, None] ** 2), seed=seed))
+    assert found.reliable
+    assert not {"sharpened", "correlated_noise"} & {*found.findings.codes}
+
+
+def test_the_halo_of_a_blur_is_no_noise():
+    light = 0.9 * picture(5.0, 0.6, (90, 90), 6) + 0.1 * picture(5.0, 9.0, (90, 90), 6)
+    found = lm.sfr(noisy(light, 1e6))
+    assert "correlated_noise" not in found.findings.codes
+
+
+def test_sharpening_of_the_bright_side_alone_is_told_if_it_is_large():
+    # The dark side is clipped at black.
+    image = np.maximum(unsharp(EDGE, 1.0) - 0.15, 0.0)
+    assert "sharpened" in lm.sfr(image).findings.codes

@@ -168,3 +168,19 @@ def test_results_are_plain_data_and_plots():
     axes = found.plot()
     assert [line.get_label() for line in axes.lines[:3]] == ["red", "green", "blue"]
     assert axes.get_xlabel() == "spatial frequency (cycles/mm)"
+
+
+@pytest.mark.parametrize("side", [40, 80])
+def test_errors_contain_the_light_beyond_the_picture(side):
+    # The line spread function is Cauchy's, of the width of that of a lens at f/4 with pixels of 3.5 um.
+    width, turn, fine = 0.13, np.radians(6.0), 8
+    x = (np.arange(side * fine) + 0.5) / fine - 0.5 * side
+    d = x * np.cos(turn) + x[:, None] * np.sin(turn)
+    light = 0.5 + 0.8 * np.arctan(d / width) / np.pi
+    found = lm.sfr(light.reshape(side, fine, side, fine).mean(axis=(1, 3)))
+    f = np.array([0.05, 0.1, 0.2, 0.4])
+    off = found(f) - np.exp(-2.0 * np.pi * width * f) * gaussian(f, found.angle, 0.0)
+    errors = np.interp(f, found.frequencies, found.errors)
+    assert np.all(off > 0.0)
+    assert np.all(off < 1.5 * errors)
+    assert np.all(errors < 2.0 * off + 1e-3)

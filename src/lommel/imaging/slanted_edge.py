@@ -52,7 +52,7 @@ class EdgeResponse(Judged):
     values : ndarray
         Modulation at each frequency, 1 at frequency 0.
     errors : ndarray
-        Standard error of each value due to the noise of the picture.
+        Standard error of each value: noise of the picture, and the effect of the light beyond it, as estimated.
     angle : float
         Direction of the normal of the edge, radians from x (increasing columns) to y (increasing rows). The MTF of a
         lens in this direction is ``lm.mtf(pupil, f * cos(angle), f * sin(angle), pixel=pixel)``.
@@ -163,10 +163,11 @@ def sfr(
     Returns
     -------
     EdgeResponse
-        Response of optics, pixels and processing. Its values have three errors. The first is due to noise, estimated
-        by `errors`. The second, below 0.001, is due to the fit of the line. The third is due to light that falls
-        outside the picture: all values are too large by about its fraction. Diffraction alone spreads about 0.3 % of
-        the light beyond 45 pixels if pixels are 2 lambda*N wide.
+        Response of optics, pixels and processing. Its values have three errors. The first is due to noise. The
+        second, below 0.001, is due to the fit of the line. The third is due to light that falls outside the picture:
+        values are too large by about its fraction. Diffraction alone spreads about 0.3 % of the light beyond 45 pixels
+        if pixels are 2 lambda*N wide. `errors` contain the first and, extrapolated as line spread functions of
+        apertures fall, like 1 / distance^2, the third.
 
     Raises
     ------
@@ -183,8 +184,10 @@ def sfr(
     this error by bins of 1/32 pixel and by the mean position of the samples in each bin. In place of a Hamming
     window, which would suppress the halo of the blur, the window function is 1 over the middle half of the profile.
 
-    Findings name sharpening (overshoot, or noise of neighbours of opposite sign), denoising, demosaicing or resizing
-    (correlated noise), the blocks of JPEG, and profiles that another encoding would make symmetric.
+    Findings name sharpening (overshoot on both sides, or noise of neighbours of opposite sign), denoising, demosaicing
+    or resizing (correlated noise), the blocks of JPEG, and profiles that another encoding would make symmetric. One
+    crop of 100 x 100 pixels shows unsharp masks of an amount of 0.3 and more, which raise MTF50 by 14 %; the edges of
+    a chart together (:func:`lommel.imaging.sfr_chart`) show those of 0.1.
 
     Examples
     --------

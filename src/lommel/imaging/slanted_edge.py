@@ -165,9 +165,9 @@ def sfr(
     EdgeResponse
         Response of optics, pixels and processing. Its values have three errors. The first is due to noise. The
         second, below 0.001, is due to the fit of the line. The third is due to light that falls outside the picture:
-        values are too large by about its fraction. Diffraction alone spreads about 0.3 % of the light beyond 45 pixels
-        if pixels are 2 lambda*N wide. `errors` contain the first and, extrapolated as line spread functions of
-        apertures fall, like 1 / distance^2, the third.
+        values are too large by about its fraction. Diffraction alone spreads about 0.3 % of the light beyond 45
+        pixels if pixels are 2 lambda*N wide. `errors` contain the first and, extrapolated as line spread functions
+        of apertures fall, like 1 / distance^2, the third.
 
     Raises
     ------
@@ -184,10 +184,10 @@ def sfr(
     this error by bins of 1/32 pixel and by the mean position of the samples in each bin. In place of a Hamming
     window, which would suppress the halo of the blur, the window function is 1 over the middle half of the profile.
 
-    Findings name sharpening (overshoot on both sides, or noise of neighbours of opposite sign), denoising, demosaicing
-    or resizing (correlated noise), the blocks of JPEG, and profiles that another encoding would make symmetric. One
-    crop of 100 x 100 pixels shows unsharp masks of an amount of 0.3 and more, which raise MTF50 by 14 %; the edges of
-    a chart together (:func:`lommel.imaging.sfr_chart`) show those of 0.1.
+    Findings name sharpening (overshoot on both sides, or noise of neighbours of opposite sign), denoising,
+    demosaicing or resizing (correlated noise), the blocks of JPEG, and profiles that another encoding would make
+    symmetric. One crop of 100 x 100 pixels shows unsharp masks of an amount of 0.3 and more, which raise MTF50 by
+    14 %; the edges of a chart together (:func:`lommel.imaging.sfr_chart`) show those of 0.1.
 
     Examples
     --------

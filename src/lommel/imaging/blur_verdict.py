@@ -25,11 +25,14 @@ _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are comp
 # restoration has more fine detail than scenes.
 _FLAT, _FLAT_GAIN, _WHITE = 1.75, 3.0, 1.25
 _WEAK_GAIN = 2.0  # gain of a wider blur from which a weak one is no doubt
+# Variation is compared in windows (pixels) with more of it than this share of them; gain from which edges ring.
+_EDGE_WINDOW, _EDGES, _RINGS = 7, 0.9, 0.75
 _SHARPENED = 3.0  # gain in log-likelihood from which a photograph counts as sharpened
 _MIN_GAIN = 6.0  # gain in log-likelihood from which another blur is preferred
 _NYQUIST = 0.5  # cycles per pixel
 _LOBES, _NODES = 12.0, 72  # OTFs with spherical aberration have _NODES frequencies up to _LOBES / diameter
 _TOL = 1e-4  # of these values
+_TINY = 1e-12
 _DIAMETERS = np.geomspace(0.6, 40.0, 105)  # pixels, from which an unknown blur is estimated
 _LARGEST = 0.25  # largest of them / shorter side of the photograph
 _PARTS = 6  # of a stack of blurs, each with as many frequencies as its largest blur needs
@@ -64,7 +67,8 @@ class BlurVerdict(NamedTuple):
     `sharpening` is the gain of an unsharp mask over these blurs. `noise` is the most likely variance of the noise
     above the stated one, by the stated blur, and `noise_gain` its gain. Of a mask and noise the less likely
     explanation has a gain of 0. `slope` is the exponent of the texture behind the stated blur. A photograph that was
-    moved has its `motion`. A `weak` blur has no zeros at the frequencies of pixels.
+    moved has its `motion`. A `weak` blur has no zeros at the frequencies of pixels. `edges` is the gain of the total
+    variation at strong edges by restoration, over that of the height of a thin line.
     """
 
     factor: float
@@ -77,6 +81,7 @@ class BlurVerdict(NamedTuple):
     slope: float
     weak: bool = False
     motion: Motion | None = None
+    edges: float = 0.0
 
     @property
     def doubtful(self) -> bool:
@@ -93,6 +98,14 @@ class BlurVerdict(NamedTuple):
         """True if a weak blur leaves more fine detail than most scenes have: the photograph may be sharper."""
         softer = self.gain > _WEAK_GAIN and self.sharpness < 1.0
         return self.weak and self.slope <= _FLAT and not softer and not self.doubtful
+
+    @property
+    def ringing(self) -> bool:
+        """True if the restoration by a weak blur makes edges ring: the photograph is sharper than stated.
+
+        Blur keeps the total variation of a monotonic edge, and restoration therefore does not raise it.
+        """
+        return self.weak and not self.doubtful and self.edges > _RINGS
 
     @property
     def implausible(self) -> bool:
@@ -120,12 +133,13 @@ class BlurVerdict(NamedTuple):
 
 
 def compare_blurs(
-    curves_of: Blurs, spherical: Callable[[Array], Array] | None, plane: Array, variance: Array
+    curves_of: Blurs, spherical: Callable[[Array], Array] | None, plane: Array, variance: Array, restored: Array
 ) -> BlurVerdict:
     """Compare the stated blur of one channel of a photograph with others.
 
     `curves_of` returns transfer functions at FREQUENCIES by factors of the size, and `spherical` those by waves of
-    spherical aberration. `variance` is the stated noise variance of each pixel of the `plane`.
+    spherical aberration. `variance` is the stated noise variance of each pixel of the `plane`, and `restored` its
+    restoration by the stated blur.
     """
     factors = np.array(_SCALES)
     curves = curves_of(factors)
@@ -152,7 +166,32 @@ def compare_blurs(
     return BlurVerdict(
         float(factors[best]), float(waves[best]), gain, sharpness, sharpening, more, noise_gain, texture.slope,
         bool(curves[0][FREQUENCIES < _NYQUIST].min() > 0.0), likely_motion(curves, plane, variance),
+        _edge_gain(curves[0], plane, restored),
     )  # fmt: skip
+
+
+def _edge_gain(curve: Array, plane: Array, restored: Array) -> float:
+    """Return the gain in total variation where a `plane` has most of it, by its restoration.
+
+    It is in units of the gain in height of the thinnest line, of which the transfer `curve` leaves less.
+    """
+    if min(plane.shape) <= 2 * _EDGE_WINDOW:
+        return 0.0
+
+    def variation(values: Array) -> Array:
+        sums = [
+            scipy.ndimage.uniform_filter(np.abs(np.diff(values, axis=axis, append=0.0)), _EDGE_WINDOW)
+            for axis in (0, 1)
+        ]
+        inside = slice(_EDGE_WINDOW, -_EDGE_WINDOW)
+        return np.asarray(np.hypot(*sums)[inside, inside])
+
+    before, after = variation(plane), variation(restored)
+    strong = before >= max(float(np.quantile(before, _EDGES)), _TINY)
+    # Of a step or line, blur and pixels leave at most this between neighbouring pixels.
+    left = 2.0 * float(np.trapezoid(curve * np.sinc(FREQUENCIES) ** 2, FREQUENCIES)) + 2.0 * FREQUENCIES[0]
+    gains = after[strong] / before[strong] - 1.0
+    return float(np.median(gains) / max(1.0 / left - 1.0, _TOL)) if strong.any() else 0.0
 
 
 class BlurEstimate(NamedTuple):

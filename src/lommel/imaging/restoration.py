@@ -70,10 +70,11 @@ _MAX_MISFIT = 0.08  # largest accepted (discrepancy - 1) of a result / (discrepa
 _MAX_CHANGE_RATIO = 4.5
 # A photograph that is deblurred as far as its noise allows does not test these.
 _UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
-_UNTESTED_BESIDES = ("noise that is stated up to 30 % too low",)  # where blurs were compared: half the variance
-_UNTESTED_WEAK = ("a blur of less than 2.5 pixels that is stated too wide",)
-# Largest accepted discrepancy of a blend, of which ringing in dark areas beside bright ones makes 25 and more.
-_MAX_RINGING = 6.0
+_UNTESTED_BESIDES = ("noise up to 30 % too low",)  # where blurs were compared: half the variance
+_UNTESTED_WEAK = ("a weak blur stated too wide (less than 2.5 pixels)",)
+# Largest discrepancies of a result that fits, and of a blend over the field that Richardson-Lucy does not replace:
+# ringing in dark areas beside bright ones makes 25 and more.
+_MAX_DISCREPANCY, _MAX_RINGING = 1.75, 6.0
 # Local chi-squared by which a blend must fit less well than Richardson-Lucy to be replaced by it, smallest rms width
 # (pixels) of the areas that are compared, and smallest fraction of such areas for which this takes the time.
 _EXPECTED, _WORSE, _LEAST_AREA, _LEAST_RINGING = 0.4, 1.2, 3.0, 0.01
@@ -82,6 +83,7 @@ _MOST_PHOTOGRAPH = 0.9  # largest share of the photograph in a result, by a like
 _SHARPENED_NOISE = 2.0  # least variance of the noise of a sharpened photograph / the stated one
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
+_DIFFRACTED = 0.06  # rms fraction by which diffraction makes the disc of an unknown lens smaller
 _WAVELENGTH = 550e-9  # of grey light where no lens is stated, metres
 
 
@@ -352,6 +354,9 @@ def restore(
             fits = [likelier.mean(likelier.discrepancies_of(image)) for image in images]
             if share > _MOST_PHOTOGRAPH or fits[0] > fits[1] or verdict.implausible:
                 share, stopped = 1.0, MISFIT
+    fit = observed.mean(observed.discrepancies_of(result.light)) - observed.slack
+    if verdict is not None and verdict.weak and not verdict.doubtful and (verdict.ringing or fit > _MAX_DISCREPANCY):
+        share, stopped = 1.0, MISFIT
     restored = blend(observed, result.light, share)
     after = observed.discrepancies_of(restored)
     discrepancy = observed.mean(after)
@@ -473,8 +478,11 @@ def _findings(
     if verdict is not None:
         untested = (_UNTESTED_WEAK if verdict.weak else ()) + _UNTESTED_BESIDES
     findings = [untested_finding(untested, {})]
-    if discrepancy > _MAX_RINGING:
-        text = f"the result rings in dark areas (discrepancy {discrepancy:.3g}); method=RichardsonLucy() does not"
+    if discrepancy > limit - 1.0 + _MAX_DISCREPANCY and not (verdict is not None and verdict.doubtful):
+        text = (
+            f"the result fits less well than noise allows (discrepancy {discrepancy:.3g}): blur or noise are not as "
+            "stated, or dark areas ring, which those of method=RichardsonLucy() do not"
+        )
         findings = [Finding("misfit", "doubt", text, numbers), *findings]
     return findings
 
@@ -494,7 +502,7 @@ def _estimate_findings(
         )
         return [Finding("undetermined", "error", text, numbers)]
     if alone:
-        error = blur.diameter * blur.error
+        error = blur.diameter * math.hypot(blur.error, _DIFFRACTED)
         text = f"blur estimated without a lens: a disc of diameter {blur.diameter:.3g} +- {error:.2g} pixels"
         return [*findings, Finding("blur_shape", "note", text, numbers | {"error": error})]
     sides = " or ".join(
@@ -555,6 +563,12 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
             "in: check distance, f-number and focus; accept=True restores by that blur"
         )
         return [Finding("blur_doubtful", "doubt", text, numbers)]
+    if verdict.ringing:
+        text = (
+            "the stated blur has no zeros, and its restoration makes edges ring: the photograph is sharper than "
+            "stated, or was moved; check distance, f-number and focus"
+        )
+        return [Finding("blur_doubtful", "doubt", text, numbers | {"edges": verdict.edges})]
     if verdict.flat:
         text = (
             "the stated blur has no zeros, and behind it the scene has more fine detail than most scenes (power "

@@ -89,7 +89,7 @@ class UniformScene(NamedTuple):
             return pupil_curve(stack, middle, self.pixel)(FREQUENCIES)
 
         spherical = partial(aberrated_curves, self.pupil, middle, self.pixel)
-        return compare_blurs(of_factors, spherical, *_middle(observed, observed.blur.forward(light)))
+        return compare_blurs(of_factors, spherical, *_compared(observed, light))
 
 
 class MeasuredScene(NamedTuple):
@@ -109,7 +109,7 @@ class MeasuredScene(NamedTuple):
             return np.array([np.interp(factor * FREQUENCIES, FREQUENCIES, curve, right=0.0) for factor in factors])
 
         # A measured PSF may itself have a direction.
-        verdict = compare_blurs(of_factors, None, *_middle(observed, observed.blur.forward(light)))
+        verdict = compare_blurs(of_factors, None, *_compared(observed, light))
         return verdict._replace(motion=None)
 
 
@@ -253,6 +253,12 @@ def _pixels_per_radian(lens: Lens, pixel: float) -> tuple[float, float]:
     unit = lens.wavelength * lens.working_f_number
     validation.pixel_on(pitch, unit, metric=True)
     return 8.0 / math.pi * unit / pitch, pitch
+
+
+def _compared(observed: PhotographLikelihood, light: Values) -> tuple[Array, Array, Array]:
+    """Return light and noise variance of the middle channel of a photograph, and its restored `light`."""
+    restored = light.reshape(*observed.blur.shape, -1)[..., observed.blur.channels // 2]
+    return *_middle(observed, observed.blur.forward(light)), np.asarray(restored, dtype=np.float64)
 
 
 def _middle(observed: PhotographLikelihood, model: Values | None) -> tuple[Array, Array]:

@@ -82,4 +82,28 @@ def test_a_weak_blur_of_a_flat_texture_is_told(slope, gain, sharpness, expected)
 def test_a_blur_without_zeros_at_the_frequencies_of_pixels_is_weak(diameter, weak):
     light = np.random.default_rng(0).normal(0.5, 0.1, (48, 48))
     curves = lambda factors: disc(FREQUENCIES, diameter * factors[:, None])  # noqa: E731
-    assert compare_blurs(curves, None, light, np.full(light.shape, 1e-4)).weak == weak
+    assert compare_blurs(curves, None, light, np.full(light.shape, 1e-4), light).weak == weak
+
+
+@pytest.mark.parametrize(("slope", "edges", "expected"), [(3.0, 0.7, False), (3.0, 0.76, True), (1.5, 0.76, True)])
+def test_edges_that_restoration_makes_ring_are_told(slope, edges, expected):
+    verdict = BlurVerdict(1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, slope, weak=True, edges=edges)
+    assert verdict.ringing == expected
+    assert not verdict._replace(weak=False).ringing
+    assert not verdict._replace(gain=10.0, sharpness=1.2).ringing  # is told by the likelier blur
+
+
+def test_total_variation_rises_by_restoration_of_a_sharp_photograph():
+    squares = np.kron(np.random.default_rng(1).uniform(0.2, 0.8, (8, 8)), np.ones((12, 12)))
+    f = np.hypot(np.fft.fftfreq(96)[:, None], np.fft.rfftfreq(96))
+    f[0, 0] = 1e-6
+    transfer = disc(f, 2.0)
+    blurred = np.fft.irfft2(np.fft.rfft2(squares) * transfer)
+    ringing = np.fft.irfft2(np.fft.rfft2(squares) * transfer / (transfer**2 + 1e-3))
+    curves = lambda factors: disc(FREQUENCIES, 2.0 * factors[:, None])  # noqa: E731
+    right, wrong = (
+        compare_blurs(curves, None, light, np.full(light.shape, 1e-4), restored).edges
+        for light, restored in ((blurred, squares), (squares, ringing))
+    )
+    assert abs(right) < 0.1
+    assert wrong > 0.9

@@ -293,6 +293,13 @@ def test_rows_of_text_stay_as_they_are_and_bands_of_light_are_made_even():
         assert estimator.evens == even
         # Of the text, evened, depth is off by 4 standard errors.
         assert abs(np.nanmedian((result.depth - distance) / result.errors)) < (1.0 if even else 0.5)
+    # Even rows of text are not those recorded, and their difference is no noise.
+    near, far = record(plane(page, PAIR, 1.35, LIGHT), 5, offset=0.0)
+    live = TABLES([lommel_lens(lens) for lens in PAIR], 4e-6, between=(1.2, 2.0), **options | {"noise": None})
+    estimator = video_commands.Estimator(live, coding, math.inf, sharp=False)
+    estimator(SimpleNamespace(time=0.0, first=near, second=far))
+    assert not estimator.evens
+    assert live.noise.white == pytest.approx(1.0, rel=0.2)
 
 
 @pytest.mark.parametrize("kind", [np.uint16, np.float32])

@@ -413,6 +413,8 @@ class Estimator:
         Rows of the scene, such as lines of text, differ in brightness as well where the frames differ in blur.
         """
         choices = frames, equalize_rows(frames[0], frames[1], self.coding)
+        if self.live.noise is None:
+            self.evens = bool(self.live.estimate_noise(*choices))
         estimate = self.live(*choices[self.evens])
         score = _mean_log(estimate.misfit)
         if self.age % _TEST_ROWS == 0 or score > self.score + _WORSE:

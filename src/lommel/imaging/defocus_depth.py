@@ -298,21 +298,24 @@ def depth_from_defocus(
     mean, ratios = float(means[0]), tuple((means / means[0]).tolist())
     # Scale all frames to the exposure of the first: the tables assume one light level.
     images /= np.asarray(ratios, dtype=np.float32)[:, None, None]
-    excess = 1.0
+    excess, brightest = 1.0, int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     for estimated in (True, False) if noise is None else (False,):
         dark = math.sqrt(read**2 + _ADDED_VARIANCE * mean)
         engine = FocalEngine(task, FocalLight(mean, dark, ratios, CONTRAST))
         position, index_errors, misfit = _search(engine, images, valid, None if estimated else progress)
         if estimated:
             # The residual is noise at the true depth: its variance is that of the noise.
-            excess = residual_variance(misfit)
+            blocks = tuple(slice(BLOCK // 2, side // BLOCK * BLOCK, BLOCK) for side in valid.shape)
+            places = vergence[0] + (vergence[1] - vergence[0]) * position[blocks]
+            aliases = engine.alias_misfit(images[brightest], valid, dark, places)
+            excess = residual_variance(misfit[blocks], aliases)
             images /= np.float32(excess)
             white, mean, read = white / excess, mean / excess, read / math.sqrt(excess)
     noise = Noise(white=float(white.mean()), read=read) if noise is None else None
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
     limit = engine.known / step
-    if noise and any(map(is_compressed, images[int(np.argmax(images[:, 0].mean(axis=(1, 2))))])):
+    if noise and any(map(is_compressed, images[brightest])):
         limit *= _MAX_FAINT
     _add_slope_errors(position, index_errors, WINDOW, limit)
     estimate, errors = vergence[0] + step * position.astype(np.float64), step * index_errors

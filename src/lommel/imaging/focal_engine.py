@@ -435,12 +435,18 @@ class FocalEngine:
         """Return the mean of (energy at the true depth) - (minimum energy) of pixels with this binning / variance."""
         return binning**2 / self._pixels
 
-    def alias_misfit(self, images: Values, read: float, vergence: Values) -> NDArray[np.float32]:
+    def alias_misfit(
+        self, images: Values, valid: NDArray[np.bool_], read: float, vergence: Values
+    ) -> NDArray[np.float32]:
         """Return the misfit that aliases of binned pixels add to each block, of frames (frames, height, width).
 
-        The frames are in electrons, `read` is the read noise of a pixel and `vergence` a map of blocks.
+        The frames are in electrons, `valid` is True for known pixels, `read` is the read noise of a pixel and
+        `vergence` a map of blocks; NaN where this is NaN.
         """
         binning, block = self.binning, BLOCK
+        if binning == 1:
+            return np.where(np.isnan(vergence), vergence, 0.0).astype(np.float32)
+        images = np.where(valid, images, images.mean(axis=(1, 2), where=valid, keepdims=True)).astype(np.float32)
         height, width = (side // block * block for side in images.shape[1:])
         frames = images[:, :height, :width]
         # In cosine transforms, pixels of these frequencies have aliases where squares of pixels are summed.

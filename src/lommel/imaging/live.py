@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import Annotated, Any, Literal, NamedTuple
@@ -372,10 +372,30 @@ class LiveDepth:
             for mean in light or o.light or (electrons * self._form.channels for electrons in _LEVELS)
         ]
 
-    def _estimate_noise(
-        self, planes: list[Values], limit: float, mask: Values | None, depth: Callable[[], LiveDepthMap]
-    ) -> None:
-        """Estimate the noise from the first frames, by their finest details and then by the residual of `depth`."""
+    def estimate_noise(self, *versions: Sequence[Values], known: Values | None = None) -> int:
+        """Estimate the noise by the finest details and the residual of frames, and compute the tables for it.
+
+        A call of a LiveDepth object without noise does it with its frames.
+
+        Parameters
+        ----------
+        *versions : sequence of ndarray
+            The frames, and the same ones processed otherwise, such as with equalized rows.
+        known : ndarray of bool, shape (height, width), optional
+            True for pixels that are valid in these frames.
+
+        Returns
+        -------
+        int
+            Index of the version whose residual is least: the noise is that of this one.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As a call with the frames; if all pixels have one value, or few are known.
+        """
+        stored, saturation, mask = self._checked(versions[0], known)
+        planes, limit = self._grey(stored, saturation, mask)
         with np.errstate(invalid="ignore"):
             valid = np.logical_and.reduce([plane < limit for plane in planes])
         images = np.where(valid & (True if mask is None else mask > 0), planes, np.nan)
@@ -383,10 +403,12 @@ class LiveDepth:
         read /= math.sqrt(self._form.channels)
         try:
             self._prepare(Noise(white=white, read=read), (max(float(white * np.nanmean(images[0])), 1.0),))
-            self._excess = excess = residual_variance(depth().misfit)
+            residuals = [residual_variance(self(*each, known=known).misfit, self.aliases()) for each in versions]
+            self._excess = excess = min(residuals)
         finally:
             self.noise, self._levels = None, []
         self._prepare(Noise(white=white / excess, read=read / math.sqrt(excess)))
+        return residuals.index(excess)
 
     @property
     def binning(self) -> tuple[int, ...]:
@@ -427,14 +449,10 @@ class LiveDepth:
         TypeError, ValueError
             If frames are of another number, shape or type, if a frame is black, or if no pixel is known in all.
         """
-        if len(frames) != len(self._lenses):
-            raise ValueError(f"frames must be as many as lenses, {len(self._lenses)}, got {len(frames)}")
-        stored = [self._form.checked(f"frames[{k}]", frame) for k, frame in enumerate(frames)]
-        saturation = self._form.saturation(frames[0].dtype)
-        mask = self._form.known(frames, saturation, known)
-        planes, limit = self._grey(stored, saturation, mask)
         if not self._levels:
-            self._estimate_noise(planes, limit, mask, lambda: self(*frames, known=known))
+            self.estimate_noise(frames, known=known)
+        stored, saturation, mask = self._checked(frames, known)
+        planes, limit = self._grey(stored, saturation, mask)
         first_stream = self._levels[0].stream
         first_stream.sums(planes, limit, mask, self._sums)
         exposures, light = self._measure_exposures()
@@ -447,6 +465,16 @@ class LiveDepth:
         level.stream.depths(self._depth, self._errors, self._misfit)
         self._last = _Call(level, stored, saturation, mask)
         return LiveDepthMap(self._depth, self._errors, self._misfit, exposures, light)
+
+    def _checked(
+        self, frames: Sequence[Values], known: Values | None
+    ) -> tuple[list[Values], float, NDArray[np.uint8] | None]:
+        """Return frames as they are read, the value of saturated pixels, and the mask of known ones."""
+        if len(frames) != len(self._lenses):
+            raise ValueError(f"frames must be as many as lenses, {len(self._lenses)}, got {len(frames)}")
+        stored = [self._form.checked(f"frames[{k}]", frame) for k, frame in enumerate(frames)]
+        saturation = self._form.saturation(frames[0].dtype)
+        return stored, saturation, self._form.known(frames, saturation, known)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the tables to a file for cameras without Python: ``lommel_live_new`` of the C interface reads it.
@@ -561,13 +589,8 @@ class LiveDepth:
         ValueError
             If there was no call yet.
         """
-        level, binning = self._last_call().level, self._last_call().level.engine.binning
-        if binning == 1:
-            return np.where(np.isnan(self._depth), self._depth, np.float32(0.0))
-        images, valid = self._electrons()
-        images = np.where(valid, images, images.mean(axis=(1, 2), where=valid, keepdims=True)).astype(np.float32)
-        read = self._form.read * math.sqrt(self._form.channels)
-        return level.engine.alias_misfit(images, read, np.reciprocal(self._depth))
+        engine, read = self._last_call().level.engine, self._form.read * math.sqrt(self._form.channels)
+        return engine.alias_misfit(*self._electrons(), read, np.reciprocal(self._depth))
 
     def _electrons(self) -> tuple[Values, NDArray[np.bool_]]:
         """Return the frames of the last call, in electrons at the exposure of the first one, and the valid pixels."""

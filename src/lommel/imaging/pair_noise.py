@@ -13,6 +13,7 @@ from lommel.recorded.camera_noise import image_noise
 _MIN_COMPRESSED = 6.0  # standard errors by which third differences differ at edges of JPEG blocks
 _MAX_VANISHED, _COSINES_SIDE = -0.25, 1024  # log of the size of the finest cosines of JPEG; in a square of pixels
 _MAX_DARK = 0.9  # largest fraction of the noise that is put down to read noise
+_LEAST_ALIASED = 0.25  # fraction of blocks, those with the least aliases, that determine the noise
 
 
 def starting_noise(images: Values) -> tuple[Array, float]:
@@ -78,7 +79,14 @@ def _finest_cosines(image: Values) -> float:
     return float(logs[0, 0] - np.min(logs.ravel()[1:]))
 
 
-def residual_variance(misfit: Values) -> float:
-    """Return the variance of the residuals of images relative to that of the noise."""
-    values = misfit[np.isfinite(misfit)]
-    return float(np.median(values)) if values.size else 1.0
+def residual_variance(misfit: Values, aliases: Values) -> float:
+    """Return the variance of the residuals of images relative to that of the noise, without that of `aliases`.
+
+    These are details finer than binned pixels, and add as much to the misfit of each block, within a factor of about
+    2: it is taken from the quarter of blocks with the least of them.
+    """
+    known = np.isfinite(misfit + aliases)
+    if not known.any():
+        return 1.0
+    least = known & (aliases <= np.quantile(aliases[known], _LEAST_ALIASED))
+    return float(np.median((misfit / (1.0 + aliases))[least]))

@@ -331,10 +331,9 @@ def test_shifted_frames_and_wrong_noise_show_in_the_misfit(mild):
 def test_aliases_of_binned_pixels_explain_the_misfit_of_fine_texture_but_not_of_a_shift():
     thin = [ThinLens(16e-3, 2.8, focus, 540e-9, 4e-6) for focus in (0.8, 1.2)]
     near, far = record(plane(texture("fine", 112, 5, contrast=0.4), thin, 0.9, 5000.0), seed=3)
-    live = lm.imaging.LiveDepth(
-        [lommel_lens(lens) for lens in thin], 4e-6, between=(0.65, 1.5), noise=lm.Noise(read=3.0, offset=100.0),
-        shape=near.shape, light=5000,
-    )  # fmt: skip
+    lenses = [lommel_lens(lens) for lens in thin]
+    given = {"between": (0.65, 1.5), "shape": near.shape, "light": 5000}
+    live = lm.imaging.LiveDepth(lenses, 4e-6, noise=lm.Noise(read=3.0, offset=100.0), **given)
     with pytest.raises(ValueError, match="no frames yet"):
         live.aliases()
     assert live.binning == (2,)
@@ -347,6 +346,9 @@ def test_aliases_of_binned_pixels_explain_the_misfit_of_fine_texture_but_not_of_
         if second is far:
             assert np.median(explained[known]) == pytest.approx(np.median(found.misfit[known]), rel=0.1)
     assert np.array_equal(np.isnan(live.aliases()), np.isnan(found.depth))
+    guess = lm.imaging.LiveDepth(lenses, 4e-6, **given)
+    guess(*(one - np.float32(100.0) for one in (near, far)))
+    assert guess.noise.white == pytest.approx(1.0, rel=0.3)  # aliases are not noise: 0.55 with them
 
 
 def test_the_noise_of_the_first_frames_is_that_of_the_camera_and_depth_is_as_far_off_as_is_told(monkeypatch):

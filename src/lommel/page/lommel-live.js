@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 7fa78d2992e6309abebf1665fbaded3c4929ef5d8bf770653278889ae3642a2e
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 85cdaa4c4bef1b7a0a2e5b2847b1ea7e25c51c36bd2a301b09147974f2f9dfb4
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

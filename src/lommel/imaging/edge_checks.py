@@ -18,6 +18,7 @@ _MANY = 0.01  # fraction of outliers from which they are a doubt
 _POWERS = np.concatenate([np.geomspace(0.35, 0.8, 6), np.geomspace(1.25, 2.9, 6)])
 _GAIN = 12.0  # least gain in chi-squared / 2 by another encoding
 _LOSS = 2.0  # largest loss of it by an encoding that the noise of both sides shows
+_LEVEL = 0.005  # uncertainty of the levels of both sides by uneven light, fraction of the step
 _GAMMA = 2.2  # of that encoding
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
 
@@ -105,7 +106,9 @@ def _of_symmetry(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Arr
         noise = slope**2 * spread / step**2 + 4e-6  # of which 0.002 of the step is the sampling
         middle = float(np.interp(0.5, np.maximum.accumulate(share) + 1e-9 * np.arange(share.size), nodes))
         sums, both = (np.interp(middle + places, nodes, part).sum(axis=0) for part in (share, noise))
-        return float((np.square(sums - 1.0) / both).sum(axis=1).min())
+        # Both levels, which are those far from the edge, may be off near it.
+        off, weights = ((sums - 1.0) / both).sum(axis=1), (1.0 / both).sum(axis=1) + 1.0 / _LEVEL**2
+        return float(((np.square(sums - 1.0) / both).sum(axis=1) - np.square(off) / weights).min())
 
     stated = chi2(1.0)
     noisier, quieter = _noise_ratios(edge)

@@ -38,6 +38,7 @@ SIGMA = 4.5
 """Standard errors from which a curvature, a trend of the light and other faults count."""
 _SETTLED = 0.01  # change in a step at which the fit of the edge ends, pixels
 _MIN_CURVATURE = 0.01  # smallest that is corrected, pixels
+_REST = 3.0  # standard errors of the slope of both sides beside that of a trend
 MIN_TREND = 0.02
 """Smallest trend of the light over the picture, as a fraction, that is corrected: it changes responses by 0.007."""
 _OUTLIER, _SLOPE, _LEAST = 6.0, 0.3, 0.02  # of outliers: standard deviations, pixels, fraction of the step
@@ -318,6 +319,11 @@ def _evened(
     total = float(weights @ [dark[0], bright[0]])
     along, along_error = float(weights @ [dark[2], bright[2]]) / total, 1.0 / math.sqrt(max(total, 1e-300))
     rows = (np.arange(height) - 0.5 * (height - 1))[:, None]
+    # The slope that a trend of any size, on the brighter side most, does not explain.
+    rest, rest_error = (
+        float(dark[1] - dark[0] * across),
+        math.hypot(across_error * float(dark[0]), math.sqrt(float(dark_errors[1]))),
+    )
     across *= float(abs(across) * 2.0 * reach > max(SIGMA * across_error * 2.0 * reach, MIN_TREND))
     along *= float(abs(along) * height > max(SIGMA * along_error * height, MIN_TREND))
     if across:
@@ -326,7 +332,8 @@ def _evened(
         common = 0.5 * float(dark[1] + bright[1])
         common_error = 0.5 * math.sqrt(float(dark_errors[1] + bright_errors[1]))
     tail = common * 2.0 * reach / step
-    tail *= float(abs(common) > SIGMA * common_error and abs(tail) > MIN_TREND)
+    is_common = abs(common) > SIGMA * common_error and abs(rest) > _REST * rest_error
+    tail *= float(is_common and abs(tail) > MIN_TREND)
     if not (across or along or tail < 0.0):
         return image, 0.0, tail, *sides
     light = image / np.maximum(1.0 + across * distance + along * rows, 0.1)

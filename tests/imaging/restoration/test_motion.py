@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from functools import lru_cache
 
 import numpy as np
@@ -68,6 +69,20 @@ def test_other_blurs_and_scenes_with_a_direction_are_no_motion(blur, size):
     motion = found(blur, size)
     assert not motion.likely
     assert not motion.possible
+
+
+@pytest.mark.parametrize(("moved", "likely"), [(1, False), (9, True)])
+def test_equal_rectangles_are_no_motion_unless_their_edges_were_moved(moved, likely):
+    """Windows of a facade, each of two panes of 9 pixels, moved along rows by running means."""
+    draw, wall = np.random.default_rng(2), np.full((SIDE, SIDE + moved - 1), 0.6)
+    for row, column in itertools.product(range(8, SIDE, 48), range(8, SIDE + moved, 38)):
+        for pane in (column, column + 11):
+            wall[row : row + 30, pane : pane + 9] = draw.uniform(0.02, 0.15)
+    seen = np.lib.stride_tricks.sliding_window_view(wall, moved, axis=1).mean(axis=2)
+    light = (draw.poisson(WHITE * seen) + draw.normal(0.0, READ, seen.shape)) / WHITE
+    motion = likeliest_motion(DISCS, light, light / WHITE)
+    assert motion._replace(steep=False).likely
+    assert motion.likely == likely
 
 
 @pytest.mark.parametrize("depth", ["unknown", 2.1])

@@ -72,8 +72,8 @@ _MAX_CHANGE_RATIO = 4.5
 _UNTESTED = "a blur that is stated too wide", "noise that is stated too low"
 _UNTESTED_BESIDES = ("noise up to 30 % too low",)  # where blurs were compared: half the variance
 _UNTESTED_WEAK = ("a weak blur stated too wide (less than 2.5 pixels)",)
-# Largest discrepancies of a result that fits, and of a blend over the field that Richardson-Lucy does not replace:
-# ringing in dark areas beside bright ones makes 25 and more.
+# Largest discrepancies of a result of a blur that was tested, and of others: ringing in dark areas beside bright ones
+# makes 25 and more.
 _MAX_DISCREPANCY, _MAX_RINGING = 1.75, 6.0
 # Local chi-squared by which a blend must fit less well than Richardson-Lucy to be replaced by it, smallest rms width
 # (pixels) of the areas that are compared, and smallest fraction of such areas for which this takes the time.
@@ -354,9 +354,10 @@ def restore(
             fits = [likelier.mean(likelier.discrepancies_of(image)) for image in images]
             if share > _MOST_PHOTOGRAPH or fits[0] > fits[1] or verdict.implausible:
                 share, stopped = 1.0, MISFIT
-    fit = observed.mean(observed.discrepancies_of(result.light)) - observed.slack
-    if verdict is not None and verdict.weak and not verdict.doubtful and (verdict.ringing or fit > _MAX_DISCREPANCY):
-        share, stopped = 1.0, MISFIT
+    if verdict is not None and verdict.weak and not (verdict.doubtful or verdict.noisier):
+        fit = observed.mean(observed.discrepancies_of(result.light)) - observed.slack
+        if verdict.ringing or fit > _MAX_DISCREPANCY:
+            share, stopped = 1.0, MISFIT
     restored = blend(observed, result.light, share)
     after = observed.discrepancies_of(restored)
     discrepancy = observed.mean(after)
@@ -478,7 +479,8 @@ def _findings(
     if verdict is not None:
         untested = (_UNTESTED_WEAK if verdict.weak else ()) + _UNTESTED_BESIDES
     findings = [untested_finding(untested, {})]
-    if discrepancy > limit - 1.0 + _MAX_DISCREPANCY and not (verdict is not None and verdict.doubtful):
+    untested_fit = verdict is None or verdict.doubtful or verdict.noisier
+    if discrepancy > (_MAX_RINGING if untested_fit else limit - 1.0 + _MAX_DISCREPANCY):
         text = (
             f"the result fits less well than noise allows (discrepancy {discrepancy:.3g}): blur or noise are not as "
             "stated, or dark areas ring, which those of method=RichardsonLucy() do not"

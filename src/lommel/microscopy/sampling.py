@@ -138,7 +138,8 @@ def _with_psfs(recording: Frames, psfs: Sequence[PSF | MeasuredPSF], stated: Sta
     measured = [psf for psf in psfs if isinstance(psf, MeasuredPSF)]
     for name, value in stated._asdict().items():
         if value is not None and not (measured and name in ("pixel", "step")):
-            raise ValueError(f"{name} must not be given with a PSF, which has the sampling of the stack")
+            why = "is the same at all depths" if name == "depth" else "has the sampling of the stack"
+            raise ValueError(f"{name} must not be given with a PSF, which {why}")
     if len(psfs) != recording.shape[0]:
         names = ", ".join(recording.metadata["names"])
         raise ValueError(f"microscope must have one PSF for each channel of the stack, {names}, got {len(psfs)}")

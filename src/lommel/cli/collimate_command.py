@@ -187,13 +187,13 @@ def _pictures(images: list[Path], stop: Stop, *, watch: bool) -> Iterator[Path]:
             yield from sorted(filter(_is_picture, path.iterdir())) if path.is_dir() else [path]
         return
     sizes: dict[Path, int] = {}
-    done: set[Path] = set()
+    done: dict[Path, int] = {}  # sizes of files that were measured: one may have been written only in part
     while not stop.requested:
-        for path in sorted({*filter(_is_picture, images[0].iterdir())} - done):
+        for path in sorted(filter(_is_picture, images[0].iterdir())):
             size, before = path.stat().st_size, sizes.get(path)
             sizes[path] = size
-            if size and size == before:
-                done.add(path)
+            if size == before and size not in (0, done.get(path)):
+                done[path] = size
                 yield path
         time.sleep(_POLL)
 

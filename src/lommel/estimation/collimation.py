@@ -165,6 +165,6 @@ def mean_coma(components: Sequence[complex], errors: Sequence[float]) -> Vector:
     """Return the mean coma of several pictures; its error is at least that of their scatter."""
     values, count = np.array(components), len(components)
     mean, error = complex(values.mean()), math.hypot(*errors) / count
-    if count > 2:
+    if count > 1:
         error = max(error, math.sqrt(float((np.abs(values - mean) ** 2).sum()) / (2.0 * count * (count - 1))))
     return Vector.of(mean, error)

@@ -150,14 +150,18 @@ def _channels(rows: Sequence[Row]) -> dict[str, list[Row]]:
     return {_nanometres(wave): [row for row in rows if row["wavelength"] == wave] for wave in waves}
 
 
+def _mean_error(one: Mapping[str, Any]) -> float:
+    """Return the standard error of a mean: few beads may be nearer to each other than their errors allow."""
+    return max(one["spread"] or 0.0, one["error"]) / math.sqrt(one["beads"])
+
+
 def _summaries(rows: Sequence[Row]) -> list[str]:
     parts = []
     for channel, beads in _channels(rows).items():
         lines = []
         for one in summary(beads, _IN_SUMMARY):
             factor = MEASURES[one["name"]][2]
-            mean_error = None if one["spread"] is None else one["spread"] / math.sqrt(one["beads"])
-            mean = _value({"mean": one["mean"], "mean_error": mean_error}, "mean", factor)
+            mean = _value({"mean": one["mean"], "mean_error": _mean_error(one)}, "mean", factor)
             spread = "–" if one["spread"] is None else f"{factor * one['spread']:.2g}"
             lines.append([_words(one["name"]), mean, spread, f"{factor * one['error']:.2g}", str(one["beads"])])
         head = channel, "mean ± standard error", "spread over the beads", "standard error of one bead", "beads"
@@ -205,8 +209,8 @@ def _chromatic(rows: Sequence[Row]) -> list[str]:
     for waves, group in by_waves.items():
         cells = []
         for axis in axes:
-            (one,) = summary(group, [f"shift_{axis}"]) or [{"mean": None, "spread": None, "beads": 0}]
-            error = (one["spread"] or 0.0) / math.sqrt(max(one["beads"], 1))
+            (one,) = summary(group, [f"shift_{axis}"]) or [{"mean": None}]
+            error = None if one["mean"] is None else _mean_error(one)
             cells.append(_value({"mean": one["mean"], "mean_error": error}, "mean", 1e9))
         means.append([f"mean of {len(group)}", " − ".join(map(_nanometres, waves[::-1])), *cells])
     return ["<h2>Chromatic shifts</h2>", _table(head, [*means, *lines])]

@@ -88,6 +88,7 @@ def test_a_star_near_focus_is_refused():
 def test_a_mean_allows_for_the_scatter():
     mean = mean_coma([0.3 + 0.1j, 0.3 + 0.1j], [0.01, 0.01])
     assert (mean.size, mean.error) == pytest.approx((math.hypot(0.3, 0.1), 0.01 / math.sqrt(2.0)))
+    assert mean_coma([0.1 + 0.0j, 0.0j], [0.002, 0.002]).error > 0.03
     scattered = mean_coma([0.3 + 0.1j, 0.5 + 0.1j, 0.4 - 0.1j], [0.01] * 3)
     values = np.array([[0.3, 0.1], [0.5, 0.1], [0.4, -0.1]])
     assert scattered.error == pytest.approx(np.sqrt(values.var(axis=0, ddof=1).mean() / 3.0))

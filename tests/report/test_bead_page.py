@@ -62,3 +62,8 @@ def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
         assert part in text, part
     alone = page("Beads", [], "converged", None, rows(count=1), [])
     assert not re.search(r"Chromatic shifts</h2>|Trend|focal surface", alone)
+
+
+def test_a_mean_of_equal_beads_has_the_error_of_their_errors():
+    equal = [row | {"gauss_x": 2.6e-7, "gauss_x_error": 2.6e-9} for row in rows()]
+    assert "260.0 ± 1.2" in page("Beads", [], "", None, equal, [])

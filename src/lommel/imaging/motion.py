@@ -143,7 +143,7 @@ def likeliest_motion(curves: Array, plane: Array, variance: Array) -> Motion:
     for rival in (_directed(others), others[:, 0]):
         each = (moved[:, best] - rival[:, int(rival.sum(axis=0).argmax())]) / scale
         gains.append(float(np.sort(each)[: _SECTORS - _UNCOUNTED].sum()))
-    return Motion(moved_by, turned % math.pi, *gains, _steep(plane, variance, moved_by, turned))
+    return Motion(moved_by, turned % math.pi, gains[0], gains[1], _steep(plane, variance, moved_by, turned))
 
 
 def _steep(plane: Array, variance: Array, length: float, angle: float) -> bool:

@@ -152,7 +152,7 @@ def _channels(rows: Sequence[Row]) -> dict[str, list[Row]]:
 
 def _mean_error(one: Mapping[str, Any]) -> float:
     """Return the standard error of a mean: few beads may be nearer to each other than their errors allow."""
-    return max(one["spread"] or 0.0, one["error"]) / math.sqrt(one["beads"])
+    return float(max(one["spread"] or 0.0, one["error"]) / math.sqrt(one["beads"]))
 
 
 def _summaries(rows: Sequence[Row]) -> list[str]:

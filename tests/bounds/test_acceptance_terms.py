@@ -207,8 +207,7 @@ def test_scales_are_refined_where_the_misfit_has_a_valley_nearly_as_deep(depth, 
         tried.append(round(math.log(scale) / 0.04))
         return lambda tile: np.array([misfit(tried[-1]), np.nan])
 
-    def refine(misfits, k, level):
-        assert level == 0.9
+    def refine(misfits, k):
         refined.append(k)
         return _Minimum(math.exp(0.04 * k), 0.1, misfit(k), k, 0.0)
 
@@ -217,7 +216,7 @@ def test_scales_are_refined_where_the_misfit_has_a_valley_nearly_as_deep(depth, 
         ("_fits_equally", lambda *_: True),
     ):  # fmt: skip
         monkeypatch.setattr(defocus_verdict, name, made)
-    tile = SimpleNamespace(variance=np.ones(4))
+    tile = defocus_verdict._Tile((slice(0), slice(0)), np.ones(0), np.ones(4))
     found = defocus_verdict._scale_minima(None, 0, tile, [tile], 0.9)
     assert refined == [-4, 6] if several else refined == [6]
     assert [one.step for one in found] == refined[::-1]  # the best one first

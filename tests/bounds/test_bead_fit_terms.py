@@ -120,6 +120,7 @@ def test_widths_of_a_gaussian_and_their_errors_are_those_of_its_deviations(monke
     changes = np.sqrt(np.einsum("kpyx,k->pyx", rows**2, np.diag(covariance)))
     np.testing.assert_allclose(BeadFit.psf_errors(fit, depth=1e-7), changes, rtol=1e-9)
     assert (asked[0][2].shape, asked[0][2].z.tolist()) == ((31, 31), [0.0])
+    fit._focus, fit._fine_pixel = lambda depth: BeadFit._focus(fit, depth), lambda: BeadFit._fine_pixel(fit)
     widths, errors = BeadFit.fwhm(fit, depth=1e-6)
     pixel = 0.25 * OIL.nyquist(wavelength=WAVE).pixel / OIL.magnification
     units = np.array([pixel, pixel, 0.1 * float(OIL.focus(1e-6, wavelength=WAVE).axial_fwhm)])

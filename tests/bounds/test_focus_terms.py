@@ -203,9 +203,9 @@ def test_scales_are_searched_from_the_stated_one(monkeypatch):
     monkeypatch.setattr(defocus_verdict, "_median", float)
     monkeypatch.setattr(defocus_verdict, "_cells", lambda _: (None, range(1000)))
     monkeypatch.setattr(
-        defocus_verdict, "_refine_minimum", lambda misfits, k, level: _Minimum(math.exp(0.04 * k), 0.1, 1.0, k, 0.0)
+        defocus_verdict, "_refine_minimum", lambda misfits, k: _Minimum(math.exp(0.04 * k), 0.1, 1.0, k, 0.0)
     )
-    tile = SimpleNamespace(variance=np.ones((2, 2)))
+    tile = defocus_verdict._Tile((slice(0), slice(0)), np.ones(0), np.ones((2, 2)))
     found = defocus_verdict._scale_minima(None, 0, tile, [tile], 1.0)
     assert [minimum.scale for minimum in found] == [1.0]
 

@@ -239,7 +239,7 @@ def valleys(scatter, start=1.1, at=0.3, count=16):
 @pytest.mark.parametrize("first", [0, 5, -6])
 def test_a_scale_and_its_error_are_those_of_the_mean_cubic_of_the_cells(scatter, first):
     misfits, shifts = valleys(scatter)
-    found = defocus_verdict._refine_minimum(misfits, first, 0.9)
+    found = defocus_verdict._refine_minimum(misfits, first)
     assert found.scale == pytest.approx(math.exp(0.04 * 0.3), rel=1e-3)
     k = found.step
     weights = defocus_verdict._weights(*defocus_verdict._cells(np.stack([misfits(k + j) for j in range(-2, 3)])))
@@ -249,10 +249,10 @@ def test_a_scale_and_its_error_are_those_of_the_mean_cubic_of_the_cells(scatter,
     slopes = weights * (0.04 * x + 0.003 * x * x + shifts)
     curvature = 0.04 + 0.006 * x
     least = 1.1 + 0.02 * x * x + 0.001 * x**3 + mean * x
-    error = math.hypot(math.sqrt((slopes**2).sum()), 0.04 * (least - 0.9)) * 0.04 / curvature
+    error = math.hypot(math.sqrt((slopes**2).sum()), 0.04 * (least - 1.0)) * 0.04 / curvature
     assert found.misfit == pytest.approx(least, rel=1e-9)
     # Misfits are known within 0.0005 and a tenth of what is not noise.
-    alike = 0.04 * math.sqrt(2.0 * (0.0005 + 0.1 * (least - 0.9)) / curvature)
+    alike = 0.04 * math.sqrt(2.0 * (0.0005 + 0.1 * (least - 1.0)) / curvature)
     assert found.error == pytest.approx(found.scale * math.hypot(error, alike, 0.02), rel=1e-6)
     assert found.below == pytest.approx(misfits(k)[0].mean() - least if scatter == 0 else found.below, abs=1e-9)
 

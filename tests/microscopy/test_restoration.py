@@ -121,7 +121,7 @@ def test_planes_that_run_the_other_way_are_noticed_and_keep_their_order(tmp_path
 
 @pytest.mark.parametrize("direction", ["up", "down"])
 def test_light_that_falls_along_a_wide_field_stack_is_named_in_the_order_of_its_planes(deep, direction):
-    fading = np.linspace(1.3, 0.7, PLANES)[:, None, None] * (deep - 100.0) + 100.0
+    fading = np.linspace(1.9, 0.1, PLANES)[:, None, None] * (deep - 100.0) + 100.0
     planes = (fading - 100.0).mean(axis=(1, 2))
     slope = np.polyfit(np.linspace(-0.5, 0.5, PLANES), planes, 1)[0]
     given = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "direction": direction}

@@ -186,8 +186,9 @@ def sfr(
 
     Findings name sharpening (overshoot on both sides, or noise of neighbours of opposite sign), denoising,
     demosaicing or resizing (correlated noise), the blocks of JPEG, and profiles that another encoding would make
-    symmetric. One crop of 100 x 100 pixels shows unsharp masks of an amount of 0.3 and more, which raise MTF50 by
-    14 %; the edges of a chart together (:func:`lommel.imaging.sfr_chart`) show those of 0.1.
+    symmetric. One crop shows less of mild sharpening than the edges of a chart together
+    (:func:`lommel.imaging.sfr_chart`): unsharp masks of an amount of 0.15, which raised MTF50 by 7 %, were named in a
+    chart of 68 edges and not in one crop.
 
     Examples
     --------

@@ -669,7 +669,6 @@ def align(
     *,
     outputs: Annotated[tuple[Path, ...], OUTPUT],
     encoding: Annotated[Encoding | None, ENCODING] = None,
-    blur: Annotated[float, Shown(metavar="PIXELS")] = 4.0,
 ) -> Report:
     """Align photos of one scene: hand-held ones, bursts, or those of two foci, whose sizes differ (focus breathing).
 
@@ -683,8 +682,6 @@ def align(
     encoding
         Encoding of the photos' values: srgb, linear, or a number, as 1.8 for light = value ** 1.8; by default as the
         photos state (ICC profile), else integers are sRGB; floats are linear.
-    blur
-        Largest blur radius of the photos, pixels; it changes the standard errors alone.
 
     Examples
     --------
@@ -697,7 +694,7 @@ def align(
     with progress("reading") as status:
         pictures = read_alike(photos, encoding)
         status("comparing the photos")
-        aligned = imaging.align([picture.light() for picture in pictures], blur=blur)
+        aligned = imaging.align([picture.light() for picture in pictures])
         for path, picture, light in zip(outputs, pictures, aligned.frames, strict=True):
             dtype, stored_as = output_type(picture, path)
             imaging.write_photo(path, light, encoding=stored_as, dtype=dtype, like=picture)

@@ -320,10 +320,8 @@ def _evened(
     along, along_error = float(weights @ [dark[2], bright[2]]) / total, 1.0 / math.sqrt(max(total, 1e-300))
     rows = (np.arange(height) - 0.5 * (height - 1))[:, None]
     # The slope that a trend of any size, on the brighter side most, does not explain.
-    rest, rest_error = (
-        float(dark[1] - dark[0] * across),
-        math.hypot(across_error * float(dark[0]), math.sqrt(float(dark_errors[1]))),
-    )
+    rest = float(dark[1] - dark[0] * across)
+    rest_error = math.hypot(across_error * float(dark[0]), math.sqrt(float(dark_errors[1])))
     across *= float(abs(across) * 2.0 * reach > max(SIGMA * across_error * 2.0 * reach, MIN_TREND))
     along *= float(abs(along) * height > max(SIGMA * along_error * height, MIN_TREND))
     if across:

@@ -105,7 +105,7 @@ class ChordalGauss(Method[Pupil]):
             stack, window = disk_stack(part), window_of(part, pixels)
             return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper and pupil.circular)
 
-        if grid.integrate and not (not pupil.circular and self._filters(pupil, grid, wanted)):
+        if grid.integrate and (pupil.circular or not self._filters(pupil, grid, wanted)):
             # If faster, averages are computed as sums over nodes that all pixels of the window share: certificate,
             # section 10, "Nodes of a window".
             averages = disk_averages(
@@ -164,10 +164,8 @@ class ChordalGauss(Method[Pupil]):
 
 _FEW = 4  # largest number of pupils behind vanes whose averages may be filtered samples
 _NODES_PER_V = 0.64  # nodes of a window per v, approximately
-_NODES_PER_PUPIL, _FEWEST_NODES = (
-    80.0,
-    60.0,
-)  # filters are faster from this number of nodes per pupil, less the second
+# Filters are faster from this number of nodes per pupil, less the second.
+_NODES_PER_PUPIL, _FEWEST_NODES = 80.0, 60.0
 _MAX_SAMPLED_V = 90.0  # largest estimated v at which far pixels start; beyond it NijboerZernike is faster
 
 

@@ -33,9 +33,8 @@ def plane_light_findings(
 
     Without absorption every plane of a wide-field stack has the same light (the missing cone of the transfer
     function), unless the specimen fades, or light crosses the edges of the frame, which parts of the field tell. A
-    restoration fits such a stack,
-    too: light beyond the first or last plane makes up for the difference. Values of `limit` or more are unknown;
-    planes are numbered from the other end if `reverse`.
+    restoration fits such a stack, too: light beyond the first or last plane makes up for the difference. Values of
+    `limit` or more are unknown; planes are numbered from the other end if `reverse`.
     """
     # Only pixels that are known in every plane: what is left out of some would itself change the light of these.
     # Planes are read twice, one by one: a stack may be larger than the memory.

@@ -33,6 +33,7 @@ Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
 TILE = 1024  # default side of the tiles of memory maps, pixels
 
 _INTERVAL_BITS = 14  # number of trailing bits of float32 light that do not select an interval between thresholds
+_IN_CACHE = 1 << 14  # values encoded at a time: what is between stays in the cache
 _STRIP = 2**20  # number of depth values read together, which limits the memory for the depth range
 
 
@@ -84,10 +85,15 @@ def encode_light(light: Values, encoding: Encoding, dtype: DTypeLike) -> tuple[P
         return from_light(light, encoding, dtype), clipped
     # Comparison with the thresholds between levels is faster than encoding each value; the results are equal.
     thresholds, levels = _thresholds(encoding)
-    # Of negative numbers, the bits are those of a negative integer.
-    bits = np.maximum(np.minimum(light, np.float32(1.0)).view(np.int32), 0)
-    values = levels[bits >> _INTERVAL_BITS]
-    return values + (light >= thresholds[values]), clipped
+    values = np.empty(light.shape, dtype=np.uint8)
+    flat, stored = np.ascontiguousarray(light).reshape(-1), values.reshape(-1)
+    for first in range(0, light.size, _IN_CACHE):
+        part = np.s_[first : first + _IN_CACHE]
+        # Of negative numbers, the bits are those of a negative integer.
+        bits = np.maximum(np.minimum(flat[part], np.float32(1.0)).view(np.int32), 0)
+        below = levels.take(bits >> _INTERVAL_BITS)
+        np.add(below, flat[part] >= thresholds.take(below), out=stored[part])
+    return values, clipped
 
 
 @lru_cache

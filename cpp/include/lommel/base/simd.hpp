@@ -534,14 +534,14 @@ inline Level processor_level() {
 #endif
 }
 
-#ifdef LOMMEL_X86
 // Kernels of the compiled library are optimized in full although what surrounds them is not (cmake/python.cmake): their loops
-// over arrays of vectors must be unrolled for these to stay in registers.
-#if defined(LOMMEL_COMPILED) && !defined(__clang__)
+// over arrays of vectors must be unrolled for these to stay in registers. So are plain loops over the pixels of a photograph.
+#if defined(LOMMEL_COMPILED) && defined(__GNUC__) && !defined(__clang__)
 #define LOMMEL_KERNEL LOMMEL_NOINLINE __attribute__((optimize("O3", "no-math-errno")))
 #else
 #define LOMMEL_KERNEL LOMMEL_NOINLINE
 #endif
+#ifdef LOMMEL_X86
 template <class Kernel>
 LOMMEL_KERNEL __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,avx2,fma"))) void run_avx512(const Kernel& kernel) {
     kernel(Avx512{});

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
 
 namespace lommel {
 
@@ -23,8 +24,8 @@ struct BlurRadii {
 };
 
 // Write the layer and the signed blur radius (pixels) of each point.
-inline void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads, std::uint8_t* layers,
-                             float* radius) {
+LOMMEL_KERNEL inline void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads,
+                                           std::uint8_t* layers, float* radius) {
     const double largest = *std::max_element(known.radii, known.radii + known.count);
     const double last = static_cast<double>(known.count - 1), most = static_cast<double>(known.layers - 1);
     const double scale = known.high > known.low ? last / (known.high - known.low) : 0.0;
@@ -135,7 +136,7 @@ class HiddenPoints {
     // Lower bound, at each point p, on the minimum over points q of blur radius(q) + distance(q, p), from two sweeps over
     // pixels. Step lengths are multiplied by cos(pi / 8), the smallest ratio of a straight line to a path over 8 neighbours. If
     // the bound is not below radius(p), p occludes nothing. Returns an empty vector if no point occludes any.
-    std::vector<float> lowest() const {
+    LOMMEL_KERNEL std::vector<float> lowest() const {
         constexpr float straight = 0.92387f, slanted = 1.30655f;  // cos(pi / 8), and sqrt(2) times that, rounded down
         std::vector<float> least(radius_, radius_ + height_ * width_);
         std::vector<float> row(width_);
@@ -176,7 +177,7 @@ class HiddenPoints {
     }
 
     // For each block of pixels, the minimum blur radius over this block and over all blocks with pixels up to `reach` around it.
-    std::vector<float> least_around(std::size_t reach) const {
+    LOMMEL_KERNEL std::vector<float> least_around(std::size_t reach) const {
         const std::size_t rows = (height_ + block - 1) / block, columns = (width_ + block - 1) / block;
         const std::size_t more = (reach + block - 1) / block;
         std::vector<float> least(rows * columns, std::numeric_limits<float>::infinity()), wide(least), both(least);
@@ -221,7 +222,7 @@ class HiddenPoints {
 
     // For each point, a radius (at most `most` pixels) within which no point's layer is farther than its own. Found by dilation by
     // octagons (squares and diamonds alternately), which contain the circles of these radii.
-    std::vector<std::uint8_t> alone(std::size_t most) const {
+    LOMMEL_KERNEL std::vector<std::uint8_t> alone(std::size_t most) const {
         const std::size_t height = height_, width = width_;
         std::vector<std::uint8_t> farthest(layers_, layers_ + height * width), wide(farthest), result(farthest.size(), 0);
         for (std::size_t ring = 1; ring <= most; ++ring) {
@@ -258,7 +259,8 @@ class HiddenPoints {
     // Index of the representative point for the light behind point (y, x), or -1. Steps before index `from` lead to no farther
     // layer; points at distances of `far` or more cannot be occluded. `Inner`: no step leaves the image.
     template <bool Inner>
-    std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, std::size_t from, float far) const {
+    LOMMEL_KERNEL std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, std::size_t from,
+                                     float far) const {
         const auto row = static_cast<std::ptrdiff_t>(y), column = static_cast<std::ptrdiff_t>(x);
         const std::ptrdiff_t at = row * static_cast<std::ptrdiff_t>(width_) + column;
         std::uint8_t passed = layers_[at];

@@ -149,9 +149,8 @@ class FocalSearch {
     // Multiples of the leak, of textures of all frequencies and in addition of few: difference of energy from other valleys that are
     // excluded, and difference below which a candidate may be the true one.
     static constexpr float apart = 5.0f, apart_of_few = 50.0f, alike = 1.3f, alike_of_few = 10.0f;
-    // (Energy that shifts the minimum) / (energy that remains there), relative to the odds of the excess of concentration, which are
-    // those of `single` at most.
-    static constexpr float shifting = 1.5f, single = 0.95f;
+    // Largest excess of concentration; (twice the mean of an energy >= 0 that is measured as 0 / its standard error)^2, 8 / pi.
+    static constexpr float single = 0.95f, of_chance = 2.546f;
     static constexpr float narrower = 0.6f;  // for few frequencies: reduction of the largest extent of a valley, relative to it
     static constexpr float hidden = 0.3f;  // drop of a valley between rough candidates / energy of wrong candidates, at most
 
@@ -300,10 +299,10 @@ class FocalSearch {
         // What filters let through shifts the minimum by the square root of (its energy / curvature), as far as it is parallel to the
         // derivative of the residual; the rest remains as energy of the minimum. The part that is parallel, of the energy of n
         // frequencies, is 1 / n on average: the excess of concentration.
-        const float odds = shifting * excess / (1.0f - excess), remains = std::max(0.0f, here),
-                    by_chance = noise * std::sqrt(2.0f / pixels);
-        const float shifts =
-            std::min(std::max(few * leak, odds * std::max(0.0f, remains - by_chance)), odds * (remains + by_chance));
+        const float odds = excess / (1.0f - excess), by_chance = noise * std::sqrt(2.0f / pixels);
+        // Nearly the mean of an energy >= 0 that is measured as `here` with this standard error: 0.8 of the error at 0.
+        const float remains = 0.5f * (here + std::sqrt(square(here) + of_chance * square(by_chance)));
+        const float shifts = std::min(std::max(few * leak, odds * std::max(0.0f, here - by_chance)), odds * remains);
         variance += shifts / curvature + square(statistic(Bias));
         // The distance of the farthest candidate that leak could have made higher than the minimum, as two standard errors; a valley
         // that is too wide has no position.

@@ -11,6 +11,7 @@ from lommel.base.arrays import Values
 from lommel.base.encoding import Encoding, to_light
 from lommel.cli.instruments import FrameNoise, noise_of
 from lommel.cli.photo_commands import read_as
+from lommel.imaging.pair_noise import rounding_variances
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
 
@@ -92,9 +93,8 @@ def stored_noise(white: float, read: float, levels: int, encoding: Encoding) -> 
         return white, read
     if encoding == "linear":
         return white, math.hypot(read, white / (levels - 1) / math.sqrt(12.0))
-    steps = np.linspace(0.0, 1.0, levels)[:, None].repeat(3, axis=1)
-    light = to_light("levels", steps, encoding, np.float64)[:, 1]  # of green, where channels differ
-    variance = light / white + (read / white) ** 2 + np.gradient(light) ** 2 / 12.0
+    light, rounding = rounding_variances(levels, encoding)
+    variance = light / white + (read / white) ** 2 + rounding
     fitted = light > _FIT_ABOVE
     terms = np.stack([light, np.ones_like(light)], axis=1)[fitted] / variance[fitted, None]
     slope, constant = np.linalg.lstsq(terms, np.ones(len(terms)), rcond=None)[0].tolist()

@@ -50,6 +50,7 @@ from lommel.imaging.defocus_verdict import MIN_BLOCKS, DefocusVerdict, noise_fin
 from lommel.imaging.edge_chart import middle_edge
 from lommel.imaging.focal_engine import BLOCK, MAX_KNOWN_ERROR
 from lommel.imaging.live import LiveDepthMap
+from lommel.imaging.pair_noise import without_rounding
 from lommel.io import photos, videos
 from lommel.io.depth_maps import fill_missing
 from lommel.io.registry import formats, suffixes
@@ -235,10 +236,11 @@ def watch(
                 if stop.requested:
                     raise KeyboardInterrupt
                 raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
-        guess, noise = coding.guess if stated else "", None if stated else live.noise
+        guess, noise, rounding = coding.guess if stated else "", None if stated else live.noise, 0.0
         if noise is not None:  # at white, as --white, not in electrons per count
             noise = Noise(white=estimator.coding_in_use.white, read=noise.read)
-            coding.facts.update(white=estimator.coding_in_use.white, read_noise=noise.read, noise_is_a_guess=False)
+            noise, rounding = without_rounding(noise, estimator.light, coding.levels, coding.encoding)
+            coding.facts.update(white=noise.white, read_noise=noise.read, noise_is_a_guess=False)
         facts = {
             **coding.facts,
             "shape": list(pairs.shape),
@@ -257,12 +259,12 @@ def watch(
         if tally.failed < tally.pairs:
             verdict = live.verdict(f_number_error=o.f_number_error, focus_error=o.focus_error)
             if noise is not None:
-                note = noise_finding(noise)
+                note = noise_finding(noise, rounding)
                 findings = Findings(note if each.code == note.code else each for each in verdict.findings)
                 verdict = replace(verdict, findings=findings)
         blocks = (facts["known"] + facts["unfit"]) * math.prod(side // BLOCK for side in pairs.shape)
         if math.isnan(verdict.misfit) and blocks >= MIN_BLOCKS:  # of earlier pairs: the last one has no depth
-            verdict = DefocusVerdict.of(facts["misfit"], noise=noise, stated=o.f_number_error)
+            verdict = DefocusVerdict.of(facts["misfit"], noise=noise, rounding=rounding, stated=o.f_number_error)
         return (
             told(facts, succeeded=pairs.lost is None)
             + Report({"notes": notes}, [Wrapped(note) for note in notes])
@@ -359,6 +361,7 @@ class Estimator:
     evens: bool = True  # True if rows are equalized
     age: int = 0  # number of pairs
     score: float = math.inf  # mean logarithm of the misfit when it was last tested whether equalized rows lower it
+    light: Values = field(default_factory=lambda: np.ones(1))  # frame by which noise was estimated, 1 for white
     far: Values | None = None  # second frame of the previous pair of alternating frames
 
     def __call__(self, pair: videos.FramePair, loss: float | Values = 0.0) -> PairResult:
@@ -415,6 +418,7 @@ class Estimator:
         choices = frames, equalize_rows(frames[0], frames[1], self.coding)
         if self.live.noise is None:
             self.evens = bool(self.live.estimate_noise(*choices))
+            self.light = frames[0] * np.float32(_white(self.coding.noise) / self.coding.white)
         estimate = self.live(*choices[self.evens])
         score = _mean_log(estimate.misfit)
         if self.age % _TEST_ROWS == 0 or score > self.score + _WORSE:

@@ -33,7 +33,7 @@ from lommel.imaging.focal_engine import (
     checked_range,
     processors,
 )
-from lommel.imaging.pair_noise import is_compressed, residual_variance, starting_noise
+from lommel.imaging.pair_noise import is_compressed, residual_variance, starting_noise, without_rounding
 from lommel.imaging.photograph import require_image
 from lommel.imaging.settings import channel_spectra, spectra
 from lommel.io.depth_maps import fill_missing, write_depth
@@ -311,7 +311,11 @@ def depth_from_defocus(
             excess = residual_variance(misfit[blocks], aliases)
             images /= np.float32(excess)
             white, mean, read = white / excess, mean / excess, read / math.sqrt(excess)
-    noise = Noise(white=float(white.mean()), read=read) if noise is None else None
+    noise, rounding = Noise(white=float(white.mean()), read=read) if noise is None else None, 0.0
+    if noise is not None:
+        levels = np.iinfo(scene.dtype).max + 1 if scene.dtype.kind == "u" else 0
+        light = (images[:, 0] / white[:, None, None])[:, valid][:, ::8]
+        noise, rounding = without_rounding(noise, light, levels, encoding)
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
     limit = engine.known / step
@@ -340,7 +344,7 @@ def depth_from_defocus(
 
     sources = "noise and lens" if any(lens_errors) else "noise"
     maps = images, valid, step * index_errors, misfit, estimate
-    judge = partial(judge_frames, engine, *maps, lens_errors, noise, excess=excess)
+    judge = partial(judge_frames, engine, *maps, lens_errors, noise, excess=excess, rounding=rounding)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
 
 

@@ -28,7 +28,7 @@ from lommel.fit.findings import Finding, Findings, FitReport, Severity, untested
 from lommel.imaging.focal_engine import BLOCK, UNMEASURED, FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 from lommel.imaging.frame_phases import frame_scales, frame_shift
-from lommel.imaging.pair_noise import is_compressed
+from lommel.imaging.pair_noise import MOSTLY_ROUNDING, is_compressed
 from lommel.recorded.noise import Noise
 
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
@@ -37,6 +37,7 @@ _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
 # and above which it is not noise: up to 3 in right pairs, as smoothed by 0.8 pixels, 13 or more in pairs shifted by a
 # pixel. JPEG removes finest details: up to 25 in right pairs of quality 75, 15 to 88 in those shifted by a pixel.
 _DOUBTFUL_EXCESS, _WRONG_EXCESS, _WRONG_EXCESS_OF_JPEG = 5.0, 10.0, 30.0
+_TOLD_ROUNDING = 0.01  # fraction of the variance that is of rounding, from which it is told
 _EXCHANGED_RATIO = 1.15  # misfit / that of exchanged lenses, from which these are named if they agree
 _MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
 _BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
@@ -138,6 +139,7 @@ class DefocusVerdict(FitReport):
         included: bool = True,
         noise: Noise | None = None,
         excess: float = 1.0,
+        rounding: float = 0.0,
         exchanged: bool = False,
         compressed: bool = False,
         shift: Sequence[float] = (),
@@ -159,6 +161,8 @@ class DefocusVerdict(FitReport):
             Noise estimated from these frames, which `misfit` therefore cannot test; None for a stated noise.
         excess
             Variance of the estimated noise relative to that of the finest details.
+        rounding
+            Fraction of the variance that is of rounding to integers, as of ``pair_noise.without_rounding``.
         exchanged
             Whether the frames agree with their lenses exchanged.
         compressed
@@ -193,7 +197,7 @@ class DefocusVerdict(FitReport):
                 "or blocks left out as stated beside",
             )
         elif len(magnifications) and (noise is not None or misfit > _DOUBTFUL_MISFIT):
-            findings.extend([noise_finding(noise)] if noise else [])
+            findings.extend([noise_finding(noise, rounding)] if noise else [])
             times = ", ".join(f"{scale:.4f}" for scale in magnifications[1:])
             text = (
                 f"the images are magnified {times} times the first, not as stated (focus breathing): state this "
@@ -201,7 +205,7 @@ class DefocusVerdict(FitReport):
             )
             add("misfit", "error", text, {"magnifications": tuple(magnifications)})
         elif noise is not None:
-            findings.append(noise_finding(noise))
+            findings.append(noise_finding(noise, rounding))
             wrong = _WRONG_EXCESS_OF_JPEG if compressed else _WRONG_EXCESS
             total = excess * misfit
             if len(shift):
@@ -326,13 +330,15 @@ class DefocusVerdict(FitReport):
         return self.reliable
 
 
-def noise_finding(noise: Noise) -> Finding:
-    """Return the note on a noise that is estimated."""
+def noise_finding(noise: Noise, rounding: float = 0.0) -> Finding:
+    """Return the note on a noise that is estimated, without rounding, which is a fraction of the variance."""
+    more = f", and rounding ({percent(rounding)} of the variance)" if rounding > _TOLD_ROUNDING else ""
+    white = f"white {'at least ' if rounding > MOSTLY_ROUNDING else ''}{noise.white:.4g}"
     text = (
-        f"noise estimated from the images: white {noise.white:.4g}, read noise {noise.read:.3g} electrons; "
-        "registration and noise are not tested"
+        f"noise estimated from the images: {white}, read noise {noise.read:.3g} electrons{more}; registration and "
+        "noise are not tested"
     )
-    return Finding("estimated_noise", "note", text, noise.to_dict())
+    return Finding("estimated_noise", "note", text, noise.to_dict() | ({"rounding": rounding} if rounding else {}))
 
 
 def judge_frames(
@@ -346,6 +352,7 @@ def judge_frames(
     noise: Noise | None = None,
     *,
     excess: float = 1.0,
+    rounding: float = 0.0,
     included: bool = True,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
@@ -353,7 +360,8 @@ def judge_frames(
     The other arrays are maps of shape (height, width): `valid` is True for known pixels, `vergence` is 1 / distance
     and `errors` are its standard errors in 1 / m, inf if depth is unknown. `lens_errors`
     are those stated of f-number and foci, `included` in standard errors or not, and `noise` is the noise estimated
-    from the images, if none was stated, with `excess` times the variance of the finest details.
+    from the images, if none was stated, with `excess` times the variance of the finest details; `rounding` is
+    the fraction of rounding in it.
     """
     known = np.isfinite(errors)
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
@@ -392,6 +400,7 @@ def judge_frames(
         included=included,
         noise=noise,
         excess=excess,
+        rounding=rounding,
         shift=frame_shift(images[brightest], valid, engine.task.blur) if noise else (),
         magnifications=certain,
         likely=likely,

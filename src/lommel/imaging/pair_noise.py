@@ -8,11 +8,15 @@ import numpy as np
 from scipy.ndimage import correlate1d
 
 from lommel.base.arrays import Array, Values
+from lommel.base.encoding import Encoding, to_light
 from lommel.recorded.camera_noise import image_noise
+from lommel.recorded.noise import Noise
 
 _MIN_COMPRESSED = 6.0  # standard errors by which third differences differ at edges of JPEG blocks
 _MAX_VANISHED, _COSINES_SIDE = -0.25, 1024  # log of the size of the finest cosines of JPEG; in a square of pixels
 _MAX_DARK = 0.9  # largest fraction of the noise that is put down to read noise
+MOSTLY_ROUNDING = 0.5
+"""Fraction of the variance that is of rounding, above which the electrons at 1 of the noise are a lower bound."""
 _LEAST_ALIASED = 0.25  # fraction of blocks, those with the least aliases, that determine the noise
 
 
@@ -90,3 +94,27 @@ def residual_variance(misfit: Values, aliases: Values) -> float:
         return 1.0
     least = known & (aliases <= np.quantile(aliases[known], _LEAST_ALIASED))
     return float(np.median((misfit / (1.0 + aliases))[least]))
+
+
+def rounding_variances(levels: int, encoding: Encoding) -> tuple[Array, Array]:
+    """Return the light of each of `levels` integers, 1 for the largest, and the variance of rounding to them."""
+    steps = np.linspace(0.0, 1.0, levels)[:, None].repeat(3, axis=1)
+    light = to_light("levels", steps, encoding, np.float64)[:, 1]  # of green, where channels differ
+    return light, np.gradient(light) ** 2 / 12.0
+
+
+def without_rounding(noise: Noise, light: Values, levels: int, encoding: Encoding) -> tuple[Noise, float]:
+    """Return a noise without that of rounding to integers, and the fraction of its variance that is rounding.
+
+    Rounding that is most of the noise is not taken out: electrons at 1 are a lower bound. `light` is that of the
+    pixels, 1 for white; floats have 0 `levels`.
+    """
+    if not levels:
+        return noise, 0.0
+    white, read = float(np.mean(noise.white or 1.0)), float(np.mean(noise.read))
+    variance = np.interp(light, *rounding_variances(levels, encoding)).mean()
+    total = light.mean() / white + (read / white) ** 2
+    share = min(float(variance / total), 1.0)
+    if share > MOSTLY_ROUNDING:
+        return noise, share
+    return Noise(white=white / (1.0 - share), read=read / math.sqrt(1.0 - share)), share

@@ -7,6 +7,8 @@ import pytest
 
 import lommel as lm
 from lommel.imaging import defocus_depth, focal_engine
+from lommel.imaging.defocus_verdict import noise_finding
+from lommel.imaging.pair_noise import without_rounding
 from planes import CAMERA, LENS, NOISE, PAIR, PIXEL, pixels, shoot, texture
 from scenes import averaged, hopkins
 
@@ -363,8 +365,7 @@ def test_the_noise_of_8_bit_photographs_is_estimated_and_errors_are_those_made(w
     assert found.known > 0.75
     assert abs(np.median(z)) < 0.6
     assert 0.7 < robust(z) < 1.3
-    step = 2.4 / 1.055 * light ** (1 - 1 / 2.4) / 255
-    variance = np.mean(light / white + (read / white) ** 2 + step**2 / 12)
+    variance = np.mean(light / white + (read / white) ** 2)
     assert electrons(found, light.mean()) == pytest.approx(light.mean() ** 2 / variance, rel=0.15)
     codes = {finding.code for finding in found.verdict.findings}
     assert (
@@ -374,6 +375,27 @@ def test_the_noise_of_8_bit_photographs_is_estimated_and_errors_are_those_made(w
     )
     assert "registration and noise (" in " ".join(found.verdict.findings.get("untested").numbers["what"])
     assert "noise agree" not in found.verdict.summary
+    assert ("rounding (" in found.verdict.findings.get("estimated_noise").text) == (white > 1e4)
+
+
+@pytest.mark.parametrize("white", [2e4, 1e5, 1e6])
+def test_rounding_is_taken_out_of_the_noise_of_8_bit_photographs_or_makes_it_a_bound(white):
+    draw = np.random.default_rng(0)
+    light = draw.uniform(0.05, 0.9, 100_000)
+    noisy = light + np.sqrt(light / white) * draw.standard_normal(light.size)
+    srgb = np.round(255 * (1.055 * noisy ** (1 / 2.4) - 0.055)) / 255
+    variance = np.var(((srgb + 0.055) / 1.055) ** 2.4 - light)
+    noise = lm.Noise(white=light.mean() / variance, read=0.0)
+    found, share = without_rounding(noise, light, 256, "srgb")
+    text = noise_finding(found, share).text
+    if white < 1e6:
+        assert found.white == pytest.approx(white, rel=0.05)
+        assert share == pytest.approx(1 - noise.white / white, abs=0.02)
+        assert "at least" not in text
+    else:
+        assert found.white == noise.white < white
+        assert f"white at least {noise.white:.4g}" in text
+    assert without_rounding(noise, light, 0, "srgb") == (noise, 0.0)
 
 
 def test_channels_of_different_noise_unknown_pixels_and_exposures_need_no_noise_stated():

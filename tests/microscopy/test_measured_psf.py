@@ -160,6 +160,17 @@ def test_a_stack_without_voxels_has_those_of_the_psf():
     assert np.unravel_index(found.values.argmax(), found.values.shape) == (5, 7, 7)
 
 
+def test_the_unit_of_a_restored_point_is_in_the_notes():
+    """Planes of equal light, as of a wide-field microscope."""
+    y, x = np.mgrid[-6:7, -6:7]
+    widths = np.hypot(1.5, 0.25 * (np.arange(11) - 5))[:, None, None]
+    light = np.exp(-0.5 * (x**2 + y**2) / widths**2)
+    psf = lm.PSF.measured(light / light.sum(axis=(1, 2), keepdims=True), PIXEL, STEP, background=0.0)
+    for given, told in ((psf, True), (MEASURED, False)):
+        notes = lm.microscopy.deconvolve(stack_of_a_point(), given, **METHOD).notes
+        assert any("11 planes of 13 x 13 pixels of its PSF" in n and "the value 11 F" in n for n in notes) == told
+
+
 def test_a_psf_is_resampled_to_the_stack():
     found = lm.microscopy.deconvolve(stack_of_a_point(), MEASURED, step=1.5 * STEP, **METHOD)
     assert any("resampled" in str(finding) for finding in found.findings)

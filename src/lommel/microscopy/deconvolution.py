@@ -500,8 +500,8 @@ def _psf_notes(model: DepthModel | GivenPSF, psfs: PSFs, depths: Array) -> list[
         planes = model.window[0]
         where = f" of {model.window[1]} x {model.window[1]} pixels" if isinstance(model, GivenPSF) else ""
         notes.append(
-            f"Restored values are the light of a voxel in all {planes} planes{where} of its PSF together: a point that "
-            f"sends F counts into each plane (if it fades, into their mean) has the value {planes} F."
+            f"Restored values are the light of a voxel in all {planes} planes{where} of its PSF together: a point "
+            f"that sends F counts into each plane (if it fades, into their mean) has the value {planes} F."
         )
     return notes
 

@@ -96,5 +96,5 @@ def test_another_encoding_shows_in_the_symmetry_of_the_profile():
 def test_right_pictures_have_no_findings(seed):
     light = 0.05 + 0.85 * picture((3.0, -8.0)[seed % 2], (0.4, 0.8, 1.5)[seed % 3], (60, 70), 8)
     image = noisy(light, (3000.0, 30000.0)[seed // 4], seed)
-    assert not lm.sfr(image).findings
-    assert not lm.sfr(bytes_of(srgb(image)), encoding="srgb").findings
+    for found in (lm.sfr(image), lm.sfr(bytes_of(srgb(image)), encoding="srgb")):
+        assert {*found.findings.codes} <= {"untested"}  # what one crop shows of sharpening

@@ -60,3 +60,20 @@ def test_sharpening_of_the_bright_side_alone_is_told_if_it_is_large():
     # The dark side is clipped at black.
     image = np.maximum(unsharp(EDGE, 1.0) - 0.15, 0.0)
     assert "sharpened" in lm.sfr(image).findings.codes
+
+
+def test_a_crop_says_which_filters_and_encodings_it_does_not_exclude():
+    image = noisy(EDGE, seed=3)
+    numbers = [lm.sfr(part).findings.get("untested").numbers["filter"] for part in (image[30:90], image)]
+    assert 0.02 < numbers[1] < 0.8 * numbers[0] < 0.2
+    # The profile of a Gaussian blur to the power of 2.2 is nearly as symmetric.
+    dim = noisy(0.25 + 0.5 * picture(5.0, 0.5, (80, 80), 8), 2000.0)
+    assert lm.sfr(dim).findings.get("untested").numbers["encoding"] > 0.05
+
+
+def test_areas_that_were_denoised_beside_an_edge_that_was_not_are_told():
+    image = noisy(EDGE, 3000.0, seed=2)
+    smooth = gaussian_filter(image, 2.0)
+    kept = np.clip(np.hypot(*np.gradient(smooth)) / 0.01, 0.0, 1.0)
+    finding = lm.sfr((255.0 * (kept * image + (1.0 - kept) * smooth)).round().astype(np.uint8)).findings
+    assert "correlated_noise" in finding.codes

@@ -63,3 +63,18 @@ def test_unknown_pixels_do_not_count():
     y, x = np.indices(EDGE.shape)
     known = (x + y) % 2 == 0
     np.testing.assert_allclose(measured(locate(np.where(known, EDGE, 7.0), known)), expected(5.0), atol=3e-3)
+
+
+@pytest.mark.parametrize(("across", "along"), [(0.03, 0.03), (0.12, 0.08), (-0.06, -0.06)])
+def test_light_that_falls_off_along_and_across_the_edge_is_divided_out(across, along):
+    x = (np.arange(80) - 39.5) / 40.0
+    image = EDGE * (1.0 - across * x**2 - along * x[:, None] ** 2)
+    edge = locate(np.random.default_rng(0).normal(image, 1e-3), KNOWN)
+    assert edge.tail == 0.0
+    np.testing.assert_allclose(measured(edge), expected(5.0), atol=5e-3)
+
+
+@pytest.mark.parametrize("degrees", [41.3, 43.6, -44.2])
+def test_an_edge_near_45_degrees_is_measured(degrees):
+    edge = locate(picture(degrees, 0.6, (80, 120), 8), np.ones((80, 120), bool))
+    np.testing.assert_allclose(measured(edge), expected(degrees), atol=3e-3)

@@ -73,8 +73,8 @@ EDGE = picture(5.0)
     [
         (np.full((40, 40), 0.5), "must show one edge"),
         (np.random.default_rng(0).random((40, 40)), "must show one edge"),
-        (picture(0.5), "2 to 40 degrees"),
-        (picture(44.0), "2 to 40 degrees|must show the edge from end to end"),
+        (picture(0.5), "2 to 45 degrees"),
+        (picture(45.0, shape=(60, 90)), "not a simple fraction"),
         (picture(np.degrees(np.arctan(1.0 / 3.0))), "not a simple fraction such as 1/3"),
         (picture(30.0, shape=(60, 40)), "must show the edge from end to end"),
         (EDGE[:10], "20 pixels or more"),

@@ -17,13 +17,13 @@ from lommel import imaging
 from lommel.base import atomic, validation
 from lommel.base.arrays import plain
 from lommel.base.encoding import Encoding, as_json
-from lommel.base.options import Shown, filled
+from lommel.base.options import Shown
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import PhotoCamera, instrument_of
 from lommel.cli.messages import given_flags, report_findings
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
-from lommel.cli.photo_commands import ENCODING, apply_mask, read_as
-from lommel.io.registry import suffixes
+from lommel.cli.photo_commands import ENCODING, read_as
+from lommel.imaging.slanted_edge import frequency_unit
 from lommel.measures.transfer import mtf
 from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.table import records_of
@@ -60,7 +60,6 @@ class ChartCamera(PhotoCamera):
 
 
 @command
-@filled(photo=suffixes("photo"))
 def sfr(
     picture: Path,
     /,
@@ -71,14 +70,14 @@ def sfr(
     lens: Annotated[Path | None, Shown(metavar="FILE")] = None,
     encoding: Annotated[Encoding | None, ENCODING] = None,
     mosaic: Annotated[str | None, Shown(metavar="RGGB")] = None,
-    mask: Annotated[Path | None, Shown(metavar="FILE")] = None,
     camera: ChartCamera = ChartCamera(),
 ) -> Report:
     """Measure sharpness (SFR, MTF50) from a picture of a chart.
 
-    PICTURE is a PNG, JPEG, TIFF, EXR or HEIC, grey or RGB, of slanted squares, an ISO 12233 or eSFR chart, a tilted
-    checkerboard, or one edge, at 2 to 40 degrees to the rows or columns. Edges are found, and the response of each is
-    measured by ISO 12233, sagittal (S) and tangential (T), in each colour.
+    PICTURE is a PNG, JPEG, TIFF, EXR, HEIC or raw photo (DNG, NEF, CR2, ..., which LibRaw demosaics), grey or RGB, of
+    slanted squares, an ISO 12233 or eSFR chart, a tilted checkerboard, or one edge, at 2 to 45 degrees to the rows or
+    columns. Edges are found, and the response of each is measured by ISO 12233, sagittal (S) and tangential (T), in
+    each colour.
 
     Parameters
     ----------
@@ -96,8 +95,6 @@ def sfr(
         the picture states (ICC profile), else integers are sRGB; floats are linear.
     mosaic
         Colours of a raw picture: the first two pixels of its first and of its second row, such as RGGB.
-    mask
-        Image that is not 0 at pixels to ignore.
 
     Examples
     --------
@@ -124,10 +121,9 @@ def sfr(
         raise ValueError(f"{given_flags()[min(needless)]} is of a lens file: give --lens")
     with progress("reading") as status:
         photo = imaging.read_photo(picture, encoding)
-        (values,) = apply_mask([photo.values], mask)
         status("measuring edges")
         start = time.process_time()
-        chart = imaging.sfr_chart(values, pixel, encoding=photo.encoding, mosaic=mosaic)
+        chart = imaging.sfr_chart(photo.values, pixel, encoding=photo.encoding, mosaic=mosaic)
         rows = chart.rows(frequencies)
         if instrument is not None:
             status("computing the MTF of the lens")
@@ -207,9 +203,10 @@ def _curves(chart: EdgeChart) -> Axes:
     if len(chart.edges) == 1:
         return chart.edges[0].response.plot()
     curves = {}
+    factor, unit = frequency_unit(chart.edges[0].response.pixel)
     for direction in "ST":
         edges = sorted((e for e in chart.edges if e.direction == direction), key=lambda e: np.hypot(e.x, e.y))
         for name, edge in zip(("centre", "corner"), (edges[0], edges[-1]) if edges else (), strict=False):
             one = edge.response
-            curves[f"{name}, {direction}"] = (one.frequencies * (one.pixel or 1.0), one.values, one.errors)
-    return estimates.responses(curves, "cycles/pixel")
+            curves[f"{name}, {direction}"] = (factor * one.frequencies, one.values, one.errors)
+    return estimates.responses(curves, unit)

@@ -22,6 +22,7 @@ from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask
 from lommel.imaging.slanted_edge import (
     EdgeResponse,
     edge_response,
+    frequency_unit,
     image_counts,
     pixel_pitch,
     require_mosaic,
@@ -36,6 +37,7 @@ _REDUCED = 1.5e6  # largest number of pixels of the picture in which edges are f
 _SIGMAS, _CONTRAST = 8.0, 0.06  # least gradient of an edge: standard deviations, and of the largest
 _LEAST_LENGTH, _LEAST_HALF = 24.0, 9.0  # pixels along the edge, and on both sides of it
 _MOST_LENGTH, _MOST_HALF = 64.0, 24.0  # that are used, more if the blur is wide
+_DIAGONAL = 25.0  # degrees to rows or columns from which an edge is steep
 _STRAIGHT = 0.15  # largest thickness of the gradient along an edge, of its length
 _FALL, _RISE = 0.2, 0.25  # fractions of the gradient at which the edge ends, and at which another structure begins
 _MIDDLE_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG and mosaics are looked for
@@ -139,7 +141,7 @@ class EdgeChart(Judged):
         return records
 
     def plot(self, channel: str = "green") -> Figure:
-        """Return a matplotlib figure with maps of MTF50, sagittal and tangential.
+        """Return a matplotlib figure with maps of MTF50, sagittal and tangential, per mm if the pixel is known.
 
         Parameters
         ----------
@@ -151,8 +153,9 @@ class EdgeChart(Judged):
         matplotlib Figure
         """
         found = [(edge, edge.response.channels.get(channel, edge.response)) for edge in self.edges]
-        table = [(e.column, e.row, (one.pixel or 1.0) * one.mtf50[0], e.direction) for e, one in found]
-        return show.estimates.sharpness(table, self.shape)
+        factor, unit = frequency_unit(found[0][1].pixel)
+        table = [(e.column, e.row, factor * one.mtf50[0], e.direction) for e, one in found]
+        return show.estimates.sharpness(table, self.shape, unit)
 
     def to_dict(self) -> Json:
         """Return the verdict and the records of all edges as plain data."""
@@ -166,7 +169,7 @@ def sfr_chart(
 ) -> EdgeChart:
     """Find the slanted edges in a picture of a chart, and measure the response of each as :func:`lommel.sfr` does.
 
-    The chart has straight edges at 2 to 40 degrees to the rows or columns, at least 24 pixels long, between uniform
+    The chart has straight edges at 2 to 45 degrees to the rows or columns, at least 24 pixels long, between uniform
     areas of 9 pixels or more: slanted squares, ISO 12233, eSFR, a tilted checkerboard, or one edge.
 
     Parameters
@@ -352,7 +355,10 @@ def _empty(image: Array) -> Mask:
 
 
 def _candidates(counts: Counts, mosaic: bool) -> tuple[list[_Candidate], list[float]]:
-    """Return straight pieces of edges with uniform areas on both sides, by rows, and the angles of other ones."""
+    """Return straight pieces of edges with uniform areas on both sides, by rows, and the angles of other ones.
+
+    Gradients of one sign along rows or columns belong together; of steep edges, those of one sign along both.
+    """
     image, factor = _reduced(counts, mosaic)
     smooth = ndimage.gaussian_filter(image, 0.8, mode="nearest")
     down, right = (np.gradient(smooth, axis=axis) for axis in (0, 1))
@@ -362,10 +368,11 @@ def _candidates(counts: Counts, mosaic: bool) -> tuple[list[_Candidate], list[fl
     strong = (size > least) & ~ndimage.binary_dilation(_empty(image), iterations=3)
     vertical = np.abs(right) > np.abs(down)
     kinds = np.where(vertical, np.where(right > 0.0, 1, 2), np.where(down > 0.0, 3, 4)) * strong
+    diagonal = np.where(right > 0.0, np.where(down > 0.0, 1, 2), np.where(down > 0.0, 3, 4)) * strong
     found: list[_Candidate] = []
     angles: list[float] = []
-    for kind in (1, 2, 3, 4):
-        labels, count = ndimage.label(kinds == kind, np.ones((3, 3)))
+    for kind in range(8):
+        labels, count = ndimage.label((kinds, diagonal)[kind // 4] == kind % 4 + 1, np.ones((3, 3)))
         if not count:
             continue
         places = np.nonzero(labels)
@@ -383,7 +390,9 @@ def _candidates(counts: Counts, mosaic: bool) -> tuple[list[_Candidate], list[fl
         for k in np.flatnonzero((factor * lengths >= _LEAST_LENGTH) & (thick < np.maximum(_STRAIGHT * lengths, 4.0))):
             normal = -math.cos(turn[k]), math.sin(turn[k])
             slant = math.degrees(math.atan2(min(map(abs, normal)), max(map(abs, normal))))
-            if MIN_ANGLE - 0.5 <= slant <= MAX_ANGLE + 0.5:
+            if (slant > _DIAGONAL) != (kind >= 4):
+                continue
+            if slant >= MIN_ANGLE - 0.5:
                 candidate = _fitted(size, (float(rows[k]), float(columns[k])), normal, float(lengths[k]), factor)
                 if candidate is not None:
                     found.append(candidate)

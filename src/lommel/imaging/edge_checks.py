@@ -17,6 +17,8 @@ _CURVATURE = 0.15  # least that is told, pixels
 _MANY = 0.01  # fraction of outliers from which they are a doubt
 _POWERS = np.concatenate([np.geomspace(0.35, 0.8, 6), np.geomspace(1.25, 2.9, 6)])
 _GAIN = 12.0  # least gain in chi-squared / 2 by another encoding
+UNTESTED = 4.5
+"""Gain in chi-squared / 2 over another encoding up to which a profile does not tell which one is right."""
 _LOSS = 2.0  # largest loss of it by an encoding that the noise of both sides shows
 _LEVEL = 0.005  # uncertainty of the levels of both sides by uneven light, fraction of the step
 _GAMMA = 2.2  # of that encoding
@@ -28,8 +30,10 @@ def require_one_colour(image: Array, known: Mask) -> None:
     height, width = (side // 2 * 2 for side in image.shape)
     blocks = np.where(known, image, np.nan)[:height, :width].reshape(height // 2, 2, width // 2, 2)
     quads = blocks.transpose(1, 3, 0, 2).reshape(4, -1)
-    with np.errstate(invalid="ignore"):
-        ratios = quads / quads.mean(axis=0)
+    means = quads.mean(axis=0)
+    # Black areas count as equal: without them, pixels at the edge might be the majority.
+    black = np.abs(means) <= 0.01 * np.nanmax(np.abs(quads), initial=0.0)
+    ratios = np.where(black, 1.0, quads / np.where(black, 1.0, means))
     ratios = ratios[:, np.isfinite(ratios).all(axis=0)]
     if ratios.shape[1] < 16:
         return
@@ -49,8 +53,14 @@ def compression_findings(image: Array) -> list[Finding]:
     return [Finding("compressed", "doubt", text)] if is_compressed(image) else []
 
 
-def edge_findings(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]) -> list[Finding]:
-    """Return the findings on an edge; `found` are its response and the errors."""
+def edge_findings(
+    edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]
+) -> tuple[list[Finding], tuple[float, float]]:
+    """Return the findings on an edge, and the evidence for its encoding; `found` are its response and the errors.
+
+    The evidence is the gain in chi-squared / 2 of the symmetry of the profile over the other encoding, of sRGB and
+    linear, and the change of the response by that one.
+    """
     findings = []
     total = int(edge.used.sum()) + edge.outliers
     if edge.outliers:
@@ -73,18 +83,21 @@ def edge_findings(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Ar
     if edge.curvature > _CURVATURE:
         text = f"the edge is curved, by {edge.curvature:.2g} pixels (distortion): a polynomial was fitted"
         findings.append(Finding("curved_edge", "note", text, {"curvature": edge.curvature}))
-    return findings + _of_symmetry(edge, stored, encoding, found)
+    asymmetric, evidence = _of_symmetry(edge, stored, encoding, found)
+    return findings + asymmetric, evidence
 
 
-def _of_symmetry(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]) -> list[Finding]:
-    """Return a finding if the profile is not symmetric, as clipped or wrongly encoded values are not.
+def _of_symmetry(
+    edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]
+) -> tuple[list[Finding], tuple[float, float]]:
+    """Return a finding if the profile is not symmetric, as clipped or wrongly encoded values are not, and evidence.
 
     The light of a symmetric blur at equal distances on both sides of an edge sums to that of both sides.
     """
     position, profile, counts, variances = edge.profile
     bright = max(edge.levels)
     if not min(edge.levels) > 0.0 or position.size < 16:
-        return []
+        return [], (math.inf, 0.0)
     scaled, variance = np.maximum(profile / bright, 1e-6), variances / bright**2
     low, high = (level / bright for level in edge.levels)
     # Farther from the edge, errors of a trend of the light are larger than those of noise.
@@ -118,13 +131,18 @@ def _of_symmetry(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Arr
         power = float(_POWERS[int(np.argmin(sizes))])
     elif noisier or (quieter and 0.5 * (chi2(1.0 / _GAMMA) - stated) < _LOSS):
         power = _GAMMA if noisier else 1.0 / _GAMMA
-    if power == 1.0:
-        return []
-    other = response(position, (np.maximum(profile, 0.0) / bright) ** power, variances, 0.5)[0]
-    size = min(other.size, found[0].size)
-    change = float(np.abs(other[:size] - found[0][:size]).max())
-    if change < _EFFECT:
-        return []
+
+    def change_by(power: float) -> float:
+        """Return the change of the response if values are encoded by another power."""
+        other = response(position, (np.maximum(profile, 0.0) / bright) ** power, variances, 0.5)[0]
+        size = min(other.size, found[0].size)
+        return float(np.abs(other[:size] - found[0][:size]).max())
+
+    common = _GAMMA if encoding == "linear" else 1.0 / _GAMMA
+    gain = 0.5 * (chi2(common) - stated)
+    evidence = gain, change_by(common) if gain < UNTESTED else 0.0
+    if power == 1.0 or (change := change_by(power)) < _EFFECT:
+        return [], evidence
     side = int(edge.levels[1] > edge.levels[0])
     equal = [
         float(np.mean(part == np.median(part))) if (part := stored[edge.used & mask]).size else 0.0
@@ -135,13 +153,13 @@ def _of_symmetry(edge: Edge, stored: Array, encoding: Encoding, found: tuple[Arr
         text = (
             f"the profile is not symmetric, and the bright side has one value, {top:.6g}: it is clipped; expose less"
         )
-        return [Finding("flat_top", "error", text, {"change": change})]
+        return [Finding("flat_top", "error", text, {"change": change})], evidence
     text = (
         f"the profile is not symmetric{' and the dark side is noisier' if noisier else ''}: values are not "
         f"{named(encoding)} (light = value ** {power:.2g} would be), are clipped, or the lens has coma; "
         f"the response changes by {change:.2g}"
     )
-    return [Finding("asymmetric", "doubt", text, {"power": power, "change": change})]
+    return [Finding("asymmetric", "doubt", text, {"power": power, "change": change})], evidence
 
 
 def _noise_ratios(edge: Edge) -> tuple[bool, bool]:

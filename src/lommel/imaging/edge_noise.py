@@ -10,12 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
 
 from lommel.base.arrays import Array
-from lommel.fit.findings import Finding
+from lommel.fit.findings import Finding, untested_finding
+from lommel.imaging.edge_checks import UNTESTED
 from lommel.imaging.edge_profile import SIGMA, Edge, Mask
 
 _LARGEST_LAG = 3
@@ -25,9 +27,13 @@ _DEGREE = 6  # of the polynomials of the light of each side
 _FEW = 120  # pixels of a side from which noise is tested
 _ROUNDING = 0.3  # smallest noise in units of integers that is tested
 _CLIPPED = 4.0  # standard deviations
-_CORRELATED = 4.0  # standard errors from which noise is correlated
+_CORRELATED = 3.5  # standard errors from which noise is correlated
 _LEAST_POWER = 0.02  # of noise at a frequency, relative to its mean
-_EFFECT = 0.02  # response above 1 that is told
+_HINTS = 1.5, 2.0  # standard errors of noise and of overshoot that count together
+_NARROW = 1.0  # largest radius of sharpening that noise shows; wider ones overshoot
+_UNEVEN = 0.002  # least noise beside an edge that is told, fraction of the step
+_BESIDE, _FLAT = 2.0, 0.2  # ratio of the squares of noise beside an edge; where the slope is this part of its largest
+_EFFECT = 0.02  # change of the response that is told
 _BINS, _PER_PIXEL = 24, 2  # of the overshoot
 _BOTH, _ONE = 0.006, 0.03  # overshoot that is told if it is on both sides, and on one, fractions of the step
 _SIDE = 3.5  # standard errors of the overshoot of each side
@@ -38,14 +44,17 @@ class Evidence:
     """Evidence of an edge: sums of products of noise at lags, 0 for white noise, and their numbers.
 
     `excess` and `weights` are the overshoot of the profile by side and distance, fractions of the step, and 1 /
-    variance; `above` is the response above 1 beyond errors; `response` are its frequencies, cycles per pixel, values
-    and errors along the `normal` (down, right). `untested` tells that rounding hides the noise.
+    variance; `beside` are squares of noise beside the edge, and of the areas; `encoding` is the evidence of
+    ``edge_findings``; `above` is the response above 1 beyond errors; `response` are its frequencies, cycles per
+    pixel, values and errors along the `normal` (down, right). `untested` tells that rounding hides the noise.
     """
 
     products: Array
     pairs: Array
     excess: Array
     weights: Array
+    beside: tuple[float, float]
+    encoding: tuple[float, float]
     above: float
     response: tuple[Array, Array, Array]
     normal: Array
@@ -53,7 +62,15 @@ class Evidence:
     untested: bool
 
 
-def evidence_of(edge: Edge, stored: Array, found: tuple[Array, Array], pitch: float, *, rounded: bool) -> Evidence:
+def evidence_of(
+    edge: Edge,
+    stored: Array,
+    found: tuple[Array, Array],
+    encoding: tuple[float, float],
+    pitch: float,
+    *,
+    rounded: bool,
+) -> Evidence:
     """Return the evidence of an edge, by the stored values and by its response and errors at the pixels' pitch."""
     values, errors = found
     above = float(np.max(values[1:] - 1.0 - SIGMA * errors[1:]))
@@ -61,43 +78,61 @@ def evidence_of(edge: Edge, stored: Array, found: tuple[Array, Array], pitch: fl
     normal = np.array([-edge.slope, 1.0]) / math.hypot(1.0, edge.slope)
     spacing = 2 if pitch == 2.0 else 1
     noise = _noise(edge, stored, rounded)
-    products, pairs = (np.zeros(len(_LAGS)),) * 2 if noise is None else _products(*noise, spacing)
+    products, pairs = (np.zeros(len(_LAGS)),) * 2 if noise is None else _products(noise, spacing)
     excess, weights = _excess(edge)
     untested = rounded and noise is None
-    return Evidence(products, pairs, excess, weights, above, response, normal, spacing, untested)
+    return Evidence(
+        products, pairs, excess, weights, _beside(edge), encoding, above, response, normal, spacing, untested
+    )
 
 
 def processing_findings(edges: Sequence[Evidence]) -> list[Finding]:
     """Return the findings on sharpening and denoising by the evidence of all edges of a picture."""
-    overshoot = _overshoot(edges)
+    overshoot, both = _overshoot(edges)
     above = float(np.median([edge.above for edge in edges]))
-    correlation, strength, changes = _correlation(edges)
-    significant = abs(strength) > _CORRELATED and float(np.median(changes)) > 1.0
-    numbers = {"overshoot": overshoot, "correlation": correlation, "strength": strength}
-    noise = f"noise of neighbours has the correlation {correlation:.2g} ({abs(strength):.0f} standard errors)"
-    if overshoot > 0.0 or above > _EFFECT or (significant and correlation < 0.0):
+    tested = _correlation(edges)
+    significant = abs(tested.strength) > _CORRELATED and tested.change > 1.0
+    together = tested.strength < -_HINTS[0] and both > _HINTS[1]
+    numbers = {"overshoot": overshoot, "correlation": tested.correlation, "strength": tested.strength}
+    size = f"{tested.correlation:.2g} ({abs(tested.strength):.0f} standard errors)"
+    noise = f"noise of neighbours has the correlation {size}"
+    if overshoot > 0.0 or above > _EFFECT or (significant and tested.correlation < 0.0) or together:
         signs = [f"the profile overshoots by {100 * overshoot:.1f} % of the step"] * (overshoot > 0.0)
         signs += [f"the response exceeds 1 by {above:.2g}"] * (above > _EFFECT)
-        signs += [noise] * significant
+        signs += [f"the profile overshoots on both sides ({both:.0f} standard errors)"] * (together and not overshoot)
+        signs += [noise] * (significant or together)
         return [Finding("sharpened", "doubt", f"the picture was sharpened: {', '.join(signs)}", numbers)]
     if significant:
         text = f"{noise}: the picture was denoised, demosaiced, resized or compressed, which changes the response"
         return [Finding("correlated_noise", "doubt", text, numbers)]
-    if all(edge.untested for edge in edges):
-        text = "not tested: whether the picture was denoised, since its noise is below the rounding of its values"
-        return [Finding("untested", "note", text, {"what": ["denoising"]})]
-    return []
+    beside, expected = (sum(edge.beside[k] for edge in edges) for k in (0, 1))
+    if beside > _BESIDE * expected:
+        ratio = math.sqrt(beside / expected)
+        text = (
+            f"noise beside the edge is {ratio:.2g} times that of the areas, which were denoised: errors are too small"
+        )
+        return [Finding("correlated_noise", "doubt", text, {"ratio": ratio})]
+    items = []
+    rounded = all(edge.untested for edge in edges)
+    change = float(np.median([edge.encoding[1] for edge in edges]))
+    if sum(edge.encoding[0] for edge in edges) < UNTESTED and change > _EFFECT and (rounded or tested.pairs):
+        items.append(f"encoding (changes up to {change:.1g})")
+    if rounded:
+        items.append("denoising and sharpening (noise below the rounding)")
+    elif tested.hidden > _EFFECT:
+        items.append(f"sharpening and denoising (changes below {tested.hidden:.1g})")
+    return [untested_finding(items, {"encoding": change, "filter": tested.hidden})] if items else []
 
 
-def _noise(edge: Edge, stored: Array, rounded: bool) -> tuple[Array, list[Array]] | None:
-    """Return the noise, 1 rms, of the areas beside an edge, and orthonormal images of what was fitted; None without.
+def _noise(edge: Edge, stored: Array, rounded: bool) -> Array | None:
+    """Return images of the noise, 1 rms, of the areas beside an edge, and of what was fitted; None without.
 
-    The light of each side, with the halo of the edge, is a polynomial.
+    The light of each side, with the halo of the edge, is a polynomial, of which each image holds an orthonormal term.
     """
     height, width = stored.shape
     flat = edge.used & (np.abs(edge.distance) > max(0.5 * edge.reach, min(edge.width, 0.7 * edge.reach)))
-    noise = np.zeros((height, width + _LARGEST_LAG * 2))  # zeros part the rows
-    fitted: list[Array] = []
+    padding = 2 * _LARGEST_LAG  # zeros part the rows, and the images
+    images = np.zeros((1 + (_DEGREE + 1) * (_DEGREE + 2) // 2, height + padding, width + padding), np.float32)
     v = np.broadcast_to(np.linspace(-1.0, 1.0, height)[:, None], stored.shape)
     for sign in (-1.0, 1.0):
         side: Mask = flat & (sign * edge.distance > 0.0)
@@ -105,55 +140,81 @@ def _noise(edge: Edge, stored: Array, rounded: bool) -> tuple[Array, list[Array]
             return None
         d = sign * edge.distance[side]
         u = 2.0 * (d - d.min()) / max(float(np.ptp(d)), 1e-12) - 1.0
-        powers = legendre.legvander(u, _DEGREE), legendre.legvander(v[side], _DEGREE)
-        design = [powers[0][:, i] * powers[1][:, j] for i in range(_DEGREE + 1) for j in range(_DEGREE + 1 - i)]
-        basis = np.linalg.qr(np.stack(design, axis=1))[0]
+        powers = legendre.legvander(u, _DEGREE).T, legendre.legvander(v[side], _DEGREE).T
+        design = np.stack([powers[0][i] * powers[1][j] for i in range(_DEGREE + 1) for j in range(_DEGREE + 1 - i)])
+        normal = design @ design.T
+        normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12
+        basis = np.linalg.inv(np.linalg.cholesky(normal)) @ design
         values = stored[side]
-        part = values - basis @ (basis.T @ values)
-        sigma = math.sqrt(float(part @ part) / (size - basis.shape[1]))
+        part = values - (basis @ values) @ basis
+        sigma = math.sqrt(float(part @ part) / (size - len(basis)))
         if sigma <= (_ROUNDING if rounded else 1e-4 * abs(float(values.mean()))):
             return None
-        noise[:, :width][side] = np.clip(part / sigma, -_CLIPPED, _CLIPPED)
-        for column in basis.T:
-            image = np.zeros_like(noise)
-            image[:, :width][side] = column
-            fitted.append(image.ravel())
-    return noise, fitted
+        images[0, :height, :width][side] = np.clip(part / sigma, -_CLIPPED, _CLIPPED)
+        images[1:, :height, :width][:, side] = basis
+    return images
 
 
-def _products(noise: Array, fitted: list[Array], spacing: int) -> tuple[Array, Array]:
+def _products(images: Array, spacing: int) -> tuple[Array, Array]:
     """Return sums of products of noise at each lag, less those of the fit of white noise, and their numbers.
 
     The fit Q Q^T of white noise leaves residuals of the covariance 1 - Q Q^T.
     """
-    known, flat = (noise != 0.0).ravel().astype(float), noise.ravel()
+    noise, fitted = images[0].ravel(), images[1:].ravel()
+    known = (noise != 0.0).astype(np.float32)
     products, pairs = np.zeros(len(_LAGS)), np.zeros(len(_LAGS))
     for k, (down, right) in enumerate(spacing * _LAGS):
-        lag = int(down * noise.shape[1] + right)
-        if 0 < lag < flat.size:
-            pairs[k] = known[:-lag] @ known[lag:]
-            products[k] = flat[:-lag] @ flat[lag:] + sum(float(image[:-lag] @ image[lag:]) for image in fitted)
+        lag = int(down * images.shape[2] + right)
+        pairs[k] = known[:-lag] @ known[lag:]
+        products[k] = noise[:-lag] @ noise[lag:] + fitted[:-lag] @ fitted[lag:]
     return products, pairs
 
 
-def _correlation(edges: Sequence[Evidence]) -> tuple[float, float, list[float]]:
-    """Return the correlation of neighbours, its standard errors, and the changes of each response in its errors."""
+class _Correlation(NamedTuple):
+    """Correlation of neighbours, its standard errors, and the change of the response, in its errors, that follows.
+
+    `hidden` is the change of the response by the strongest sharpening or denoising within two standard errors, and
+    `pairs` the number of pairs of neighbours.
+    """
+
+    correlation: float
+    strength: float
+    change: float
+    hidden: float
+    pairs: float
+
+
+def _correlation(edges: Sequence[Evidence]) -> _Correlation:
+    """Return the correlation of the noise of neighbours by the evidence of all edges."""
     products, pairs = (sum(getattr(edge, name) for edge in edges) for name in ("products", "pairs"))
     shapes = np.exp(-0.5 * np.square(_LAGS).sum(axis=1) / _RADII[:, None] ** 2)
     # Light that is not quite the fitted one adds as much at all lags.
     contrasts = shapes - shapes @ pairs[:, None] / max(float(pairs.sum()), 1.0)
-    variances = np.maximum(np.square(contrasts) @ pairs, 1e-12)
-    strengths = contrasts @ products / np.sqrt(variances)
-    best = int(np.abs(strengths).argmax())
-    size = float(contrasts[best] @ products / variances[best])
-    changes = []
-    for edge in edges:
-        f, values, errors = edge.response
+    variances = np.square(contrasts) @ pairs
+    if not variances.all():
+        return _Correlation(0.0, 0.0, 0.0, 0.0, 0.0)
+    sizes, errors = contrasts @ products / variances, 1.0 / np.sqrt(variances)
+    best = int(np.abs(sizes / errors).argmax())
+
+    def change(edge: Evidence, size: float, shape: Array) -> Array:
+        """Return the change of the response by the filter that made noise of this correlation."""
+        f, values, _ = edge.response
         phase = 2.0 * math.pi * edge.spacing * f[:, None] * (_LAGS @ edge.normal)
-        power = np.maximum(1.0 + 2.0 * size * (np.cos(phase) @ shapes[best]), _LEAST_POWER)
-        change = values * (1.0 - np.sqrt(power[0] / power))
-        changes.append(float(np.max(np.abs(change[1:]) / np.maximum(errors[1:], 1e-12))))
-    return size * float(np.exp(-0.5 / _RADII[best] ** 2)), float(strengths[best]), changes
+        power = np.maximum(1.0 + 2.0 * size * (np.cos(phase) @ shape), _LEAST_POWER)
+        return np.asarray(values * (1.0 - np.sqrt(power[0] / power)))
+
+    relative = [
+        float(np.max(np.abs(change(edge, sizes[best], shapes[best])[1:]) / np.maximum(edge.response[2][1:], 1e-12)))
+        for edge in edges
+    ]
+    hidden = [
+        float(np.median([np.abs(change(edge, size + sign * error, shape)).max() for edge in edges]))
+        for radius, size, error, shape in zip(_RADII, sizes, errors, shapes, strict=True)
+        for sign in (-2.0, 2.0)
+        if radius <= _NARROW
+    ]
+    correlation, strength = float(sizes[best] * np.exp(-0.5 / _RADII[best] ** 2)), float(sizes[best] / errors[best])
+    return _Correlation(correlation, strength, float(np.median(relative)), max(hidden), float(pairs.sum()))
 
 
 def _excess(edge: Edge) -> tuple[Array, Array]:
@@ -173,15 +234,33 @@ def _excess(edge: Edge) -> tuple[Array, Array]:
     return excess, weights
 
 
-def _overshoot(edges: Sequence[Evidence]) -> float:
-    """Return the mean overshoot of profiles, as a fraction of the step; 0 within noise.
+def _overshoot(edges: Sequence[Evidence]) -> tuple[float, float]:
+    """Return the mean overshoot of profiles, fraction of the step, 0 within noise, and that of both sides in errors.
 
     Light that is not even has an overshoot on one side.
     """
     weights = sum(edge.weights for edge in edges)
     excess = sum(edge.weights * edge.excess for edge in edges) / np.maximum(weights, 1e-12)
-    above = excess * np.sqrt(weights) > _SIDE
-    sizes = np.where(above, excess, 0.0).max(axis=1)
+    strengths = excess * np.sqrt(weights)
+    sizes = np.where(strengths > _SIDE, excess, 0.0).max(axis=1)
+    both = float(strengths.min(axis=0).max())
     if sizes.min() > _BOTH or sizes.max() > _ONE:
-        return float(sizes.max())
-    return 0.0
+        return float(sizes.max()), both
+    return 0.0, both
+
+
+def _beside(edge: Edge) -> tuple[float, float]:
+    """Return the sum of squares of noise beside an edge, where its light changes little, and that of the areas."""
+    position, profile, counts, variances = edge.profile
+    inside = edge.used & (np.abs(edge.distance) <= edge.reach)
+    d, light = edge.distance[inside], edge.light[inside]
+    slopes = np.gradient(profile, position)
+    bins = np.floor(4.0 * (position - position[0])).astype(int)
+    total = np.bincount(bins, counts)
+    slope = (np.bincount(bins, counts * slopes) / np.maximum(total, 1.0))[bins]
+    near = (np.abs(position) < edge.width + 2.0) & (np.abs(slope) < _FLAT * np.abs(slope).max()) & (counts > 1)
+    index = np.searchsorted(0.5 * (position[1:] + position[:-1]), d)
+    off = np.square(light - profile[index] - slope[index] * (d - position[index]))
+    floor = (_UNEVEN * edge.step) ** 2  # of light that changes along the edge
+    expected = (counts - 1.0) * (counts * variances + floor)
+    return float(off[near[index]].sum()), float(expected[near].sum())

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -24,7 +25,7 @@ Mask = NDArray[np.bool_]
 _BINS_PER_PIXEL = 16  # number of bins per pixel; a bin holds the mean position and the mean value of its samples
 _MAX_GAP = 0.25  # largest distance between samples of the profile, pixels: the width of the bins of ISO 12233
 _MARGIN = 5.0  # smallest distance of the edge from the sides of the picture, pixels
-MIN_ANGLE, MAX_ANGLE = 2.0, 40.0
+MIN_ANGLE, MAX_ANGLE = 2.0, 45.0
 """Angle between the edge and the rows or columns, degrees."""
 _MIN_CONTRAST = 5.0  # smallest step at the edge divided by the standard deviation of the noise of a pixel
 _PLATEAU = 0.5  # fraction of the profile over which its window function is 1; it falls to 0 like cos^2 at both ends
@@ -39,6 +40,7 @@ SIGMA = 4.5
 _SETTLED = 0.01  # change in a step at which the fit of the edge ends, pixels
 _MIN_CURVATURE = 0.01  # smallest that is corrected, pixels
 _REST = 3.0  # standard errors of the slope of both sides beside that of a trend
+_ALIKE = 4.0  # largest ratio of the quadratic fall-off of light across and along an edge
 MIN_TREND = 0.02
 """Smallest trend of the light over the picture, as a fraction, that is corrected: it changes responses by 0.007."""
 _OUTLIER, _SLOPE, _LEAST = 6.0, 0.3, 0.02  # of outliers: standard deviations, pixels, fraction of the step
@@ -141,8 +143,8 @@ def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
 
 def require_measurable(edge: Edge, pitch: float) -> None:
     """Raise ValueError if an edge is too near to a side, at another angle, or leaves gaps in its profile."""
-    degrees = math.degrees(math.atan(abs(edge.slope)))
-    if not MIN_ANGLE <= degrees <= MAX_ANGLE:
+    degrees = math.degrees(math.atan(abs(edge.slope)))  # above 45 if columns and rows are near alike
+    if degrees < MIN_ANGLE:
         raise ValueError(
             f"image must have an edge at {MIN_ANGLE:g} to {MAX_ANGLE:g} degrees to its rows or columns, "
             f"got {degrees:.2g}"
@@ -277,53 +279,83 @@ def _width(nodes: Array, values: Array, levels: tuple[float, float]) -> float:
 def _sides(
     light: Array, distance: Array, reach: float, used: Mask
 ) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the mean light on both sides of an edge, and the variances of planes through it."""
-    planes = [_plane(light, distance, reach, used, side) for side in (-1.0, 1.0)]
-    return (planes[0][0], planes[1][0]), (planes[0][1], planes[1][1])
+    """Return the mean light on both sides of an edge, and the variances of its noise."""
+    planes = [_side(light, distance, reach, used, side) for side in (-1.0, 1.0)]
+    return (planes[0].mean, planes[1].mean), (planes[0].variance, planes[1].variance)
 
 
-def _plane(light: Array, distance: Array, reach: float, used: Mask, side: float) -> tuple[float, float, Array, Array]:
-    """Return mean, variance, coefficients (light at the edge, slopes per pixel) and their errors^2 of one side."""
+class _Side(NamedTuple):
+    """Light of one side of an edge, and its fit.
+
+    `terms` and `errors` (squares) are those of the light at the edge, the slopes across and along it, per pixel, and
+    the Legendre polynomial of degree 2 along it. `place` is the mean distance of the pixels.
+    """
+
+    mean: float
+    variance: float
+    terms: Array
+    errors: Array
+    place: float
+
+
+def _side(light: Array, distance: Array, reach: float, used: Mask, side: float) -> _Side:
+    """Return the light of one side (sign of the distance) of an edge, far from it."""
     chosen = used & (side * distance > _FAR * reach)
-    rows = np.broadcast_to((np.arange(len(light)) - 0.5 * (len(light) - 1))[:, None], light.shape)
-    values, design = light[chosen], np.stack([np.ones(int(chosen.sum())), distance[chosen], rows[chosen]])
+    rows = np.arange(len(light)) - 0.5 * (len(light) - 1)
+    bend = _bend(len(light))
+    values, far, index = light[chosen], distance[chosen], np.nonzero(chosen)[0]
     if values.size < _FEW:
         raise ValueError(f"image must show both sides of an edge, got {values.size} known pixels on one")
     off = np.abs(values - np.partition(values, values.size // 2)[values.size // 2])
     kept = off <= _FAR_OFF * max(float(off.mean()), 1e-12)
-    inverse = _inverse(design[:, kept] @ design[:, kept].T)
-    coefficients = inverse @ (design[:, kept] @ values[kept])
-    residual = values[kept] - coefficients @ design[:, kept]
-    variance = float(np.square(residual).sum()) / max(int(kept.sum()) - 3, 1)
-    return float(values[kept].mean()), variance, coefficients, variance * np.diag(inverse)
+    values, far, index = values[kept], far[kept], index[kept]
+    design = np.stack([np.ones(values.size), far, rows[index], bend[index]])
+    inverse = _inverse(design @ design.T)
+    terms = inverse @ (design @ values)
+    residual = values - terms @ design
+    variance = float(residual @ residual) / max(values.size - len(terms), 1)
+    return _Side(float(values.mean()), variance, terms, variance * np.diag(inverse), abs(float(far.mean())))
+
+
+def _bend(height: int) -> Array:
+    """Return the Legendre polynomial of degree 2 of the rows."""
+    return np.asarray(1.5 * np.square(np.linspace(-1.0, 1.0, height)) - 0.5)
 
 
 def _evened(
     image: Array, distance: Array, reach: float, used: Mask
 ) -> tuple[Array, float, float, tuple[float, float], tuple[float, float]]:
-    """Return the light divided by its linear trend, the trend over the picture, the change, levels, noise of sides.
+    """Return the light divided by its trend, the trend over the picture, the change, levels, noise of sides.
 
     Where the illumination is 1 + g d, sides of the light a and b have the slopes a g and b g; the tails of a blur,
-    and light that is added, change both sides by one slope.
+    and light that is added, change both sides by one slope. A quadratic fall-off across the edge, 1 + q d^2, changes
+    them alike: it is taken for one if the light falls off alike along the edge.
     """
-    planes = [_plane(image, distance, reach, used, side) for side in (-1.0, 1.0)]
-    (*_, dark, dark_errors), (*_, bright, bright_errors) = planes
-    sides = (planes[0][0], planes[1][0]), (planes[0][1], planes[1][1])
+    sides = [_side(image, distance, reach, used, side) for side in (-1.0, 1.0)]
+    dark, bright = (side.terms for side in sides)
+    dark_errors, bright_errors = (side.errors for side in sides)
+    levels = (sides[0].mean, sides[1].mean), (sides[0].variance, sides[1].variance)
     step = float(bright[0] - dark[0])
     if not abs(step) > 0.0:
-        return image, 0.0, 0.0, *sides
+        return image, 0.0, 0.0, *levels
     height = len(image)
     across = float(bright[1] - dark[1]) / step
-    across_error = math.sqrt(float(bright_errors[1] + dark_errors[1])) / abs(step)
-    weights = np.array([dark[0], bright[0]]) / np.array([dark_errors[2], bright_errors[2]]).clip(1e-300)
-    total = float(weights @ [dark[0], bright[0]])
-    along, along_error = float(weights @ [dark[2], bright[2]]) / total, 1.0 / math.sqrt(max(total, 1e-300))
-    rows = (np.arange(height) - 0.5 * (height - 1))[:, None]
+    across_error = math.sqrt(float(dark_errors[1] + bright_errors[1])) / abs(step)
+
+    def along_edge(term: int) -> tuple[float, float]:
+        """Return a term along the edge that both sides have, relative to their light, and its error."""
+        weights = np.array([dark[0], bright[0]]) / np.array([dark_errors[term], bright_errors[term]]).clip(1e-300)
+        total = float(weights @ [dark[0], bright[0]])
+        return float(weights @ [dark[term], bright[term]]) / total, 1.0 / math.sqrt(max(total, 1e-300))
+
+    along, along_error = along_edge(2)
+    bend, bend_error = along_edge(3)
     # The slope that a trend of any size, on the brighter side most, does not explain.
     rest = float(dark[1] - dark[0] * across)
     rest_error = math.hypot(across_error * float(dark[0]), math.sqrt(float(dark_errors[1])))
     across *= float(abs(across) * 2.0 * reach > max(SIGMA * across_error * 2.0 * reach, MIN_TREND))
     along *= float(abs(along) * height > max(SIGMA * along_error * height, MIN_TREND))
+    bend *= float(abs(bend) > SIGMA * bend_error)
     if across:
         common, common_error = float(dark[1] - dark[0] * across), across_error * abs(float(dark[0]))
     else:
@@ -332,12 +364,23 @@ def _evened(
     tail = common * 2.0 * reach / step
     is_common = abs(common) > SIGMA * common_error and abs(rest) > _REST * rest_error
     tail *= float(is_common and abs(tail) > MIN_TREND)
-    if not (across or along or tail < 0.0):
-        return image, 0.0, tail, *sides
-    light = image / np.maximum(1.0 + across * distance + along * rows, 0.1)
+    square, along_square = 0.0, 1.5 * bend / (0.5 * height) ** 2
+    if tail and along_square and min(dark[0], bright[0]) > 0.0:
+        slopes = float(dark[1] / dark[0]), float(bright[1] / bright[0])
+        square = (slopes[1] - slopes[0]) / (2.0 * (sides[0].place + sides[1].place))
+        if 1.0 / _ALIKE < square / along_square < _ALIKE:
+            across, tail = 0.5 * (slopes[0] + slopes[1]), 0.0
+        else:
+            square = 0.0
+    if not (across or along or bend or square or tail < 0.0):
+        return image, 0.0, tail, *levels
+    rows = (np.arange(height) - 0.5 * (height - 1))[:, None]
+    light = image / np.maximum(
+        1.0 + across * distance + along * rows + bend * _bend(height)[:, None] + square * np.square(distance), 0.1
+    )
     if tail < 0.0:  # no blur has such tails: light was added
         light = light - common * distance
-    trend = max(abs(across) * 2.0 * reach, abs(along) * height)
+    trend = max(abs(across) * 2.0 * reach, abs(along) * height, 1.5 * abs(bend), abs(square) * reach**2)
     return light, trend, tail, *_sides(light, distance, reach, used)
 
 

@@ -120,9 +120,9 @@ class EdgeResponse(Judged):
         matplotlib Axes
         """
         curves = self.channels or {"": self}
-        factor, unit = (1.0, "pixel") if self.pixel is None else (1e-3, "mm")
+        factor, unit = frequency_unit(self.pixel)
         parts = {name: (factor * one.frequencies, one.values, one.errors) for name, one in curves.items()}
-        return show.estimates.responses(parts, f"cycles/{unit}", ax)
+        return show.estimates.responses(parts, unit, ax)
 
     def to_dict(self) -> Json:
         """Return all attributes, the verdict and the frequency of the response 0.5 as plain numbers and lists."""
@@ -173,7 +173,7 @@ def sfr(
     ------
     TypeError, ValueError
         If an argument is of another type or shape; if the image is overexposed, or a mosaic that is not stated; if
-        the edge does not exceed the noise, is nearer than 5 pixels to a side or is not at 2 to 40 degrees to the rows
+        the edge does not exceed the noise, is nearer than 5 pixels to a side or is not at 2 to 45 degrees to the rows
         or columns; or if its slope is a simple fraction such as 1/3, for which gaps in the profile exceed a quarter
         pixel.
 
@@ -205,6 +205,11 @@ def sfr(
     if mosaic is None and len(counts.shape) == 2:
         require_one_colour(counts.filled(), counts.known)
     return with_processing([edge_response(counts, side, checked(encoding), mosaic)])[0]
+
+
+def frequency_unit(pixel: float | None) -> tuple[float, str]:
+    """Return the factor and the unit by which figures show frequencies of edges with this pixel pitch."""
+    return (1.0, "cycles/pixel") if pixel is None else (1e-3, "cycles/mm")
 
 
 def pixel_pitch(pixel: float | None) -> float | None:
@@ -340,8 +345,9 @@ def _measured(
     # The normal of the line x = start + slope y is along (1, -slope).
     angle = math.atan2(1.0, -edge.slope) if horizontal else math.atan2(-edge.slope, 1.0)
     contrast = edge.step / max(abs(sum(edge.levels)), 1e-300)
-    findings = Findings([*edge_findings(edge, upright[1], encoding, (values, errors)), *left_out])
-    evidence = evidence_of(edge, upright[1], (values, errors), pitch, rounded=rounded)
+    found, of_encoding = edge_findings(edge, upright[1], encoding, (values, errors))
+    findings = Findings([*found, *left_out])
+    evidence = evidence_of(edge, upright[1], (values, errors), of_encoding, pitch, rounded=rounded)
     return EdgeResponse(frequencies, values, errors, angle, float(contrast), findings, pixel), evidence, edge.line
 
 
@@ -358,7 +364,7 @@ def slanted_edge(
     shape : (int, int)
         Height and width, in pixels, of the photograph that is to be rendered from the edge.
     angle : float, default 5.0
-        Angle between the edge and the columns, degrees, 2 to 40.
+        Angle between the edge and the columns, degrees, 2 to 45.
     supersample : int, default 8
         Number of pixels of the result along the side of a pixel of the photograph, 1 to 16.
 

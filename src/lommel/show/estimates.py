@@ -421,8 +421,8 @@ def responses(curves: Mapping[str, tuple[Array, Array, Array]], unit: str, ax: A
 _MAX_NUMBERS = 120  # largest number of edges whose values are written into a map
 
 
-def sharpness(edges: Sequence[tuple[float, float, float, str]], shape: tuple[int, int]) -> Figure:
-    """Draw maps of MTF50 (column, row, cycles per pixel, "S" or "T") over a picture of this height and width."""
+def sharpness(edges: Sequence[tuple[float, float, float, str]], shape: tuple[int, int], unit: str) -> Figure:
+    """Draw maps of MTF50 (column, row, value, "S" or "T") over a picture of this height and width."""
     figure = drawing.new_figure((10.0, 1.5 + 4.2 * shape[0] / shape[1]))
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
     known = [value for _, _, value, _ in edges if math.isfinite(value)] or [0.5]
@@ -432,10 +432,10 @@ def sharpness(edges: Sequence[tuple[float, float, float, str]], shape: tuple[int
         values = np.where(np.isfinite(values), values, max(known))
         points = axes.scatter(columns, rows, c=values, vmin=min(known), vmax=max(known), s=60, cmap="viridis")
         for x, y, value in zip(columns, rows, values, strict=True) if len(edges) <= _MAX_NUMBERS else ():
-            axes.annotate(f"{value:.2f}", (x, y), (0, 6), textcoords="offset points", fontsize=6, ha="center")
+            axes.annotate(f"{value:.3g}", (x, y), (0, 6), textcoords="offset points", fontsize=6, ha="center")
         axes.set(xlim=(0, shape[1]), ylim=(shape[0], 0), aspect="equal", title=f"MTF50, {name}", xlabel="column")
     panels[0].set_ylabel("row")
-    figure.colorbar(points, ax=panels, label="cycles/pixel", shrink=0.8)
+    figure.colorbar(points, ax=panels, label=unit, shrink=0.8)
     return figure
 
 

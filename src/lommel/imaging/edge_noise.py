@@ -14,13 +14,14 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.fit.findings import Finding, untested_finding
 from lommel.imaging.edge_checks import UNTESTED
 from lommel.imaging.edge_profile import SIGMA, Edge, Mask
 
-_LARGEST_LAG = 3
+_PADDING = 6  # zeros between rows and between images: the largest lag, of pixels two apart (of a mosaic)
 _LAGS = np.array([(down, right) for down in range(4) for right in range(-3, 4) if down > 0 or right > 0])
 _RADII = np.array([0.6, 1.0, 1.6, 2.5])  # of the correlations that are tested: exp(-lag^2 / (2 radius^2)), pixels
 _DEGREE = 6  # of the polynomials of the light of each side
@@ -68,17 +69,24 @@ def evidence_of(
     found: tuple[Array, Array],
     encoding: tuple[float, float],
     pitch: float,
+    shared: list[Areas],
     *,
     rounded: bool,
 ) -> Evidence:
-    """Return the evidence of an edge, by the stored values and by its response and errors at the pixels' pitch."""
+    """Return the evidence of an edge, by the stored values and by its response and errors at the pixels' pitch.
+
+    Areas beside the edge are added to those that other colours share.
+    """
     values, errors = found
     above = float(np.max(values[1:] - 1.0 - SIGMA * errors[1:]))
     response = np.linspace(0.0, 0.5 / pitch, values.size), values, errors
     normal = np.array([-edge.slope, 1.0]) / math.hypot(1.0, edge.slope)
     spacing = 2 if pitch == 2.0 else 1
-    noise = _noise(edge, stored, rounded)
-    products, pairs = (np.zeros(len(_LAGS)),) * 2 if noise is None else _products(noise, spacing)
+    areas = next((one for one in shared if np.array_equal(one.used, edge.used)), None)
+    if areas is None:
+        shared.append(areas := Areas.of(edge, spacing))
+    noise = areas.products(stored, spacing, rounded=rounded)
+    products, pairs = (np.zeros(len(_LAGS)),) * 2 if noise is None else (noise, areas.pairs)
     excess, weights = _excess(edge)
     untested = rounded and noise is None
     return Evidence(
@@ -124,50 +132,64 @@ def processing_findings(edges: Sequence[Evidence]) -> list[Finding]:
     return [untested_finding(items, {"encoding": change, "filter": tested.hidden})] if items else []
 
 
-def _noise(edge: Edge, stored: Array, rounded: bool) -> Array | None:
-    """Return images of the noise, 1 rms, of the areas beside an edge, and of what was fitted; None without.
+@dataclass(frozen=True, eq=False)
+class Areas:
+    """The areas beside an edge in which noise is tested, by `used` pixels; colours of one edge share them.
 
-    The light of each side, with the halo of the edge, is a polynomial, of which each image holds an orthonormal term.
+    `sides` have the pixels and an orthonormal basis of their light, polynomials, so that the halo of the edge is no
+    noise. Of pixels at lags, `pairs` are the numbers, and `fitted` the sums of the covariance of white noise that is
+    fitted: the fit Q Q^T leaves residuals of the covariance 1 - Q Q^T.
     """
-    height, width = stored.shape
-    flat = edge.used & (np.abs(edge.distance) > max(0.5 * edge.reach, min(edge.width, 0.7 * edge.reach)))
-    padding = 2 * _LARGEST_LAG  # zeros part the rows, and the images
-    images = np.zeros((1 + (_DEGREE + 1) * (_DEGREE + 2) // 2, height + padding, width + padding), np.float32)
-    v = np.broadcast_to(np.linspace(-1.0, 1.0, height)[:, None], stored.shape)
-    for sign in (-1.0, 1.0):
-        side: Mask = flat & (sign * edge.distance > 0.0)
-        if (size := int(side.sum())) < _FEW:
-            return None
-        d = sign * edge.distance[side]
-        u = 2.0 * (d - d.min()) / max(float(np.ptp(d)), 1e-12) - 1.0
-        powers = legendre.legvander(u, _DEGREE).T, legendre.legvander(v[side], _DEGREE).T
-        design = np.stack([powers[0][i] * powers[1][j] for i in range(_DEGREE + 1) for j in range(_DEGREE + 1 - i)])
-        normal = design @ design.T
-        normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12
-        basis = np.linalg.inv(np.linalg.cholesky(normal)) @ design
-        values = stored[side]
-        part = values - (basis @ values) @ basis
-        sigma = math.sqrt(float(part @ part) / (size - len(basis)))
-        if sigma <= (_ROUNDING if rounded else 1e-4 * abs(float(values.mean()))):
-            return None
-        images[0, :height, :width][side] = np.clip(part / sigma, -_CLIPPED, _CLIPPED)
-        images[1:, :height, :width][:, side] = basis
-    return images
+
+    used: Mask
+    sides: list[tuple[Mask, Array]]
+    pairs: Array
+    fitted: Array
+
+    @classmethod
+    def of(cls, edge: Edge, spacing: int) -> Areas:
+        """Return the areas beside an edge; without sides if they are small."""
+        height, width = edge.used.shape
+        far = max(0.5 * edge.reach, min(edge.width, 0.7 * edge.reach))
+        images = np.zeros((1 + (_DEGREE + 1) * (_DEGREE + 2) // 2, height + _PADDING, width + _PADDING), np.float32)
+        v = np.broadcast_to(np.linspace(-1.0, 1.0, height)[:, None], edge.used.shape)
+        sides = []
+        for sign in (-1.0, 1.0):
+            side: Mask = edge.used & (sign * edge.distance > far)
+            if side.sum() < _FEW:
+                return cls(edge.used, [], np.zeros(len(_LAGS)), np.zeros(len(_LAGS)))
+            d = sign * edge.distance[side]
+            u = 2.0 * (d - d.min()) / max(float(np.ptp(d)), 1e-12) - 1.0
+            powers = legendre.legvander(u, _DEGREE).T, legendre.legvander(v[side], _DEGREE).T
+            terms = [powers[0][i] * powers[1][j] for i in range(_DEGREE + 1) for j in range(_DEGREE + 1 - i)]
+            design = np.stack(terms)
+            normal = design @ design.T
+            normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12
+            basis = np.linalg.inv(np.linalg.cholesky(normal)) @ design
+            images[0, :height, :width][side] = 1.0
+            images[1:, :height, :width][:, side] = basis  # zeros between both sides, the rows and the images
+            sides.append((side, basis))
+        return cls(edge.used, sides, _at_lags(images[0], spacing), _at_lags(images[1:], spacing))
+
+    def products(self, stored: Array, spacing: int, *, rounded: bool) -> Array | None:
+        """Return sums of products of the noise, 1 rms, at each lag, 0 for white noise; None without noise."""
+        height, width = stored.shape
+        noise = np.zeros((height + _PADDING, width + _PADDING), np.float32)
+        for side, basis in self.sides:
+            values = stored[side]
+            part = values - (basis @ values) @ basis
+            sigma = math.sqrt(float(part @ part) / (values.size - len(basis)))
+            if sigma <= (_ROUNDING if rounded else 1e-4 * abs(float(values.mean()))):
+                return None
+            noise[:height, :width][side] = np.clip(part / sigma, -_CLIPPED, _CLIPPED)
+        return _at_lags(noise, spacing) + self.fitted if self.sides else None
 
 
-def _products(images: Array, spacing: int) -> tuple[Array, Array]:
-    """Return sums of products of noise at each lag, less those of the fit of white noise, and their numbers.
-
-    The fit Q Q^T of white noise leaves residuals of the covariance 1 - Q Q^T.
-    """
-    noise, fitted = images[0].ravel(), images[1:].ravel()
-    known = (noise != 0.0).astype(np.float32)
-    products, pairs = np.zeros(len(_LAGS)), np.zeros(len(_LAGS))
-    for k, (down, right) in enumerate(spacing * _LAGS):
-        lag = int(down * images.shape[2] + right)
-        pairs[k] = known[:-lag] @ known[lag:]
-        products[k] = noise[:-lag] @ noise[lag:] + fitted[:-lag] @ fitted[lag:]
-    return products, pairs
+def _at_lags(images: NDArray[np.float32], spacing: int) -> Array:
+    """Return the sums of products of pixels of images, parted by zeros, at each lag."""
+    flat, width = images.ravel(), images.shape[-1]
+    lags = [int(down * width + right) for down, right in spacing * _LAGS]
+    return np.array([flat[:-lag] @ flat[lag:] for lag in lags], float)
 
 
 class _Correlation(NamedTuple):

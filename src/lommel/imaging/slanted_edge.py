@@ -17,7 +17,7 @@ from lommel.base.encoding import Encoding, checked, to_light
 from lommel.base.units import per_mm
 from lommel.fit.findings import Finding, Findings, Judged
 from lommel.imaging.edge_checks import compression_findings, edge_findings, require_one_colour
-from lommel.imaging.edge_noise import Evidence, evidence_of, processing_findings
+from lommel.imaging.edge_noise import Areas, Evidence, evidence_of, processing_findings
 from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask, locate, require_measurable, response
 from lommel.recorded.counts import Counts, counts_of
 
@@ -270,9 +270,10 @@ def edge_response(
     found: dict[str, EdgeResponse] = {}
     evidence: dict[str, Evidence] = {}
     line: Array | None = None
+    shared: list[Areas] = []
     for name in sorted(planes, key=lambda name: name != "green"):  # first, for the others start from its edge
         plane = planes[name] if inside is None else planes[name]._replace(known=planes[name].known & inside)
-        found[name], evidence[name], line = _measured(plane, encoding, pixel, left_out, line, rounded=rounded)
+        found[name], evidence[name], line = _measured(plane, encoding, pixel, left_out, line, shared, rounded=rounded)
     if "" in found:
         return found[""], evidence
     return replace(found["green"], channels={name: found[name] for name in planes}), evidence
@@ -325,6 +326,7 @@ def _measured(
     pixel: float | None,
     left_out: list[Finding],
     line: Array | None,
+    shared: list[Areas],
     *,
     rounded: bool,
 ) -> tuple[EdgeResponse, Evidence, Array]:
@@ -347,7 +349,7 @@ def _measured(
     contrast = edge.step / max(abs(sum(edge.levels)), 1e-300)
     found, of_encoding = edge_findings(edge, upright[1], encoding, (values, errors))
     findings = Findings([*found, *left_out])
-    evidence = evidence_of(edge, upright[1], (values, errors), of_encoding, pitch, rounded=rounded)
+    evidence = evidence_of(edge, upright[1], (values, errors), of_encoding, pitch, shared, rounded=rounded)
     return EdgeResponse(frequencies, values, errors, angle, float(contrast), findings, pixel), evidence, edge.line
 
 

@@ -9,7 +9,15 @@ import pytest
 
 import bead_fields
 import lommel as lm
-from lommel.estimation.bead_table import chromatic_shifts, focal_surface, gaussian_fit, heights, row_of, summary
+from lommel.estimation.bead_table import (
+    chromatic_shifts,
+    focal_surface,
+    gaussian_fit,
+    heights,
+    middle_of,
+    row_of,
+    summary,
+)
 from lommel.measures.spot import profile_width
 
 
@@ -58,14 +66,20 @@ def test_tilt_and_curvature_of_the_focal_surface_are_found_whatever_the_heights_
     x, y = places.T
     truth = {"tilt_x": 3e-3, "tilt_y": -1e-3, "curvature": 40.0}
     z = 3e-3 * x - 1e-3 * y + 20.0 * (x**2 + y**2) + np.repeat([0.0, 7e-7], 12)
-    covariance = np.full((24, 24), 4e-16) + np.diag(np.full(24, 1e-18))
-    sizes = []
+    covariance, sizes, middle = np.full((24, 24), 4e-16) + np.diag(np.full(24, 1e-18)), [], (1e-4, 2e-4)
+
+    def table(z):
+        """Return rows with heights from the mean of each image."""
+        pairs = zip(*heights(covariance, z, groups), places + middle, groups, strict=True)
+        return [{"height": h, "height_error": e, "x": x, "y": y, "file": file} for h, e, (x, y), file in pairs]
+
     for _ in range(40):
-        noise = rng.normal(0.0, 1e-9, 24) + rng.normal(0.0, 2e-8)
-        found = focal_surface(covariance, z + noise, places, groups)
+        found = focal_surface(table(z + rng.normal(0.0, 1e-9, 24) + rng.normal(0.0, 2e-8)), middle)
         sizes.append([(found[name] - truth[name]) / found[f"{name}_error"] for name in truth])
     assert 0.75 < np.sqrt(np.mean(np.square(sizes))) < 1.15
-    assert focal_surface(covariance[:4, :4], z[:4], places[:4], groups[:4]) is None
+    assert focal_surface(table(z)[:4], middle) is None
+    np.testing.assert_allclose(middle_of(table(z)), places.mean(axis=0) + middle, rtol=1e-12)
+    assert focal_surface([{"height": None, "x": None, "y": 0.0, "file": ""}], middle_of([])) is None
 
 
 def test_beads_of_two_channels_are_paired_by_place_and_date():

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
 import pytest
 
+from lommel.report import bead_page
 from lommel.report.bead_page import page, read_csv, write_csv
 
 
@@ -14,6 +16,7 @@ def rows(date="2026-12-01", wave=5.2e-7, count=5):
     pair = {"gauss_x": 2.6e-7, "gauss_y": 2.7e-7, "gauss_z": 8e-7, "asymmetry": 0.97, "strehl": 0.82, "height": 4e-9}
     return [
         {"bead": f"<b>{k}", "file": "field.tif", "date": date, "verdict": "converged", "wavelength": wave}
+        | {"joint_fit": f"joint {wave}"}
         | {"x": 1e-5 * k, "y": 1e-5 * (k * k % 3), "chi2": 1.0, "noll 5 astigmatism 45": 0.1, "rms": None}
         | {"x_error": 2e-9, "y_error": 2e-9, "focus": 1e-7 + 1e-8 * k, "focus_error": 3e-9, "z": None}
         | {name: value * (1.0 + 0.01 * k) for name, value in pair.items()}
@@ -40,19 +43,22 @@ def test_another_table_is_refused(tmp_path, text):
 
 
 def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
-    surface = {"tilt_x": 1e-3, "tilt_x_error": 1e-5, "tilt_y": 0.0, "tilt_y_error": 1e-5, "chi2": 1.1, "beads": 5}
-    surface |= {"curvature": 30.0, "curvature_error": 1.0}
     both = [*rows("2026-11-01"), *rows(), *rows(wave=6.1e-7)]
-    text = page("Beads: <lens>", [("files", "a & b")], "converged", surface, both, ["a note"])
+    text = page("Beads: <lens>", [("files", "a & b")], both, ["a note"])
     assert not re.search(r"<script|https?://(?!www\.w3\.org|purl|creativecommons|matplotlib)|<b>|<lens>", text)
     assert text.count("<svg") == 4  # maps of two channels, curves, trend
     titles = re.findall(r"<h2>(.*?)</h2>", text)
     assert titles == [
-        "Widths, Strehl ratio, wavefront", "Over the field", "Chromatic shifts", "Trend", "Beads", "Notes",
+        "Verdicts", "Widths, Strehl ratio, wavefront", "Over the field", "Chromatic shifts", "Trend", "Beads",
+        "Notes",
     ]  # fmt: skip
     for part in (
-        "100.0 ± 1.0",
+        "520 nm: focal surface (stage position), 5 beads",
+        "610 nm: focal surface (stage position), 5 beads",
         "tilt along x",
+        "joint 5.2e-07",
+        "joint 6.1e-07",
+        "5 converged",
         "2026-11-01",
         "mean of 5",
         "610 nm − 520 nm",
@@ -60,10 +66,24 @@ def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
         "a &amp; b",
     ):
         assert part in text, part
-    alone = page("Beads", [], "converged", None, rows(count=1), [])
+    alone = page("Beads", [], rows(count=1), [])
     assert not re.search(r"Chromatic shifts</h2>|Trend|focal surface", alone)
+    assert "520 nm: no tilt or field curvature: they need 5 beads with heights, not all on a line." in alone
 
 
 def test_a_mean_of_equal_beads_has_the_error_of_their_errors():
     equal = [row | {"gauss_x": 2.6e-7, "gauss_x_error": 2.6e-9} for row in rows()]
-    assert "260.0 ± 1.2" in page("Beads", [], "", None, equal, [])
+    assert "260.0 ± 1.2" in page("Beads", [], equal, [])
+
+
+def test_distances_count_from_the_middle_of_all_channels(monkeypatch):
+    seen = []
+    monkeypatch.setattr(bead_page.estimates, "bead_curves", seen.extend)
+    monkeypatch.setattr(bead_page, "_figure", lambda _: "")
+    few = rows(wave=6.1e-7)[:1]
+    page("Beads", [], [*rows(), *few], [])
+    x, y = (np.array([row[key] for row in [*rows(), *few]]) for key in "xy")
+    away = 1e6 * np.hypot(x - x.mean(), y - y.mean())
+    series = seen[0][3]
+    np.testing.assert_allclose(series["x, 520 nm"][0], away[:5])
+    np.testing.assert_allclose(series["x, 610 nm"][0], away[5:])

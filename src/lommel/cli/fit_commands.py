@@ -5,7 +5,8 @@ from __future__ import annotations
 import errno
 import math
 import re
-from collections.abc import Sequence
+import time
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
@@ -51,8 +52,8 @@ _MOST_CROSSINGS = 100
 _WAVE = 2.0 * math.pi  # radians
 _FIELD_FACTOR = 1.6  # images whose side exceeds this multiple of the window show a field with several beads
 _MUCH_LARGER = 1.5  # images whose sides exceed this multiple of the window around a star are cut
-_MAX_BEADS = 20  # largest number of beads that are fitted
 _MAX_PITCH_DIFFERENCE = 0.05  # relative: five times the error of the pixel pitch that a fit allows for
+_LONG = 45.0  # seconds: fits that take longer are announced
 _SHAPE = "(beads, planes, height, width)"
 _TABLE, _PAGE = "table.csv", "report.html"  # files of a report
 _SUFFIXES = ".tif", ".tiff", ".npy", ".fits", ".fit", ".fits.gz", ".zarr"  # stacks in a folder
@@ -531,7 +532,7 @@ def beads(
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
         windows, pitches, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
-        z, sides = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step, dict[str, tuple[int, ...]]()
+        z = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step
         sharpest = _sharpest(microscope, z, options)
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
@@ -543,7 +544,6 @@ def beads(
                     pitches[pitch] = _pitch_finding(pitch, stack.metadata.get(key), microscope)
             notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
             recorded_planes = stack[...]
-            sides[file] = recorded_planes.shape[1:]
             mask = camera.mask_of(recorded_planes)
             ignored = np.broadcast_to(False if mask is None else mask, recorded_planes.shape)
             masked = StackView(recorded_planes, math.inf if saturation is None else saturation, mask=ignored)
@@ -553,7 +553,7 @@ def beads(
             hidden = ignored | hot
             values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
             windows += _beads(file, values, Counts.of(values, noise=noise, saturation=saturation), window, notes)
-        cut_out = [bead.window for bead in windows[:_MAX_BEADS]]
+        cut_out = [bead.window for bead in windows]
         status("fitting")
 
         def fitted(beads: list[Values], model: Microscope) -> BeadFit:
@@ -565,20 +565,25 @@ def beads(
             )
 
         result = fitted(cut_out, microscope)
-        files_of = [bead.file for bead in windows[:_MAX_BEADS]]
+        files_of = [bead.file for bead in windows]
         relative = heights(result.z_covariance, np.array([bead.z for bead in result.beads]), files_of)
         if folder is not None and earlier is not None:
-            report = _BeadReport(lens.stem, microscope, result, windows[: len(cut_out)], relative, noise, used_step)
+            report = _BeadReport(lens.stem, microscope, result, windows, relative, noise, used_step)
             alone = replace(microscope, aberrations=result.aberrations) if result.converged else microscope
-            fits = [result if len(cut_out) == 1 else fitted([bead], alone) for bead in cut_out]
+
+            def each() -> Iterator[BeadFit]:
+                start, others = time.monotonic(), len(cut_out) - 1
+                for k, bead in enumerate(cut_out):
+                    if k == 1 and (left := (time.monotonic() - start) * others) > _LONG:
+                        status.tell(f"The fits of {others} more single beads take about {left / 60.0:.0f} minutes.")
+                    yield fitted([bead], alone) if others else result
+
             dates = {path.name: _date(path) for path in stacks}
-            table = report.write(folder, fits, earlier, dates, sides)
+            table = report.write(folder, each(), earlier, dates)
     result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))
     if output is not None:
         _fitted(microscope, result, used_step).save(output)
     save_figure(result.plot, figure)
-    if len(windows) > _MAX_BEADS:
-        notes.append(f"The first {_MAX_BEADS} of {len(windows)} beads were taken.")
     facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes, "fwhm": None}
     if result.converged:
         with suppress(ValueError):  # strong aberrations have no single focus
@@ -586,12 +591,12 @@ def beads(
             facts["fwhm"] = dict(zip("xyz", widths, strict=True))
     facts["places"] = [
         fit | {"row": fit["row"] + bead.corner[0], "column": fit["column"] + bead.corner[1]}
-        for fit, bead in zip(facts["beads"], windows, strict=False)
+        for fit, bead in zip(facts["beads"], windows, strict=True)
     ]
     if np.isfinite(relative[0][[bead.used for bead in result.beads]]).all():
         for place, height, error in zip(facts["places"], *map(plain, relative), strict=True):
             place["height"], place["errors"] = height, place["errors"] | {"height": error}
-    facts["beads"] = [window.name for window in windows[:_MAX_BEADS]]
+    facts["beads"] = [window.name for window in windows]
     if folder is not None:
         facts["report"] = plain(table)
     status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
@@ -721,11 +726,10 @@ class _BeadReport(NamedTuple):
     step: float
 
     def write(
-        self, folder: Path, fits: list[BeadFit], earlier: list[dict[str, Any]], dates: dict[str, str],
-        sides: dict[str, tuple[int, ...]],
+        self, folder: Path, fits: Iterable[BeadFit], earlier: list[dict[str, Any]], dates: dict[str, str],
     ) -> dict[str, Any]:  # fmt: skip
         """Write table and page, with the rows of earlier runs but those of the same files; return their numbers."""
-        from lommel.estimation.bead_table import focal_surface, row_of
+        from lommel.estimation.bead_table import focal_surface, middle_of, row_of
         from lommel.report.bead_page import page, write_csv
 
         result, microscope, rows = self.result, self.microscope, list[dict[str, Any]]()
@@ -739,11 +743,8 @@ class _BeadReport(NamedTuple):
                 | {"wavelength": microscope.wavelength, **row_of(fit, self.noise, self.step, pixel, window.corner)}
                 | {"z": bead.z, "z_error": None if math.isnan(z_error) else z_error}
                 | {"height": heights[0], "height_error": heights[1], "flux": float(bead.flux.sum())}
+                | {"joint_fit": result.message}
             )
-        middles = [[0.5 * (side - 1.0) * pixel for side in sides[window.file][::-1]] for window in self.windows]
-        places = np.array([[row["x"], row["y"]] for row in rows], dtype=float) - middles
-        groups = [window.file for window in self.windows]
-        surface = focal_surface(result.z_covariance, np.array([bead.z for bead in result.beads]), places, groups)
         same = {(row["file"], row["wavelength"], row["date"]) for row in rows}
         kept = [row for row in earlier if (row["file"], row["wavelength"], row["date"]) not in same]
         facts = [
@@ -753,17 +754,15 @@ class _BeadReport(NamedTuple):
             ("pixel in the sample", format_length(pixel, digits=4)),
             ("step between planes", format_length(abs(self.step), digits=4)),
             ("diameter of beads", format_length(result.diameter, digits=3)),
-            ("files", ", ".join(dict.fromkeys(groups))),
+            ("files", ", ".join(dict.fromkeys(window.file for window in self.windows))),
             ("dates", ", ".join(sorted({row["date"] for row in rows}))),
         ]
         title, notes = f"Beads: {name}", [f"{one.severity}: {one.text}" for one in result.findings]
         folder.mkdir(exist_ok=True)
         write_csv(folder / _TABLE, [*kept, *rows])
-        good = sum(fit.converged for fit in fits)
-        verdict = f"One wavefront for all beads: {result.message}. Each bead alone: {good} of {len(fits)} converged."
-        text = page(title, facts, verdict, surface, [*kept, *rows], notes)
+        text = page(title, facts, [*kept, *rows], notes)
         atomic.write(folder / _PAGE, text.encode())
-        return {"table": rows, "surface": surface}
+        return {"table": rows, "surface": focal_surface(rows, middle_of(rows))}
 
 
 def _beads(file: str, planes: Values, counts: Counts, window: int, notes: list[str]) -> list[_Bead]:

@@ -7,6 +7,7 @@ A row is a mapping from the names of quantities to numbers in SI units (None: un
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
@@ -126,32 +127,41 @@ def heights(covariance: Array, z: Array, groups: Sequence[object]) -> tuple[Arra
     return found[0], found[1]
 
 
-def focal_surface(covariance: Array, z: Array, places: Array, groups: Sequence[object]) -> dict[str, Any] | None:
+def middle_of(rows: Sequence[Row]) -> tuple[float, float]:
+    """Return the mean of x and of y of beads, metres; 0 if none is known."""
+    known = [(row["x"], row["y"]) for row in rows if None not in (row["x"], row["y"])]
+    x, y = np.mean(known, axis=0).tolist() if known else (0.0, 0.0)
+    return x, y
+
+
+def focal_surface(rows: Sequence[Row], middle: tuple[float, float]) -> dict[str, Any] | None:
     """Return tilt (radians) and curvature (1 / m) of the surface z = a + b x + c y + d (x^2 + y^2) / 2, with errors.
 
-    Each group, an image, has its own a. `places` (beads, 2) are x and y in the sample, metres, from the middle of the
-    field. Errors are larger by the root of chi2 where heights scatter more than their errors: beads that lie at
-    several heights. None for too few beads.
+    z are the heights of rows, each image has its own a, and x and y count from `middle`, metres in the sample. Errors
+    are larger by the root of chi2 where heights scatter more than their errors: beads that lie at several heights.
+    None for too few beads.
     """
-    k: list[int] = np.flatnonzero(np.isfinite(np.diag(covariance)) & np.isfinite(places).all(axis=1)).tolist()
-    names = list(dict.fromkeys(groups[j] for j in k))
-    x, y = places[k].T
+    known = [row for row in rows if None not in (row.get("height"), row["x"], row["y"])]
+    files = Counter(row["file"] for row in known)
+    x, y = (np.array([row[key] for row in known]) - origin for key, origin in zip("xy", middle, strict=True))
     reach = max(float(np.hypot(x, y).max(initial=0.0)), 1e-9)
-    columns = [np.array([groups[j] == name for j in k], dtype=float) for name in names]
+    columns = [np.array([row["file"] == file for row in known], dtype=float) for file in files]
     design = np.stack([*columns, x / reach, y / reach, 0.5 * (x**2 + y**2) / reach**2], axis=1)
-    freedom = len(k) - design.shape[1]
+    freedom = len(known) - design.shape[1]
     if freedom < 1 or np.linalg.matrix_rank(design) < design.shape[1]:
         return None
-    root = np.linalg.cholesky(covariance[np.ix_(k, k)])
-    whitened, data = (np.linalg.solve(root, part) for part in (design, z[k]))
+    # Heights are differences from the mean of n beads, whose errors are smaller by sqrt(1 - 1 / n).
+    shares = np.array([1.0 - 1.0 / files[row["file"]] for row in known])
+    errors = np.array([row["height_error"] for row in known]) / np.sqrt(shares)
+    whitened, data = design / errors[:, None], np.array([row["height"] for row in known]) / errors
     found, normal = np.linalg.lstsq(whitened, data, rcond=None)[0], np.linalg.inv(whitened.T @ whitened)
     chi2 = float(((data - whitened @ found) ** 2).sum()) / freedom
-    errors = np.sqrt(np.diag(normal) * max(1.0, chi2))
     units = np.array([1.0 / reach, 1.0 / reach, 1.0 / reach**2])
-    terms = "tilt_x", "tilt_y", "curvature"
-    values, deviations = found[-3:] * units, errors[-3:] * units
-    facts: dict[str, Any] = {"chi2": chi2, "beads": len(k)}
-    for name, value, error in zip(terms, values.tolist(), deviations.tolist(), strict=True):
+    values, deviations = found[-3:] * units, np.sqrt(np.diag(normal) * max(1.0, chi2))[-3:] * units
+    facts: dict[str, Any] = {"chi2": chi2, "beads": len(known)}
+    for name, value, error in zip(
+        ("tilt_x", "tilt_y", "curvature"), values.tolist(), deviations.tolist(), strict=True
+    ):
         facts |= {name: value, f"{name}_error": error}
     return facts
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
@@ -15,10 +16,11 @@ import numpy as np
 from lommel.base import atomic
 from lommel.base.arrays import Array
 from lommel.base.units import number, with_error
-from lommel.estimation.bead_table import MEASURES, Row, chromatic_shifts, summary
+from lommel.estimation.bead_table import MEASURES, Row, chromatic_shifts, focal_surface, middle_of, summary
 from lommel.show import drawing, estimates
 
 _TEXTS = "bead", "file", "date", "verdict"
+_JOINT = "joint_fit"  # the verdict of the joint fit of the beads of a run
 _IN_TABLE = (
     "gauss_x", "gauss_y", "gauss_z", "fwhm_x", "fwhm_y", "fwhm_z", "asymmetry", "strehl", "rms", "z", "height",
     "focus",
@@ -43,19 +45,21 @@ _NOTES = (
 )
 _STYLE = """
 :root { color-scheme: light dark; --line: #8886; --mark: #8882; }
-body { font: 15px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 72rem; padding: 1rem; }
+body { font: 15px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 76rem; padding: 1rem; }
 h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.15rem; margin: 2rem 0 .5rem; }
 figure, .table { margin: .5rem 0; overflow-x: auto; }
-svg { max-width: 100%; height: auto; min-width: 20rem; } svg text { fill: currentColor; }
+svg { max-width: max(100%, 38rem); height: auto; } svg text { fill: currentColor; }
 table { border-collapse: collapse; font-size: .86rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .2rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
+th, td { padding: .2rem .5rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; white-space: normal; vertical-align: bottom; }
-th:first-child, td:first-child { text-align: left; }
+th:first-child, td:first-child, .text th, .text td { text-align: left; white-space: normal; overflow-wrap: anywhere; }
+th:first-child, td:first-child { position: sticky; left: 0; min-width: 6.5rem; background: Canvas; }
 tr:nth-child(even) td { background: var(--mark); }
-p.verdict { border-left: .3rem solid currentColor; padding-left: .7rem; }
+tr:nth-child(even) td:first-child { background: linear-gradient(var(--mark), var(--mark)), Canvas; }
 @media print { @page { size: A4 landscape; margin: 12mm; } :root { color-scheme: light; }
   body { max-width: none; padding: 0; font-size: 9pt; } table { font-size: 7pt; } th, td { padding: .1rem .3rem; }
-  figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .table { overflow: visible; } }
+  figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .table { overflow: visible; }
+  svg { max-width: 100%; } th:first-child, td:first-child { position: static; } }
 """
 
 
@@ -94,9 +98,10 @@ def read_csv(path: Path) -> list[Row]:
         raise ValueError(f"{path.name} is no table of beads that this command wrote: name another folder")
     try:
         return [
-            {n: v if n in _TEXTS else float(v) / _factor(n) if v else None for n, v in zip(names, line, strict=True)}
+            {n: v if n in (*_TEXTS, _JOINT) else float(v) / _factor(n) if v else None
+             for n, v in zip(names, line, strict=True)}
             for line in lines[1:]
-        ]
+        ]  # fmt: skip
     except ValueError as error:
         raise ValueError(f"{path.name} has a cell that is no number: {error}") from None
 
@@ -114,11 +119,11 @@ def _value(row: Mapping[str, Any], name: str, factor: float, sign: str = " ± ")
     return drawing.true_minus(sign.join(pair))
 
 
-def _table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+def _table(head: Iterable[str], rows: Iterable[Iterable[str]], kind: str = "") -> str:
     cells = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
     return (
-        f'<div class="table"><table><thead><tr>{"".join(f"<th>{escape(name)}</th>" for name in head)}</tr></thead>'
-        f"<tbody>{cells}</tbody></table></div>"
+        f'<div class="table{kind}"><table><thead><tr>{"".join(f"<th>{escape(name)}</th>" for name in head)}</tr>'
+        f"</thead><tbody>{cells}</tbody></table></div>"
     )
 
 
@@ -177,12 +182,12 @@ def _drawn(rows: Sequence[Row]) -> list[str]:
         maps = [one for one in maps if np.isfinite(one[1]).sum() >= _LEAST_MAP]
         if maps and np.isfinite(x).sum() >= _LEAST_MAP and np.nanmax(x) - np.nanmin(x) > _LEAST_SPREAD:
             parts.append(_figure(estimates.bead_maps(x, y, maps)))
-    curves = []
+    curves, middle = [], middle_of(rows)
     for title, names in (("lateral FWHM", ("gauss_x", "gauss_y")), ("axial FWHM", ("gauss_z", "fwhm_z"))):
         series = dict[str, tuple[Array, Array, Array]]()
         for channel, beads in _channels(rows).items():
             x, y = _array(beads, "x"), _array(beads, "y")
-            away = 1e6 * np.hypot(x - np.nanmean(x), y - np.nanmean(y))
+            away = 1e6 * np.hypot(x - middle[0], y - middle[1])
             series |= {
                 f"{MEASURES[n][0].split(', ')[1] if n[-1] == 'z' else n[-1]}, {channel}": (
                     away, 1e9 * _array(beads, n), 1e9 * _array(beads, f"{n}_error"),
@@ -191,6 +196,41 @@ def _drawn(rows: Sequence[Row]) -> list[str]:
             }  # fmt: skip
         curves.append((title, "distance from the middle of the beads (µm)", "FWHM (nm)", series))
     return [*parts, _figure(estimates.bead_curves(curves))]
+
+
+def _surfaces(rows: Sequence[Row]) -> list[str]:
+    parts = []
+    for channel, beads in _channels(rows).items():
+        surface = focal_surface(beads, middle_of(rows))
+        if surface is None:
+            files = {row["file"] for row in beads if row.get("height") is not None}
+            parts.append(
+                f"<p>{channel}: no tilt or field curvature: they need {max(len(files), 1) + 4} beads with heights, "
+                "not all on a line.</p>"
+            )
+            continue
+        lines = [
+            ("tilt along x (nm over 100 µm)", _value(surface, "tilt_x", 1e5)),
+            ("tilt along y (nm over 100 µm)", _value(surface, "tilt_y", 1e5)),
+            ("field curvature (nm of height, 100 µm from the middle)", _value(surface, "curvature", 5.0)),
+            ("chi2 of heights about this surface", number(surface["chi2"])),
+        ]
+        parts.append(_table((f"{channel}: focal surface (stage position), {surface['beads']} beads", ""), lines))
+    return parts
+
+
+def _verdicts(rows: Sequence[Row]) -> str:
+    """Return the table of the verdicts on files: of the fits of single beads, and of the joint fit."""
+    files = dict[tuple[str, float], list[Row]]()
+    for row in rows:
+        files.setdefault((row["file"], row["wavelength"]), []).append(row)
+    lines = []
+    for (file, wave), beads in files.items():
+        found = Counter(row["verdict"].replace("_", " ") for row in beads)
+        counts = ", ".join(f"{count} {verdict}" for verdict, count in found.most_common())
+        lines.append([file, _nanometres(wave), counts, beads[0].get(_JOINT) or "–"])
+    head = "file", "channel", "fit of each bead alone", "fit of one wavefront to the beads of the run"
+    return _table(head, lines, " text")
 
 
 def _chromatic(rows: Sequence[Row]) -> list[str]:
@@ -246,23 +286,15 @@ def _trend(rows: Sequence[Row]) -> list[str]:
 
 
 def page(
-    title: str, facts: Sequence[tuple[str, str]], verdict: str, surface: Mapping[str, Any] | None,
-    rows: Sequence[Row], notes: Sequence[str],
+    title: str, facts: Sequence[tuple[str, str]], rows: Sequence[Row], notes: Sequence[str],
 ) -> str:  # fmt: skip
     """Return the page of rows: those of the newest date in tables and maps, all of them in the trend."""
     newest = max(row["date"] for row in rows)
     shown = [row for row in rows if row["date"] == newest]
-    parts = [f"<h1>{escape(title)}</h1>", f'<p class="verdict">{escape(verdict)}</p>', _table(("", ""), facts)]
+    parts = [f"<h1>{escape(title)}</h1>", _table(("", ""), facts, " text")]
+    parts += ["<h2>Verdicts</h2>", _verdicts(shown)]
     parts += ["<h2>Widths, Strehl ratio, wavefront</h2>", *_summaries(shown)]
-    parts += ["<h2>Over the field</h2>", *_drawn(shown)]
-    if surface is not None:
-        lines = [
-            ("tilt along x (nm over 100 µm)", _value(surface, "tilt_x", 1e5)),
-            ("tilt along y (nm over 100 µm)", _value(surface, "tilt_y", 1e5)),
-            ("field curvature (nm of height, 100 µm from the middle)", _value(surface, "curvature", 5.0)),
-            ("chi2 of heights about this surface", number(surface["chi2"])),
-        ]
-        parts.append(_table((f"focal surface (stage position), {surface['beads']} beads", ""), lines))
+    parts += ["<h2>Over the field</h2>", *_drawn(shown), *_surfaces(shown)]
     parts += _chromatic(shown) + _trend(rows) + ["<h2>Beads</h2>"]
     names = [(row["bead"], _nanometres(row["wavelength"])) for row in shown]
     places = [[_value({k: row[k]}, k, 1e6) for k in "xy"] for row in shown]

@@ -414,6 +414,62 @@ def test_several_beads_share_the_microscope():
     assert [one.used for one in found.beads] == [True] * 2
 
 
+def test_a_term_that_differs_between_beads_is_named_and_no_neighbor():
+    given = waves(7, 0.1)
+    other = given + 0.25 * np.eye(len(TERMS))[3]  # coma at the corner of the field
+    stacks = [recorded(30 + k, one, light=2e4)[0] for k, one in enumerate((given, given, other))]
+    found = fitted(stacks, OIL, **GIVEN, terms=TERMS, priors={})
+    first = found.tests[0]
+    assert first.name == "noll 8 coma x of bead 2 unlike that of the other beads"
+    assert abs(first.size[0] - 0.25) < max(5.0 * first.errors[0], 0.05)
+    assert "neighbor" not in found.message
+    assert f"the data favour {first.name}" in found.message
+    alike = fitted(stacks[:2], OIL, **GIVEN, terms=TERMS, priors={})
+    assert alike.reliable
+    assert next(one for one in alike.tests if "unlike" in one.name).log_bayes < 3.0
+
+
+def test_further_beads_have_places_and_errors_as_if_they_were_of_the_joint_fit():
+    given = waves(7, 0.1)
+    drawn = [recorded(30 + k, given, light=2e4) for k in range(4)]
+    stacks, places = [one for one, _ in drawn], [place for _, place in drawn]
+    empty = NOISE.record(np.full(stacks[0].shape, 10.0), seed=5)
+    asked = GIVEN | {"terms": TERMS, "priors": {"depth": 20e-9}}
+    every = fitted(stacks, OIL, **asked)
+    few = fitted([*stacks, empty], OIL, **asked, joint=2)
+    assert "terms and constants are those of 2 of 5 beads" in few.message
+    assert few.converged
+    for one, whole, (row, column, up) in zip(few.beads, every.beads, places, strict=False):
+        assert one.used
+        for value, true, key in ((one.row, row, "row"), (one.column, column, "column"), (one.z, up, "z")):
+            assert abs(value - true) < 4.5 * one.errors[key]
+            assert one.errors[key] == pytest.approx(whole.errors[key], rel=0.3)
+    # Errors common to all beads cancel in differences of heights.
+    z, c = np.array([one.z for one in few.beads]), few.z_covariance
+    differences = [z[k] - z[0] - places[k][2] + places[0][2] for k in (1, 2, 3)]
+    errors = [math.sqrt(c[0, 0] + c[k, k] - 2.0 * c[0, k]) for k in (1, 2, 3)]
+    assert np.abs(np.divide(differences, errors)).max() < 3.5
+    np.linalg.cholesky(c / np.sqrt(np.outer(np.diag(c), np.diag(c))))
+
+
+def test_constants_that_differ_from_the_stated_ones_are_named_with_both_values():
+    stated = Setup(OIL, WAVE, emitter_of("isotropic"), PIXEL, 0.1e-6)
+    values = {(2, 2): 0.3, "NA": 1.36, "pixel": 1.019 * PIXEL, "diameter": 0.12e-6, "sample": 1.4}
+    errors = {(2, 2): 0.01, "NA": 0.001, "pixel": 1e-9, "diameter": 8e-9, "sample": math.nan}
+    (found,) = bead_checks.stated_findings(stated, values | {"blur": 0.3}, errors | {"blur": 0.01}, ())
+    assert (found.code, found.severity, [*found.numbers]) == ("estimated", "note", ["NA"])
+    assert found.text.startswith("estimated unlike stated: NA 1.3600 +- 0.0010 (stated 1.4): terms allow")
+    assert not bead_checks.stated_findings(stated, values, errors, ["NA"])
+
+
+def test_widths_and_strehl_ratio_share_one_stack(monkeypatch):
+    found = fitted(recorded(3, waves(3, 0.1))[0], OIL, **GIVEN, terms=TERMS[:2], priors={})
+    count, focus = [], type(found)._focus
+    monkeypatch.setattr(type(found), "_focus", lambda *given: count.append(1) or focus(*given))
+    found.fwhm(depth=50e-9), found.strehl(depth=50e-9), found.fwhm(depth=50e-9)
+    assert len(count) == 2  # with and without the terms
+
+
 def test_a_bead_left_out_of_the_fit_tells_whether_its_answer_holds_for_others():
     given = waves(7)
     stacks = [recorded(30 + k, given, light=2e4)[0] for k in range(3)]

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -50,6 +50,7 @@ from lommel.fit.score_tests import (
     untested_findings,
 )
 from lommel.fit.scoring import Report, covariance
+from lommel.methods.derivative_names import Term
 from lommel.optics.layers.emitter import Dipole, emitter_of
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
@@ -76,6 +77,10 @@ _DISPLACED = "displaced along z"
 _MAX_ESTIMATES = 3  # largest number of estimates of an effect in a message
 _MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
 _WIDER_FACTOR = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
+_STATED_SIGMAS, _STATED_SHARE = (
+    3.0,
+    0.02,
+)  # difference from a stated constant that is reported: errors, and share of it
 _NEIGHBOR = 0.3  # expected light of a neighbour, divided by the light of the bead
 _MIN_DISTANCE = 2.0  # smallest distance of a neighbour, Rayleigh distances; a nearer bead would look like a wide one
 _MOVED_RATIO = 4.0  # smallest significance of a displaced plane, divided by the median of all planes
@@ -205,6 +210,9 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     tests = (*score_tests(information, gradient, unknowns, candidates), *_neighbor_tests(model, fit))
     if "jump" not in model.priors:
         tests += (*_displacement_tests(wider_model, parts, information, gradient, unknowns),)
+    if images.estimated_terms and len(model.stacks) > 1:
+        parts_of_fit = parts, information, gradient, unknowns
+        tests += (*_differing_tests(wider_model, images.estimated_terms, *parts_of_fit),)
     favoured_candidates = [candidate for candidate in candidates if candidate.name in favoured(tests)]
     for candidate in favoured_candidates:
         if candidate.known:  # a prior that is too narrow
@@ -221,6 +229,25 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     sizes = {name: f"{factor * scale:.3g}{unit} of it" for name, scale, factor, unit in units}
     notes = untested_findings(effects, sizes, priors)
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
+
+
+def _differing_tests(
+    model: BeadModel, terms: Sequence[Term], parts: Sequence[bead_images.Part], information: Array, gradient: Array,
+    unknowns: Sequence[int],
+) -> list[ScoreTest]:  # fmt: skip
+    """Return the test of the term that most likely differs between a bead and the other beads, as over a field."""
+    p, count, beads = len(gradient), len(terms), len(model.stacks)
+    common_count, size = p - len(model.bead_parameters) * beads, p + count * beads
+    square, slope = np.zeros((size, size)), np.concatenate([gradient, np.zeros(count * beads)])
+    square[:p, :p] = information
+    for j, part in enumerate(parts):
+        own, columns = part.information.sum(axis=0)[:count], [*range(common_count), *model.columns(j, common_count)]
+        rows = np.arange(p + j * count, p + (j + 1) * count)
+        square[np.ix_(rows, columns)], square[np.ix_(columns, rows)] = own, own.T
+        square[np.ix_(rows, rows)], slope[rows] = own[:, :count], part.gradient.sum(axis=0)[:count]
+    names = [f"{label(term)} of bead {j} unlike that of the other beads" for j in range(beads) for term in terms]
+    tests = score_tests(square, slope, unknowns, [Candidate(name, (p + k,), _TERM) for k, name in enumerate(names)])
+    return [replace(test, log_bayes=test.log_bayes - math.log(len(names))) for test in tests[:1]]
 
 
 def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
@@ -425,6 +452,22 @@ def estimates_of(first: Round, last: Round, stated: Setup) -> list[Finding]:
     count = len(before.state.waves)
     moves = np.abs(fit.state.waves[:count] - before.state.waves) / first_errors[:count]
     return estimated_findings(estimates, dict(zip(keys, moves.tolist(), strict=False)))
+
+
+def stated_findings(
+    stated: Setup, values: Mapping[Any, float], errors: Mapping[Any, float], named: Sequence[str]
+) -> list[Finding]:
+    """Return the finding on estimated constants that differ from the stated ones and are not `named` elsewhere."""
+    found = list[Estimate]()
+    for name in values.keys() - {*named, *DIPOLE}:
+        known = stated.value(name) if name in CONSTANTS else 0.0
+        far = abs(values[name] - known) > max(_STATED_SIGMAS * errors[name], _STATED_SHARE * abs(known))
+        if known and far and math.isfinite(errors[name]):
+            factor, unit = _unit(name)
+            found.append(Estimate(name, values[name], errors[name], known, unit, factor))
+    found.sort(key=lambda one: -abs(one.value - one.stated) / one.error)
+    text = f"estimated unlike stated: {', '.join(map(str, found))}: terms allow for it, and the file may be wrong"
+    return [Finding("estimated", "note", text, {one.name: one.numbers for one in found})] if found else []
 
 
 def prior_findings(model: BeadModel, state: State, freed: Sequence[str] = ()) -> list[Finding]:

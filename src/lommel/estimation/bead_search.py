@@ -31,11 +31,13 @@ _SAME_MISFIT = 0.01  # the same for bad fits: difference of chi2, relative to ch
 MIN_FLUX_SIGMAS = 10.0
 """Smallest total flux of a visible bead in all planes, in standard deviations."""
 _DARK_SIGMAS = 5.0  # the same before the search, in which aberrations are not known yet
+_PLACE_STEPS = 20  # largest number of steps of a search for the place of a bead
 _PILOTS = 2  # number of beads, the brightest, with which the search for a misfit begins
 _MISFIT_STEPS = 10  # largest number of steps with all beads, if the brightest are a misfit for all constants
 GROSS_CHI2 = 20.0
 """Chi2 above which an image is not taken for that of a bead: no usual error of a constant is the cause."""
-_MAX_CHI2_RATIO = 1.5  # beads whose chi2 exceeds this times the median of all beads are left out
+MAX_CHI2_RATIO = 1.5
+"""Beads whose chi2 exceeds this times the median of all beads are left out."""
 ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)
 """Shift of the initial focus, metres of the stage, for each start."""
 # Largest changes in a step: focus and depth in metres, the others in pixels.
@@ -338,6 +340,20 @@ def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambd
     return replace(last_evaluation, settled=bool(ascent.settled[0]) or is_stalled, steps=ascent.steps)
 
 
+def place_bead(model: BeadModel, common: State) -> Evaluation:
+    """Return the fit of the place of a single bead, with the wavefront and the constants of a state."""
+    fixed = replace(model, images=model.images.without_terms(common.waves), priors={})
+    best: Evaluation | None = None
+    for origin in ORIGINS:
+        place = start_of(model.stacks[0], common.setup, model.depths[0].value, origin)
+        fit = climb(fixed, State(common.setup, np.zeros(0), (place,)), _PLACE_STEPS)
+        best = fit if best is None or fit.log_posterior > best.log_posterior else best
+        if best.settled and best.fits(SURE):
+            break
+    assert best is not None
+    return best
+
+
 @dataclass(eq=False)
 class Search:
     """Search for the maximum likelihood: first for single beads from several starts, then for all beads jointly."""
@@ -374,7 +390,7 @@ class Search:
         single_fits = [fits[k] for k in range(count)]
         median = float(np.median([fit.quality[0] for fit in single_fits]))
         chi2_limits = [float(largest_plausible_chi2(fit.quality[1])) for fit in single_fits]
-        limits = [max(_MAX_CHI2_RATIO * median, limit) for limit in chi2_limits]
+        limits = [max(MAX_CHI2_RATIO * median, limit) for limit in chi2_limits]
         is_used = [fit.quality[0] < limit for fit, limit in zip(single_fits, limits, strict=True)]
         used_indices = [k for k in range(count) if is_used[k]]
         if count == 1 and not model.priors and "depth" not in model.bead_parameters:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
@@ -16,6 +17,7 @@ from lommel.base.arrays import Array, fields_of, plain
 from lommel.base.options import listed
 from lommel.base.quantities import EVEN
 from lommel.base.units import with_error
+from lommel.core.answers import Declined
 from lommel.estimation import Effort, bead_checks
 from lommel.estimation.bead_images import (
     AMPLITUDES,
@@ -23,6 +25,7 @@ from lommel.estimation.bead_images import (
     GRADIENT,
     UNITS,
     BeadImages,
+    Part,
     Place,
     Setup,
     Stack,
@@ -30,6 +33,7 @@ from lommel.estimation.bead_images import (
 )
 from lommel.estimation.bead_search import (
     GROSS_CHI2,
+    MAX_CHI2_RATIO,
     MIN_FLUX_SIGMAS,
     BeadModel,
     Evaluation,
@@ -38,6 +42,7 @@ from lommel.estimation.bead_search import (
     State,
     brightest,
     climb,
+    place_bead,
     start_of,
 )
 from lommel.estimation.favoured_effects import Round
@@ -209,6 +214,7 @@ class BeadFit(FitReport):
     steps: int
     _state: State = field(repr=False)
     _images: BeadImages = field(repr=False)
+    _measures: dict[float, tuple[Array, Array, tuple[float, float]]] = field(default_factory=dict, init=False)
 
     def pupil(self, *, depth: ArrayLike, z: ArrayLike = 0.0) -> ObjectivePupil:
         """Return the fitted pupil for :func:`lommel.psf`, with an emitter at a depth and the stage at z (metres).
@@ -292,18 +298,12 @@ class BeadFit(FitReport):
         TypeError, ValueError
             If `depth` is out of range, or if the light does not fall to half of its maximum on both sides.
         """
-        stack, top, values, rows = self._focus(depth)
-        step = float(stack.z[1] - stack.z[0])
-        sigmas, units = 0.1 * np.sqrt(np.diag(self.covariance)), (step, *2 * (self._fine_pixel(),))
-        # Central differences over a fifth of a standard error: widths are no linear function, and the brightest
-        # point moves with the parameters.
-        gains = np.array(
-            [_widths(values + s * change, top) - _widths(values - s * change, top)
-             for s, change in zip(sigmas, rows, strict=True)]
-        )  # fmt: skip
-        slopes = gains / (2.0 * sigmas[:, None])
-        variances = np.einsum("ik,ij,jk->k", slopes, self.covariance, slopes)
-        return (_widths(values, top) * units)[::-1], (np.sqrt(variances) * units)[::-1]
+        widths, errors, _ = self._focal_measures(depth)
+        if not np.isfinite(widths).all():
+            raise ValueError(
+                "the light does not fall to half of its maximum on both sides: aberrations are too strong"
+            )
+        return widths, errors
 
     def strehl(self, *, depth: float) -> tuple[float, float]:
         """Return the Strehl ratio of the fitted Zernike terms at a depth, and its standard error.
@@ -326,37 +326,50 @@ class BeadFit(FitReport):
         TypeError, ValueError
             If `depth` is out of range.
         """
-        _, place, values, rows = self._focus(depth)
-        count = len(self._images.estimated_terms)
-        unaberrated = replace(self, _images=BeadImages((), {}, self._images.threads), _state=replace(
-            self._state, waves=np.zeros(0)), coefficients={}, errors={}, covariance=np.zeros((0, 0)))  # fmt: skip
-        peak = float(unaberrated._focus(depth)[2].max())
-        slopes = rows[(slice(count), *place)] / peak
-        return float(values.max()) / peak, math.sqrt(
-            max(float(slopes @ self.covariance[:count, :count] @ slopes), 0.0)
-        )
+        return self._focal_measures(depth)[2]
 
-    def _fine_pixel(self) -> float:
-        """Return the pitch of the images of :meth:`_focus` in the sample, metres."""
-        return 0.25 * self.objective.nyquist(wavelength=self.wavelength).pixel / self.objective.magnification
+    def _focal_measures(self, depth: float) -> tuple[Array, Array, tuple[float, float]]:
+        """Return widths (NaN: none), their errors, and the Strehl ratio with its error, of one focal stack."""
+        depth = length("depth", depth, DEPTH_MOST)
+        if depth in self._measures:
+            return self._measures[depth]
+        images, count = self._images, len(self._images.estimated_terms)
+        setup, stack, top, values = self._focus(depth, images, self._state.waves)
+        rows = self._jacobian(setup, depth, stack, unaffected=("pixel", *_NOT_OF_POINTS))
+        # Central differences over a fifth of a standard error: widths are no linear function, and the brightest
+        # point moves with the parameters.
+        sigmas = 0.1 * np.sqrt(np.diag(self.covariance))
+        gains = np.array(
+            [_widths(values + s * change, top) - _widths(values - s * change, top)
+             for s, change in zip(sigmas, rows, strict=True)]
+        ).reshape(-1, 3)  # fmt: skip
+        slopes = gains / (2.0 * sigmas[:, None])
+        errors = np.sqrt(np.einsum("ik,ij,jk->k", slopes, self.covariance, slopes))
+        units = np.array([float(stack.z[1] - stack.z[0]), *2 * (setup.pixel / self.objective.magnification,)])
+        peak = float(self._focus(depth, BeadImages((), {}, images.threads), np.zeros(0))[3].max())
+        slope, common = rows[(slice(count), *top)] / peak, self.covariance[:count, :count]
+        strehl = float(values.max()) / peak, math.sqrt(max(float(slope @ common @ slope), 0.0))
+        self._measures[depth] = (_widths(values, top) * units)[::-1], (errors * units)[::-1], strehl
+        return self._measures[depth]
 
-    def _focus(self, depth: float) -> tuple[Stack, tuple[int, int, int], Array, Array]:
-        """Return a fine stack of a point through focus: stack, index of its brightest value, values, Jacobian."""
-        bead_depth, objective = length("depth", depth, DEPTH_MOST), self.objective
-        pixel = self._fine_pixel() * objective.magnification
+    def _focus(
+        self, depth: float, images: BeadImages, waves: Array
+    ) -> tuple[Setup, Stack, tuple[int, int, int], Array]:
+        """Return a fine stack of a point through focus: setup, stack, index of its brightest value, and values."""
+        objective = self.objective
+        pixel = 0.25 * objective.nyquist(wavelength=self.wavelength).pixel
         setup = replace(self._state.setup, pixel=pixel, diameter=0.0, blur=0.0, step=1.0, integrate=False)
         # Aberrations move the focus: eight axial widths, in steps of a tenth.
-        step = 0.1 * float(objective.focus(bead_depth, wavelength=self.wavelength).axial_fwhm)
-        z, place, top = step * np.arange(-40.0, 41.0), _focused(setup, bead_depth), 0.0
+        step = 0.1 * float(objective.focus(depth, wavelength=self.wavelength).axial_fwhm)
+        z, place, top = step * np.arange(-40.0, 41.0), _focused(setup, depth), 0.0
         for _ in range(2):
             # With astigmatism, lateral widths change near the focus: the second stack has a plane at the maximum.
             stack = _point_stack(z + top, (_FWHM_SIDE, _FWHM_SIDE))
-            values = self._images.values(setup, self._state.waves, place, stack)
+            values = images.values(setup, waves, place, stack)
             plane, row, column = (int(index) for index in np.unravel_index(int(values.argmax()), values.shape))
             before, middle, after = values[np.clip([plane - 1, plane, plane + 1], 0, len(z) - 1), row, column]
             top += 0.5 * step * (before - after) / min(before - 2.0 * middle + after, -1e-9 * middle)
-        rows = self._jacobian(setup, bead_depth, stack, unaffected=("pixel", *_NOT_OF_POINTS))
-        return stack, (plane, row, column), values, rows
+        return setup, stack, (plane, row, column), values
 
     def _jacobian(
         self, setup: Setup, depth: float, stack: Stack, unaffected: Sequence[str] = _NOT_OF_POINTS
@@ -426,8 +439,8 @@ def _point_stack(z: Array, shape: tuple[int, int]) -> Stack:
 
 
 def _widths(values: Array, top: tuple[int, int, int]) -> Array:
-    """Return the widths at half maximum along planes, rows and columns through the maximum next to a sample `top`."""
-    found = np.zeros(3)
+    """Return the widths at half maximum along planes, rows and columns through the maximum near `top`; NaN: none."""
+    found = np.full(3, math.nan)
     for axis in range(3):
         profile = values
         for other in (2, 1, 0):
@@ -438,7 +451,8 @@ def _widths(values: Array, top: tuple[int, int, int]) -> Array:
                 t = 0.5 * (before - after) / min(before - 2.0 * middle + after, -1e-9 * middle)
                 weights = np.array([0.5 * t * (t - 1.0), 1.0 - t * t, 0.5 * t * (t + 1.0)])
                 profile = np.tensordot(weights, np.take(profile, near, axis=other), (0, other))
-        found[axis] = profile_width(profile)
+        with suppress(ValueError):
+            found[axis] = profile_width(profile)
     return found
 
 
@@ -606,8 +620,13 @@ def fit_stacks(
     model = BeadModel(images, bead_stacks, priors, depths, options.drift)
     if model.degrees_of_freedom < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
-    search = Search(model, setup, waves, effort.starts, effort.steps, Progress(options.progress))
-    return _build_bead_fit(search, recorded, noise, notes)
+    count = len(recorded)
+    chosen = np.unique(np.linspace(0.0, count - 1.0, min(count, options.joint)).round().astype(int)).tolist()
+    if len(chosen) < count:
+        text = f"terms and constants are those of {len(chosen)} of {count} beads (`joint`), without the other beads"
+        notes.append(Finding("left_out", "note", text))
+    search = Search(model.with_beads(chosen), setup, waves, effort.starts, effort.steps, Progress(options.progress))
+    return _build_bead_fit(search, model, chosen, recorded, noise, notes)
 
 
 def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
@@ -677,14 +696,16 @@ def _priors(
     return setup, priors, depth_error, notes
 
 
-def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes: list[Finding]) -> BeadFit:
-    """Return the result of a search, with the findings of its checks."""
+def _build_bead_fit(
+    search: Search, whole: BeadModel, chosen: list[int], recorded: list[Counts], noise: Noise, notes: list[Finding]
+) -> BeadFit:
+    """Return the result of a search for the beads `chosen` of the `whole` model, with the findings of its checks."""
     has_light = not search.is_dark()
     if not has_light:  # no steps: there is nothing to fit
         search = replace(search, starts=1, max_steps=0)
-    fit, is_used = search.fit_all()
+    fit, is_consistent = search.fit_all()
     has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
-    model = search.model.with_beads(np.flatnonzero(is_used).tolist())
+    model = search.model.with_beads(np.flatnonzero(is_consistent).tolist())
     rounds = [Round((model, fit), ((), None, []))]
     if has_light:
         rounds = bead_checks.rounds(model, fit, search.setup, search.report)
@@ -698,13 +719,16 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     held_out, held_out_findings = bead_checks.held_out(model, fit, search.report) if has_light else (math.nan, [])
     all_beads = replace(
         model,
-        stacks=tuple(replace(stack, displaced=model.stacks[0].displaced) for stack in search.model.stacks),
-        depths=tuple(Prior(prior.value, model.depths[0].error) for prior in search.model.depths),
+        stacks=tuple(replace(stack, displaced=model.stacks[0].displaced) for stack in whole.stacks),
+        depths=tuple(Prior(prior.value, model.depths[0].error) for prior in whole.depths),
     )
-    jacobian = _height_jacobian(model, state)
-    z_covariance, used = np.full((len(is_used),) * 2, math.nan), np.flatnonzero(is_used)
-    z_covariance[np.ix_(used, used)] = jacobian @ full_covariance @ jacobian.T
-    beads = _beads(all_beads, fit, full_covariance, np.diag(z_covariance), is_used, recorded, noise)
+    used = dict(zip(chosen, is_consistent, strict=True))
+    whole_fit, whole_covariance, is_used = _with_other_beads(all_beads, fit, full_covariance, used)
+    kept = np.flatnonzero(is_used)
+    jacobian = _height_jacobian(all_beads.with_beads(kept.tolist()), whole_fit.state)
+    z_covariance = np.full((len(is_used),) * 2, math.nan)
+    z_covariance[np.ix_(kept, kept)] = jacobian @ whole_covariance @ jacobian.T
+    beads = _beads(all_beads, whole_fit, whole_covariance, np.diag(z_covariance), is_used, recorded, noise)
     image_error = bead_checks.model_error(model, state)
     if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
@@ -748,12 +772,14 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
             findings = with_errors_of_model(findings, *parts, causes)
             covariance = larger(covariance, bead_checks.plane_jackknife(model, fit)[:common_count, :common_count])
         if "reversed_z" not in Findings(findings).codes:
-            planes = sum(len(s.z) for s in model.stacks)
+            planes = sum(len(s.z) for s in all_beads.stacks)
             findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)
     if has_light and not fit.settled:
-        text = "the steps have not settled: state measured constants, or estimate fewer of them (`priors`)"
+        text = "the steps have not settled: estimate fewer `terms`, or state constants that were measured"
         findings.append(Finding("not_settled", "error", text))
-    findings += [*held_out_findings, *bead_checks.prior_findings(search.model, state, estimated_names)]
+    findings += held_out_findings
+    findings += bead_checks.prior_findings(search.model, state, estimated_names)
+    contradicted = Findings(findings).get("contradiction")
     # Errors of a misfit, by the jackknife, are not due to little light.
     of_light = full_covariance if "missed_light" in Findings(findings).codes else covariance
     findings += _error_findings(of_light[: len(state.waves), : len(state.waves)], image_error)
@@ -770,13 +796,18 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
     errors = dict(zip(model.names, np.sqrt(np.diag(covariance)).tolist(), strict=True))
     if "depth" in held:
         beads = tuple(replace(b, errors=b.errors | dict.fromkeys({"depth"} & {*b.errors}, math.nan)) for b in beads)
+    errors |= dict.fromkeys(held & {*errors}, math.nan)
+    coefficients = dict(zip(model.names, values, strict=True))
+    named = [*estimated_names, *(contradicted.numbers if contradicted else ())]
+    if Findings(findings).converged:
+        findings += bead_checks.stated_findings(search.setup, coefficients, errors, named)
     return BeadFit(
         findings=Findings(findings),
         summary=summary,
         aberrations=Wavefront.zernike(edge, normalization="edge"),
         **{name: getattr(setup, name) for name in ("objective", "wavelength", "pixel", "diameter", "emitter")},
-        coefficients=dict(zip(model.names, values, strict=True)),
-        errors=errors | dict.fromkeys(held & {*errors}, math.nan),
+        coefficients=coefficients,
+        errors=errors,
         covariance=covariance,
         beads=beads,
         z_covariance=z_covariance,
@@ -788,6 +819,55 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, notes:
         _state=state,
         _images=model.images,
     )
+
+
+def _with_other_beads(
+    model: BeadModel, fit: Evaluation, covariance: Array, used: Mapping[int, bool]
+) -> tuple[Evaluation, Array, list[bool]]:
+    """Return fit and covariance with the beads that the joint fit was without, and whether each bead is used.
+
+    `used` has the beads of the joint fit. Common parameters stay as they are: the place p of another bead changes
+    with them by the implicit function theorem, dp / dc = -I_pp^-1 I_pc.
+    """
+    k, q, count = len(model.names), len(model.bead_parameters), len(model.stacks)
+    is_used, found = [used.get(j, False) for j in range(count)], dict[int, Evaluation]()
+    limit = MAX_CHI2_RATIO * fit.quality[0]
+    for j in range(count):
+        if j not in used:
+            single = model.with_beads([j])
+            try:
+                placed = place_bead(single, fit.state)
+            except (Declined, ValueError):
+                continue
+            plausible = float(goodness_of_fit.largest_plausible_chi2(placed.quality[1]))
+            is_used[j] = placed.quality[0] < max(limit, plausible)
+            if is_used[j]:
+                parts, information, _ = single.normal_equations(
+                    replace(placed.state, waves=fit.state.waves), placed.values
+                )
+                found[j] = replace(placed, parts=parts, scores=placed.scores._replace(information=information[None]))
+    if not found:
+        return fit, covariance, is_used
+    kept, joint = np.flatnonzero(is_used).tolist(), iter(range(len(fit.values)))
+    places, light, values, parts = [], [], [], list[Part]()
+    # Parameters of all beads: linear functions of those of the joint fit, and noise of their own.
+    chain, own = np.zeros((k + q * len(kept), len(covariance))), np.zeros((k + q * len(kept),) * 2)
+    chain[:k, :k] = np.eye(k)
+    for index, j in enumerate(kept):
+        rows = slice(k + q * index, k + q * (index + 1))
+        if j in found:
+            one, at, information = found[j], 0, found[j].scores.information[0]
+            own[rows, rows] = inverse = _inverse(information[k:, k:])
+            chain[rows, :k] = -inverse @ information[k:, :k]
+        else:
+            one, at = fit, next(joint)
+            chain[rows, k + q * at : k + q * (at + 1)] = np.eye(q)
+        for whole, part in zip(
+            (places, light, values, parts), (one.state.places, one.state.light, one.values, one.parts), strict=True
+        ):
+            whole.append(part[at])
+    state = replace(fit.state, places=tuple(places), light=tuple(light))
+    return replace(fit, state=state, values=values, parts=parts), chain @ covariance @ chain.T + own, is_used
 
 
 def _height_jacobian(model: BeadModel, state: State) -> Array:

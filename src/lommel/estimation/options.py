@@ -134,6 +134,9 @@ class BeadOptions(FitOptions):
         result, are "apodization_2" to "apodization_8".
     drift : bool, default False
         Estimate a lateral drift of each bead, linear in time.
+    joint : int, default 20
+        Largest number of beads that determine terms and constants, evenly chosen from all beads. Of further beads,
+        only position, flux and background are estimated: their time is short, and linear in their number.
     priors : mapping, optional
         Constants to estimate: name -> standard error of the prior, or (value, standard error); inf means no prior
         knowledge. Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel",
@@ -147,6 +150,7 @@ class BeadOptions(FitOptions):
     terms: Terms = 18
     apodization: Annotated[int, In(least=0, most=4)] = 0
     drift: bool = False
+    joint: Annotated[int, In(least=1)] = 20
     priors: Annotated[Mapping[str, float | tuple[float, float]] | None, HIDDEN] = None
 
 

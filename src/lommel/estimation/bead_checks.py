@@ -65,6 +65,7 @@ STEPS = 20
 """Maximum number of steps of a search that starts at a fit."""
 _TERM = 0.1  # expected size of a missing term, radians rms
 _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
+_LINEAR_CHI2 = 1.5  # largest chi2 of a fit from which a step leaves out a bead
 _MISFIT_BEADS = 2  # largest number of beads in further searches after a misfit
 _MAX_SIZES = 6.0  # largest plausible error of a stated constant, in expected sizes (`Constant.size`)
 _RIVAL_SIZES = 3.0  # standard error of the priors of constants that the data do not tell apart, in expected sizes
@@ -74,6 +75,7 @@ _POLARIZED = "a dye that keeps polarization"
 _BEAD_EFFECTS: Mapping[str, tuple[str, ...]] = {"depth": ("depth",), "drift": DRIFT, _GRADIENT: GRADIENT}
 _SPANS = {"drift": " pixels from the middle to the end of the stack", _GRADIENT: " electrons from edge to edge"}
 _DISPLACED = "displaced along z"
+_UNLIKE = "unlike that of the other beads"
 _MAX_ESTIMATES = 3  # largest number of estimates of an effect in a message
 _MIN_BAYES_RATIO = 0.4  # smallest ln(Bayes factor) of a refitted candidate, divided by the largest ln(Bayes factor)
 _WIDER_FACTOR = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
@@ -245,9 +247,14 @@ def _differing_tests(
         rows = np.arange(p + j * count, p + (j + 1) * count)
         square[np.ix_(rows, columns)], square[np.ix_(columns, rows)] = own, own.T
         square[np.ix_(rows, rows)], slope[rows] = own[:, :count], part.gradient.sum(axis=0)[:count]
-    names = [f"{label(term)} of bead {j} unlike that of the other beads" for j in range(beads) for term in terms]
+    names = [f"{label(term)} of bead {j} {_UNLIKE}" for j in range(beads) for term in terms]
     tests = score_tests(square, slope, unknowns, [Candidate(name, (p + k,), _TERM) for k, name in enumerate(names)])
     return [replace(test, log_bayes=test.log_bayes - math.log(len(names))) for test in tests[:1]]
+
+
+def beads_differ(tests: Sequence[ScoreTest]) -> bool:
+    """Return whether a term that differs between beads is the most likely of the significant effects."""
+    return bool(likely := seen(tests)) and likely[0].name.endswith(_UNLIKE)
 
 
 def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
@@ -530,7 +537,7 @@ def held_out(model: BeadModel, fit: Evaluation, report: Report) -> tuple[float, 
     others_model, held_out_model = model.with_beads(others), model.with_beads([count - 1])
     try:
         start = _restricted(state, others)
-        others_state = climb(others_model, start, STEPS, report).state
+        others_state = _without_last(model, fit) or climb(others_model, start, STEPS, report).state
         fixed_model = replace(held_out_model, images=model.images.without_terms(others_state.waves), priors={})
         start = State(others_state.setup, np.zeros(0), state.places[-1:], state.light[-1:])
         held_out_fit = climb(fixed_model, start, STEPS, report)
@@ -539,6 +546,20 @@ def held_out(model: BeadModel, fit: Evaluation, report: Report) -> tuple[float, 
     chi2, limit = held_out_fit.quality[0], float(goodness_of_fit.largest_plausible_chi2(held_out_fit.quality[1]))
     text = f"chi2 of the held-out bead is above {limit:.4g}, the limit for noise alone: beads differ in size or depth"
     return chi2, [Finding("held_out", "doubt", text, {"chi2": chi2, "limit": limit})] if chi2 >= limit else []
+
+
+def _without_last(model: BeadModel, fit: Evaluation) -> State | None:
+    """Return the state without the last bead, by one step from a settled fit; None if that is a clear misfit."""
+    if not fit.settled or fit.quality[0] > _LINEAR_CHI2:
+        return None
+    part, size, k = fit.parts[-1], model.size, len(model.names)
+    kept = np.arange(size - len(model.bead_parameters))
+    information, slope = fit.scores.information[0][np.ix_(kept, kept)].copy(), fit.scores.slope[0][kept].copy()
+    information[:k, :k] -= part.information.sum(axis=0)[:k, :k]
+    slope[:k] -= part.gradient.sum(axis=0)[:k]
+    variance, beads = covariance(information), range(len(model.stacks) - 1)
+    step = np.where(np.isfinite(variance), variance, 0.0) @ slope
+    return model.with_beads(beads).after_step(_restricted(fit.state, beads), step)
 
 
 def plane_jackknife(model: BeadModel, fit: Evaluation) -> Array:

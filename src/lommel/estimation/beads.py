@@ -69,6 +69,7 @@ if TYPE_CHECKING:
 
 _PLANES = 5  # minimum number of planes in a stack, and number of planes in a plot
 _MAX_IMAGE_ERROR = 2e-3  # largest error of the images in the search, relative to the peak
+_DIFFER = "aberrations differ between the beads"
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
 _NOT_OF_POINTS = "diameter", "blur", "step", "jump"  # constants that do not affect the image of a point at exact z
 _FWHM_SIDE = 33  # side of the images of a point whose widths are measured, quarters of the Nyquist sampling
@@ -733,7 +734,8 @@ def _build_bead_fit(
     if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        causes = causes_of_misfit(_CAUSES, chi2, deviation, tests)
+        differ = bead_checks.beads_differ(tests)
+        causes = _DIFFER if differ else causes_of_misfit(_CAUSES, chi2, deviation, tests)
         findings = goodness_of_fit.chi2_findings(chi2, deviation, causes, freed=bool(estimated_names))
         expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
         level = [stack.planes for stack in model.level_stacks(state)]
@@ -748,7 +750,7 @@ def _build_bead_fit(
         findings += goodness_of_fit.stripe_findings(windows, variance.reshape(windows.shape), noise.excess)
         reversed_findings: list[Finding] = []
         # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.
-        if missing_findings or estimated_names or not Findings(findings).converged:
+        if estimated_names or (not differ and (missing_findings or not Findings(findings).converged)):
             few_model, few_fit = bead_checks.brightest_beads(model, fit)
             if few_model is not model:  # beads may differ: their own fit, as that of the reversed planes is
                 few_fit = climb(few_model, few_fit.state, bead_checks.STEPS, search.report)

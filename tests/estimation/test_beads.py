@@ -272,10 +272,18 @@ def test_a_constant_that_is_wrong_is_estimated_besides(name, value):
     assert told.numbers["move"] > 1.5
 
 
+def test_a_wrong_step_is_estimated_besides_and_named_in_nanometres():
+    images, _ = recorded(3, waves(3, 0.1), z=Z / 1.25, light=3e4)
+    found = fitted(images, OIL, **GIVEN, terms=TERMS, priors={})
+    assert found.status == "converged"
+    assert re.search(r"estimated besides: step 1[78]\d(\.\d+)? \+- \S+ nm \(stated 225\)", found.message)
+    assert abs(found.coefficients["step"] - 0.8) < 4.0 * found.errors["step"] < 0.04
+
+
 def test_constants_are_plausible_within_six_times_their_expected_errors():
     setup = Setup(OIL, WAVE, lm.Dipole(0.0, 0.0, wobble=1.0), PIXEL, 0.1e-6)
     model = SimpleNamespace(depths=(Prior(50e-9, 0.0),))
-    limits = {"sample": (1.33, 0.12), "step": (1.0, 0.12), "pixel": (PIXEL, 0.06 * PIXEL), "depth": (50e-9, 0.3e-6)}
+    limits = {"sample": (1.33, 0.12), "step": (1.0, 0.4), "pixel": (PIXEL, 0.06 * PIXEL), "depth": (50e-9, 0.3e-6)}
     for name, (stated, largest) in limits.items():
         for side in (0.999, 1.001):
             assert bead_checks._is_plausible(model, setup, name, stated + side * largest) == (side < 1.0)

@@ -68,6 +68,7 @@ _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is 
 _LINEAR_CHI2 = 1.5  # largest chi2 of a fit from which a step leaves out a bead
 _MISFIT_BEADS = 2  # largest number of beads in further searches after a misfit
 _MAX_SIZES = 6.0  # largest plausible error of a stated constant, in expected sizes (`Constant.size`)
+_MOST = {"step": 0.4}  # largest plausible errors of other constants: of steps that are those of another stack
 _RIVAL_SIZES = 3.0  # standard error of the priors of constants that the data do not tell apart, in expected sizes
 _ISOTROPIC = emitter_of("isotropic")
 _POLARIZED = "a dye that keeps polarization"
@@ -118,7 +119,7 @@ def is_possible(setup: Setup, name: str, value: float) -> bool:
 def _is_plausible(model: BeadModel, stated: Setup, name: str, value: float) -> bool:
     """Return whether a constant may have this value although another one is stated."""
     reference = model.depths[0].value if name == "depth" else stated.value(name)
-    largest = _MAX_SIZES * CONSTANTS[name].size * (1.0 if name == "depth" else stated.scale(name))
+    largest = _MOST.get(name, _MAX_SIZES * CONSTANTS[name].size * (1.0 if name == "depth" else stated.scale(name)))
     return is_possible(stated, name, value) and abs(value - reference) <= largest
 
 
@@ -366,15 +367,18 @@ def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluatio
             new = np.array([one.depth for one in places] if is_depth else [refit.state.setup.value(name)])
             values = new if new.size == values.size and is_possible(stated, name, new.min()) else values
         if not all(_is_plausible(model, stated, name, value) for value in values.tolist()):
-            direction, (factor, unit) = "lower" if values[0] < stated_value else "higher", _unit(name)
+            direction, (factor, unit) = "lower" if values[0] < stated_value else "higher", _unit(name, model)
             return f"{name} {direction} than {factor * stated_value:.6g}{unit}, beyond what is possible {sigmas}"
     elif refit is not None and len(refit.state.waves) > len(model.images.estimated_terms):
         values = refit.state.waves[-1:]
     return f"{_estimate(name, values, test.errors, model, stated)} {sigmas}"
 
 
-def _unit(name: str) -> tuple[float, str]:
-    """Return the factor to the unit of an effect in messages, and the name of this unit."""
+def _unit(name: str, model: BeadModel | None = None) -> tuple[float, str]:
+    """Return the factor to the unit of an effect in messages, and its name; of the step of a `model`, nanometres."""
+    if name == "step" and model is not None:
+        z = model.stacks[0].z
+        return 1e9 * abs(float(z[-1] - z[0])) / (len(z) - 1), " nm"
     if name in CONSTANTS:
         return UNITS[CONSTANTS[name].unit]
     if name.endswith(_DISPLACED):
@@ -384,7 +388,7 @@ def _unit(name: str) -> tuple[float, str]:
 
 def _estimate(name: str, values: Array, errors: Array, model: BeadModel, stated: Setup) -> str:
     """Return estimates of an effect and their standard errors as text; only the first if there are many."""
-    (factor, unit), suffix = _unit(name), ""
+    (factor, unit), suffix = _unit(name, model), ""
     if name in CONSTANTS:
         suffix = f", stated {factor * (model.depths[0].value if name == 'depth' else stated.value(name)):.6g}"
     texts = [" +- ".join(with_error(factor * v, factor * e)) for v, e in zip(values, errors, strict=True)]
@@ -445,7 +449,7 @@ def estimates_of(first: Round, last: Round, stated: Setup) -> list[Finding]:
     values = [*fit.state.waves, *map(fit.state.setup.value, model.priors)]
     keys, estimates = [name if isinstance(name, str) else label(name) for name in model.names], list[Estimate]()
     for name in last.names:
-        factor, unit = _unit(name)
+        factor, unit = _unit(name, model)
         for j, place in enumerate(fit.state.places):
             for key in _BEAD_EFFECTS.get(name, ()):
                 column, known = model.columns(j, len(keys))[model.bead_parameters.index(key)], model.depths[j].value
@@ -486,7 +490,7 @@ def prior_findings(model: BeadModel, state: State, freed: Sequence[str] = ()) ->
     sizes = {n: (state.setup.value(n) - prior.value) / prior.error for n, prior in priors.items()}
     far, texts = sorted((n for n in sizes if abs(sizes[n]) > _FAR), key=lambda n: -abs(sizes[n])), list[str]()
     for name in far:
-        (factor, unit), prior = _unit(name), model.priors[name]
+        (factor, unit), prior = _unit(name, model), model.priors[name]
         pair = (
             f"{factor * state.setup.value(name):.4g}{unit}",
             f"{factor * prior.value:.4g} +- {factor * prior.error:.2g}",

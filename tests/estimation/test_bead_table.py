@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+import scipy
 
 import bead_fields
 import lommel as lm
@@ -130,3 +131,32 @@ def test_widths_and_strehl_ratio_of_a_fit_are_those_of_another_simulator():
         assert 0.0 < row[f"{name}_error"] < 0.01 * value
     assert row["x"] == pytest.approx(12.7 * 108.33e-9, abs=3.0 * row["x_error"] + 5e-9)
     assert row["rms"] == pytest.approx(math.hypot(0.3, 0.25), abs=4.0 * row["rms_error"] + 0.005)
+
+
+def test_widths_run_through_the_maximum_where_coma_and_astigmatism_move_it():
+    wave, z = 520e-9, (np.arange(11) - 5) * 250e-9
+    terms = {"astigmatism": 0.307, "oblique": 0.241, "coma": -0.678}
+    light = bead_fields.point(z, (10.2, 9.7), 21, terms, wave)
+    noise = lm.Noise(read=1.6, offset=100, white=0.5)
+    objective = lm.Objective(NA=bead_fields.NA, magnification=60, immersion=1.333, sample=1.333)
+    microscope = lm.Microscope(objective, wave, bead_fields.PIXEL)
+    stack = noise.record(1e7 * light / light[5].sum() + 10.0, seed=2)
+    fit = lm.fit_beads(stack, microscope, z=z, noise=noise, terms=4, priors={})
+
+    def at(point):
+        x, y, height = np.asarray(point) * 1e-7
+        return bead_fields.intensity([height], [y], [x], terms, wave)[0, 0, 0]
+
+    top = scipy.optimize.minimize(
+        lambda point: -at(point), np.zeros(3), method="Nelder-Mead",
+        options={"xatol": 1e-3, "fatol": 1e-9, "initial_simplex": np.vstack([np.zeros(3), np.eye(3)])},
+    ).x * 1e-7  # fmt: skip
+    line = np.arange(-60, 61)
+    (x, y, height), steps = top, (10e-9, 10e-9, 25e-9)
+    profiles = (
+        bead_fields.intensity([height], [y], x + line * steps[0], terms, wave).ravel(),
+        bead_fields.intensity([height], y + line * steps[1], [x], terms, wave).ravel(),
+        bead_fields.intensity(height + line * steps[2], [y], [x], terms, wave).ravel(),
+    )
+    truth = [step * profile_width(profile) for step, profile in zip(steps, profiles, strict=True)]
+    np.testing.assert_allclose(fit.fwhm(depth=0.0)[0], truth, rtol=1.5e-3)

@@ -12,7 +12,7 @@ import pytest
 import lommel as lm
 import plane_waves
 import searches
-from lommel.estimation import bead_checks, bead_images
+from lommel.estimation import bead_checks, bead_images, beads
 from lommel.estimation.bead_checks import is_possible, missing_findings
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed_objective
 from lommel.estimation.bead_search import Prior
@@ -468,6 +468,14 @@ def test_constants_that_differ_from_the_stated_ones_are_named_with_both_values()
     assert (found.code, found.severity, [*found.numbers]) == ("estimated", "note", ["NA"])
     assert found.text.startswith("estimated unlike stated: NA 1.3600 +- 0.0010 (stated 1.4): terms allow")
     assert not bead_checks.stated_findings(stated, values, errors, ["NA"])
+
+
+def test_the_maximum_of_a_quadratic_function_with_cross_terms_is_found_in_one_step():
+    curvature = np.array([[-2.0, 0.8, -0.5], [0.8, -1.5, 0.3], [-0.5, 0.3, -1.0]])
+    place = np.array([0.3, -0.2, 0.4])
+    grid = np.stack(np.meshgrid(*3 * (np.arange(-2.0, 3.0),), indexing="ij"), axis=-1) - place
+    values = 10.0 + 0.5 * np.einsum("...i,ij,...j->...", grid, curvature, grid)
+    np.testing.assert_allclose(beads._to_maximum(values, (2, 2, 2)), place, atol=1e-12)
 
 
 def test_widths_and_strehl_ratio_share_one_stack(monkeypatch):

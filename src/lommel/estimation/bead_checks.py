@@ -141,8 +141,8 @@ def _displacement_tests(
     mixed, diagonal, slope = np.zeros((p, len(masks))), *np.zeros((2, planes.shape[1]))
     # The focus of each plane is a parameter: its derivatives are those of the focus of the bead, plane by plane.
     for j, part in enumerate(parts):
-        mixed[[*range(common_count), *model.columns(j, common_count)]] += (planes @ part.information[:, focus]).T
-        diagonal, slope = diagonal + part.information[:, focus, focus], slope + part.gradient[:, focus]
+        mixed[[*range(common_count), *model.columns(j, common_count)]] += (planes @ part.information[:, 0]).T
+        diagonal, slope = diagonal + part.information[:, 0, focus], slope + part.gradient[:, focus]
     square = np.block([[information, mixed], [mixed.T, planes * diagonal @ planes.T]])
     candidates = [Candidate(name, (p + k,), CONSTANTS["jump"].size) for k, name in enumerate(masks)]
     tests = score_tests(square, np.concatenate([gradient, planes @ slope]), unknowns, candidates)
@@ -196,7 +196,7 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     dye = tuple(DYE) if setup.emitter == _ISOTROPIC else ()
     added_names = [*constants, *drift, *dye, bead_images.NONLINEAR]  # columns after the common parameters
     parts, information, gradient = wider_model.normal_equations(
-        replace(fit.state, waves=waves), fit.values, added_names
+        replace(fit.state, waves=waves), fit.values, added_names, whole=False
     )
     names = [*wider_model.names, *added_names]
     gradients = () if model.gradients else _bead_columns(wider_model, GRADIENT, len(names))
@@ -244,7 +244,7 @@ def _differing_tests(
     square, slope = np.zeros((size, size)), np.concatenate([gradient, np.zeros(count * beads)])
     square[:p, :p] = information
     for j, part in enumerate(parts):
-        own, columns = part.information.sum(axis=0)[:count], [*range(common_count), *model.columns(j, common_count)]
+        own, columns = part.total[:count], [*range(common_count), *model.columns(j, common_count)]
         rows = np.arange(p + j * count, p + (j + 1) * count)
         square[np.ix_(rows, columns)], square[np.ix_(columns, rows)] = own, own.T
         square[np.ix_(rows, rows)], slope[rows] = own[:, :count], part.gradient.sum(axis=0)[:count]
@@ -559,7 +559,7 @@ def _without_last(model: BeadModel, fit: Evaluation) -> State | None:
     part, size, k = fit.parts[-1], model.size, len(model.names)
     kept = np.arange(size - len(model.bead_parameters))
     information, slope = fit.scores.information[0][np.ix_(kept, kept)].copy(), fit.scores.slope[0][kept].copy()
-    information[:k, :k] -= part.information.sum(axis=0)[:k, :k]
+    information[:k, :k] -= part.total[:k, :k]
     slope[:k] -= part.gradient.sum(axis=0)[:k]
     variance, beads = covariance(information), range(len(model.stacks) - 1)
     step = np.where(np.isfinite(variance), variance, 0.0) @ slope

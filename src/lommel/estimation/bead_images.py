@@ -459,6 +459,7 @@ class Part(NamedTuple):
     flux_sigmas: float  # total flux of all planes, in standard deviations
     light_covariance: Array  # (planes, 2, 2), covariance of flux and background for fixed parameters
     light_coupling: Array  # (planes, parameters, 2), minus the derivative of flux and background by the parameters
+    total: Array  # (parameters, parameters), information of all planes
 
     def shifts(self, columns: list[int]) -> tuple[Array, Array]:
         """Return each plane's steps (planes, q) of the q parameters `columns`, and their significance (sigmas)."""
@@ -493,13 +494,15 @@ def part_of(
     gradient -= np.einsum("pkl,pl->pk", light_coupling, gram[:, k : k + 2, -1])
     # Information on the flux, with the background eliminated.
     flux_information = light_information[:, 0, 0] - light_information[:, 0, 1] ** 2 / light_information[:, 1, 1]
+    information = chain @ information @ chain.swapaxes(1, 2)
     return Part(
         np.einsum("pak,pk->pa", chain, gradient),
-        chain @ information @ chain.swapaxes(1, 2),
+        information,
         float(gram[:, -1, -1].sum()),
         float(chi2_expectation),
         float(chi2_variance),
         math.sqrt(float((light[0] ** 2 * np.maximum(flux_information, 0.0)).sum())),
         np.asarray(np.linalg.inv(light_information)),
         chain @ light_coupling,
+        information.sum(axis=0),
     )

@@ -189,11 +189,12 @@ class BeadModel:
         return Evaluation(state, values, parts, scores)
 
     def normal_equations(
-        self, state: State, values: list[Array], added: Sequence[str] = ()
+        self, state: State, values: list[Array], added: Sequence[str] = (), *, whole: bool = True
     ) -> tuple[list[Part], Array, Array]:
         """Return the contributions of all stacks, and information and gradient of all parameters, priors included.
 
-        Order of the parameters: common parameters `names`, the constants `added`, parameters of each bead.
+        Order of the parameters: common parameters `names`, the constants `added`, parameters of each bead. Unless
+        `whole`, the information of single planes is that with the focus, (planes, 1, parameters), which is smaller.
         """
         names, parts = (*self.names, *added), list[Part]()
         k, size = len(names), self.size + len(added)
@@ -203,8 +204,11 @@ class BeadModel:
             parts.append(bead_images.part_of(psf, derivatives, chain, stack, state.light[j], self.images.threads))
             del derivatives  # before those of the next bead
             columns = [*range(k), *self.columns(j, k)]
-            information[np.ix_(columns, columns)] += parts[-1].information.sum(axis=0)
+            information[np.ix_(columns, columns)] += parts[-1].total
             gradient[columns] += parts[-1].gradient.sum(axis=0)
+            if not whole:
+                focus = k + self.bead_parameters.index("focus")
+                parts[-1] = parts[-1]._replace(information=parts[-1].information[:, focus : focus + 1].copy())
         for column, prior, value in self._prior_terms(state, names):
             _, prior_gradient, prior_information = prior.score(value)
             gradient[column] += prior_gradient

@@ -73,6 +73,7 @@ _DIFFER = "aberrations differ between the beads"
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
 _NOT_OF_POINTS = "diameter", "blur", "step", "jump"  # constants that do not affect the image of a point at exact z
 _FWHM_SIDE = 33  # side of the images of a point whose widths are measured, quarters of the Nyquist sampling
+_FOCUS_STEPS = 4  # steps from the brightest sample to the maximum of a point through focus
 _FIRST_NOLL = 5  # Noll's index of the first term after defocus
 # Starts differ in focus: the search ends at the first that leads to a good fit.
 EFFORT = Effort(starts=5)
@@ -273,7 +274,7 @@ class BeadFit(FitReport):
             raise ValueError(f"z must be a number or have the shape (planes,), got {positions.shape}")
         setup = replace(self._state.setup, diameter=0.0, blur=0.0, step=1.0)
         self.pupil(depth=bead_depth, z=positions)  # checks the range
-        rows = self._jacobian(setup, bead_depth, _point_stack(positions, (height, width)))
+        rows = self._jacobian(setup, _focused(setup, bead_depth), _point_stack(positions, (height, width)))
         # First-order error propagation: the diagonal of J C J^T.
         variance = np.einsum("ipyx,ij,jpyx->pyx", rows, self.covariance, rows)
         return np.asarray(np.sqrt(np.maximum(variance, 0.0)))
@@ -335,8 +336,9 @@ class BeadFit(FitReport):
         if depth in self._measures:
             return self._measures[depth]
         images, count = self._images, len(self._images.estimated_terms)
-        setup, stack, top, values = self._focus(depth, images, self._state.waves)
-        rows = self._jacobian(setup, depth, stack, unaffected=("pixel", *_NOT_OF_POINTS))
+        setup, place, stack, values = self._focus(depth, images, self._state.waves)
+        rows = self._jacobian(setup, place, stack, unaffected=("pixel", *_NOT_OF_POINTS))
+        top = _middle(values)
         # Central differences over a fifth of a standard error: widths are no linear function, and the brightest
         # point moves with the parameters.
         sigmas = 0.1 * np.sqrt(np.diag(self.covariance))
@@ -353,39 +355,43 @@ class BeadFit(FitReport):
         self._measures[depth] = (_widths(values, top) * units)[::-1], (errors * units)[::-1], strehl
         return self._measures[depth]
 
-    def _focus(
-        self, depth: float, images: BeadImages, waves: Array
-    ) -> tuple[Setup, Stack, tuple[int, int, int], Array]:
-        """Return a fine stack of a point through focus: setup, stack, index of its brightest value, and values."""
+    def _focus(self, depth: float, images: BeadImages, waves: Array) -> tuple[Setup, Place, Stack, Array]:
+        """Return setup, place, stack and values of a point through focus, whose maximum is in the middle."""
         objective = self.objective
         pixel = 0.25 * objective.nyquist(wavelength=self.wavelength).pixel
         setup = replace(self._state.setup, pixel=pixel, diameter=0.0, blur=0.0, step=1.0, integrate=False)
         # Aberrations move the focus: eight axial widths, in steps of a tenth.
         step = 0.1 * float(objective.focus(depth, wavelength=self.wavelength).axial_fwhm)
-        z, place, top = step * np.arange(-40.0, 41.0), _focused(setup, depth), 0.0
-        for _ in range(2):
-            # With astigmatism, lateral widths change near the focus: the second stack has a plane at the maximum.
-            stack = _point_stack(z + top, (_FWHM_SIDE, _FWHM_SIDE))
-            values = images.values(setup, waves, place, stack)
-            plane, row, column = (int(index) for index in np.unravel_index(int(values.argmax()), values.shape))
-            before, middle, after = values[np.clip([plane - 1, plane, plane + 1], 0, len(z) - 1), row, column]
-            top += 0.5 * step * (before - after) / min(before - 2.0 * middle + after, -1e-9 * middle)
-        return setup, stack, (plane, row, column), values
+        z, place, around = step * np.arange(-40.0, 41.0), _focused(setup, depth), step * np.arange(-1.0, 2.0)
+        values = images.values(setup, waves, place, _point_stack(z, (_FWHM_SIDE, _FWHM_SIDE)))
+        plane, row, column = np.unravel_index(int(values.argmax()), values.shape)
+        half = _FWHM_SIDE // 2
+        place, top = place._replace(row=half - float(row), column=half - float(column)), float(z[plane])
+        # The point is moved until its maximum is at a sample: with coma and astigmatism, widths change near it.
+        for _ in range(_FOCUS_STEPS):
+            change = _to_maximum(images.values(setup, waves, place, _point_stack(top + around, (3, 3))), (1, 1, 1))
+            place = place._replace(row=place.row - change[1], column=place.column - change[2])
+            top += step * change[0]
+        stack = _point_stack(z + top, (_FWHM_SIDE, _FWHM_SIDE))
+        return setup, place, stack, images.values(setup, waves, place, stack)
 
     def _jacobian(
-        self, setup: Setup, depth: float, stack: Stack, unaffected: Sequence[str] = _NOT_OF_POINTS
+        self, setup: Setup, place: Place, stack: Stack, unaffected: Sequence[str] = _NOT_OF_POINTS
     ) -> Array:
         """Return derivatives of the PSF by all coefficients, 0 for constants `unaffected`, (k, planes, ...)."""
         waves, images = self._state.waves, self._images
         count = len(images.estimated_terms)
-        jacobian = [*images.derivatives(setup, waves, _focused(setup, depth), stack)[:count]]
+        jacobian = [*images.derivatives(setup, waves, place, stack)[:count]]
         for name in [*self.coefficients][count:]:
             if name in unaffected:
                 jacobian.append(np.zeros_like(jacobian[0]))
             else:
                 values = setup.adjacent_values(name)
                 setups = (setup.with_constant(name, value) for value in values)
-                lower, upper = (images.values(changed, waves, _focused(changed, depth), stack) for changed in setups)
+                lower, upper = (
+                    images.values(one, waves, place._replace(focus=brightest(one, place.depth)), stack)
+                    for one in setups
+                )
                 jacobian.append((upper - lower) / (values[1] - values[0]))
         return np.asarray(jacobian, dtype=np.float64)
 
@@ -439,17 +445,36 @@ def _point_stack(z: Array, shape: tuple[int, int]) -> Stack:
     return Stack(np.ones((4, z.size, math.prod(shape))), shape, z)
 
 
+def _middle(values: Array) -> tuple[int, int, int]:
+    """Return the index of the middle of a stack."""
+    planes, height, width = values.shape
+    return planes // 2, height // 2, width // 2
+
+
+def _to_maximum(values: Array, top: tuple[int, int, int]) -> Array:
+    """Return the displacement (3,), in steps, from the sample `top` to the maximum, by a quadratic function."""
+    cube = values[tuple(slice(index - 1, index + 2) for index in top)]
+    slope, hessian = np.zeros(3), np.zeros((3, 3))
+    for a in range(3):
+        low, middle, high = np.moveaxis(cube, a, 0)
+        slope[a], hessian[a, a] = 0.5 * (high - low)[1, 1], (high - 2.0 * middle + low)[1, 1]
+        for b in range(a):
+            (at_low, _, at_high), rest = np.moveaxis(0.5 * (high - low), b, 0), 1
+            hessian[a, b] = hessian[b, a] = 0.5 * (at_high - at_low)[rest]
+    # Without a maximum near the sample, the step is along the slope.
+    values_of, vectors = np.linalg.eigh(hessian)
+    least = -1e-3 * max(float(np.abs(values_of).max()), 1e-300)
+    return np.asarray(np.clip(-vectors @ ((vectors.T @ slope) / np.minimum(values_of, least)), -1.0, 1.0))
+
+
 def _widths(values: Array, top: tuple[int, int, int]) -> Array:
     """Return the widths at half maximum along planes, rows and columns through the maximum near `top`; NaN: none."""
-    found = np.full(3, math.nan)
+    found, change = np.full(3, math.nan), _to_maximum(values, top)
     for axis in range(3):
         profile = values
         for other in (2, 1, 0):
             if other != axis:
-                line = values[tuple(slice(None) if k == other else index for k, index in enumerate(top))]
-                near = np.clip(top[other] + np.arange(-1, 2), 0, len(line) - 1)
-                before, middle, after = line[near].tolist()
-                t = 0.5 * (before - after) / min(before - 2.0 * middle + after, -1e-9 * middle)
+                t, near = float(change[other]), top[other] + np.arange(-1, 2)
                 weights = np.array([0.5 * t * (t - 1.0), 1.0 - t * t, 0.5 * t * (t + 1.0)])
                 profile = np.tensordot(weights, np.take(profile, near, axis=other), (0, other))
         with suppress(ValueError):
@@ -742,11 +767,12 @@ def _build_bead_fit(
         residual = np.stack(
             [np.where(one[2], one[0] - mean, np.nan) for one, mean in zip(level, expected_images, strict=True)]
         )
-        read = np.stack([one[1] for one in level])
+        variance = np.stack([one[1] for one in level]) + expected_images
         background = np.stack([light[1] for light in state.light])[..., None, None]
         if {"misfit", "too_quiet"} & {*Findings(findings).codes}:
+            read = variance - expected_images
             findings[:0] = noise_findings(residual, expected_images, read, background, noise.excess)
-        windows, variance = residual.reshape(-1, *residual.shape[-2:]), expected_images + read
+        windows = residual.reshape(-1, *residual.shape[-2:])
         findings += goodness_of_fit.stripe_findings(windows, variance.reshape(windows.shape), noise.excess)
         reversed_findings: list[Finding] = []
         # The check for reversed planes requires another search: it is run only if a test or chi2 indicates an error.

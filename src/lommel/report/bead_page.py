@@ -52,8 +52,9 @@ svg { max-width: max(100%, 38rem); height: auto; } svg text { fill: currentColor
 table { border-collapse: collapse; font-size: .86rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .2rem .5rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; white-space: normal; vertical-align: bottom; }
-th:first-child, td:first-child, .text th, .text td { text-align: left; white-space: normal; overflow-wrap: anywhere; }
+th:first-child, td:first-child, .text th, .text td { text-align: left; white-space: normal; }
 th:first-child, td:first-child { position: sticky; left: 0; min-width: 6.5rem; background: Canvas; }
+td:first-child, .text td:last-child { overflow-wrap: anywhere; } .text td { vertical-align: top; }
 tr:nth-child(even) td { background: var(--mark); }
 tr:nth-child(even) td:first-child { background: linear-gradient(var(--mark), var(--mark)), Canvas; }
 @media print { @page { size: A4 landscape; margin: 12mm; } :root { color-scheme: light; }
@@ -176,12 +177,12 @@ def _summaries(rows: Sequence[Row]) -> list[str]:
 
 def _drawn(rows: Sequence[Row]) -> list[str]:
     parts = []
-    for beads in _channels(rows).values():
+    for channel, beads in _channels(rows).items():
         x, y = _array(beads, "x"), _array(beads, "y")
         maps = [(_words(n, False), MEASURES[n][2] * _array(beads, n), MEASURES[n][1]) for n in _IN_MAPS]
         maps = [one for one in maps if np.isfinite(one[1]).sum() >= _LEAST_MAP]
         if maps and np.isfinite(x).sum() >= _LEAST_MAP and np.nanmax(x) - np.nanmin(x) > _LEAST_SPREAD:
-            parts.append(_figure(estimates.bead_maps(x, y, maps)))
+            parts += [f"<p>{channel}</p>", _figure(estimates.bead_maps(x, y, maps))]
     curves, middle = [], middle_of(rows)
     for title, names in (("lateral FWHM", ("gauss_x", "gauss_y")), ("axial FWHM", ("gauss_z", "fwhm_z"))):
         series = dict[str, tuple[Array, Array, Array]]()

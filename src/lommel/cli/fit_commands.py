@@ -5,8 +5,7 @@ from __future__ import annotations
 import errno
 import math
 import re
-import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
@@ -54,6 +53,7 @@ _FIELD_FACTOR = 1.6  # images whose side exceeds this multiple of the window sho
 _MUCH_LARGER = 1.5  # images whose sides exceed this multiple of the window around a star are cut
 _MAX_PITCH_DIFFERENCE = 0.05  # relative: five times the error of the pixel pitch that a fit allows for
 _LONG = 45.0  # seconds: fits that take longer are announced
+_BEAD_SECONDS = 5e-6  # processor time of the fit of a bead, for each pixel and parameter
 _SHAPE = "(beads, planes, height, width)"
 _TABLE, _PAGE = "table.csv", "report.html"  # files of a report
 _SUFFIXES = ".tif", ".tiff", ".npy", ".fits", ".fit", ".fits.gz", ".zarr"  # stacks in a folder
@@ -555,6 +555,12 @@ def beads(
             windows += _beads(file, values, Counts.of(values, noise=noise, saturation=saturation), window, notes)
         cut_out = [bead.window for bead in windows]
         status("fitting")
+        columns = 12 + (options.terms if isinstance(options.terms, int) else len(options.terms))
+        fits = min(len(cut_out), options.joint) + (len(cut_out) if folder is not None else 0)
+        if (expected := _BEAD_SECONDS * cut_out[0].size * columns * fits) > _LONG:
+            status.tell(
+                f"Fits of {len(cut_out)} beads: about {expected / 60.0:.0f} min of a processor, fewer with --terms 7."
+            )
 
         def fitted(beads: list[Values], model: Microscope) -> BeadFit:
             return fit_beads(
@@ -570,16 +576,9 @@ def beads(
         if folder is not None and earlier is not None:
             report = _BeadReport(lens.stem, microscope, result, windows, relative, noise, used_step)
             alone = replace(microscope, aberrations=result.aberrations) if result.converged else microscope
-
-            def each() -> Iterator[BeadFit]:
-                start, others = time.monotonic(), len(cut_out) - 1
-                for k, bead in enumerate(cut_out):
-                    if k == 1 and (left := (time.monotonic() - start) * others) > _LONG:
-                        status.tell(f"The fits of {others} more single beads take about {left / 60.0:.0f} minutes.")
-                    yield fitted([bead], alone) if others else result
-
+            each = (result if len(cut_out) == 1 else fitted([bead], alone) for bead in cut_out)
             dates = {path.name: _date(path) for path in stacks}
-            table = report.write(folder, each(), earlier, dates)
+            table = report.write(folder, each, earlier, dates)
     result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))
     if output is not None:
         _fitted(microscope, result, used_step).save(output)

@@ -57,6 +57,8 @@ th:first-child, td:first-child { position: sticky; left: 0; min-width: 6.5rem; b
 td:first-child, .text td:last-child { overflow-wrap: anywhere; } .text td { vertical-align: top; }
 tr:nth-child(even) td { background: var(--mark); }
 tr:nth-child(even) td:first-child { background: linear-gradient(var(--mark), var(--mark)), Canvas; }
+@media (max-width: 45rem) { .text thead { display: none; } .text tr, .text td { display: block; }
+  .text td { border: 0; } .text tr { border-bottom: 1px solid var(--line); } }
 @media print { @page { size: A4 landscape; margin: 12mm; } :root { color-scheme: light; }
   body { max-width: none; padding: 0; font-size: 9pt; } table { font-size: 7pt; } th, td { padding: .1rem .3rem; }
   figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .table { overflow: visible; }

@@ -529,7 +529,8 @@ def _search_repeatedly(search: Search, has_start: bool, attempts: int) -> Outcom
     for attempt in range(attempts):
         search.places, search.stars = places, search.initial_stars
         # The known defocus alone is a good start, because it is usually larger than the unknown aberrations.
-        first_fit = search.fit_from_start() if attempt == 0 and (has_start or search.stars.has_defocus) else None
+        from_start = attempt == 0 and (has_start or search.stars.has_defocus)
+        first_fit = search.fit_from_start(alone=attempts == 1) if from_start else None
         outcome = search.outcome(search.reject_outliers(first_fit or search.fit_from_single_stars()))
         if outcome.findings.converged or outcome.of_noise:
             return outcome

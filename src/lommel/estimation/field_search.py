@@ -31,7 +31,7 @@ from lommel.estimation.star_images import label
 from lommel.estimation.star_readout import lines_of
 from lommel.fit.findings import Finding, Findings
 from lommel.fit.goodness_of_fit import SURE, chi2_findings, largest_plausible_chi2, spot_findings
-from lommel.fit.model_error import ModelError, with_errors_of_model, with_noise
+from lommel.fit.model_error import ModelError, part_missed, with_errors_of_model, with_noise
 from lommel.fit.score_tests import Grade, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, search_rows
 from lommel.methods.derivative_names import term_of
@@ -53,6 +53,7 @@ _NARROW = 0.06  # squared width of blur, pixels^2, below which its profile does 
 _SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # trial offsets of a term, radians rms
 _RANKING_STARS, _FITTED_SHIFTS = 20, 2  # number of stars whose chi2 ranks the offsets; number of best offsets fitted
 _GOOD_CHI2 = 1.08  # largest median chi2 of stars at which a candidate is accepted
+_LITTLE = 0.2  # part of the light that a fit from the only start may miss: less than at other minima (0.3 to 0.7)
 _SAME_CHI2 = 0.02  # two fits of a star are at the same minimum if chi2 differs by less than this times (chi2 - 1)
 _MIN_SURE = 0.75  # smallest fraction of sure stars (see `fit_single_stars`) at which their chi2 is a reference
 _MAX_CHI2_RATIO = 1.5  # a star whose chi2 exceeds the median chi2 by this factor is no single star (double, defect)
@@ -296,8 +297,11 @@ class Search:
     def _centroids(self) -> Array:
         return self.stars.centroids()
 
-    def fit_from_start(self) -> Solution | None:
-        """Fit the brightest stars, starting at the initial wavefronts; return None if no fit is good enough."""
+    def fit_from_start(self, *, alone: bool = False) -> Solution | None:
+        """Fit the brightest stars, starting at the initial wavefronts; return None if no fit is good enough.
+
+        `alone`: no other start follows, so a first fit that misses little of the light is good enough.
+        """
         self.report.begin(*_PHASES["first"])
         chosen = self.brightest()
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
@@ -305,7 +309,11 @@ class Search:
         starts = itertools.chain([polynomials], self._trial_polynomials(ranking_stars, polynomials, squared_widths))
         for trial in starts:
             fit = self.refine(chosen, trial, squared_widths, 10)
-            if fit is not None and np.median(fit.model.star_quality(fit.x, fast=True).chi2) <= _GOOD_CHI2:
+            if fit is None:
+                continue
+            if alone and part_missed(*fit.residual_parts) < _LITTLE:
+                return fit
+            if np.median(fit.model.star_quality(fit.x, fast=True).chi2) <= _GOOD_CHI2:
                 return fit
         return None
 

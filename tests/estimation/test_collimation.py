@@ -15,8 +15,11 @@ TELESCOPE = lm.Lens(focal_length=2.0, aperture_diameter=0.2, obscuration=0.35, w
 PIXEL = 7.6e-6
 
 
-def donut(waves, x=0.0, y=0.0, astigmatism=0.0, *, side=72, seed=1, electrons=2e5):
-    """A star in counts (2 electrons per count, offset 200); terms in waves rms, coma along columns and rows."""
+def donut(waves, x=0.0, y=0.0, astigmatism=0.0, *, side=72, seed=1, electrons=2e5, trail=0):
+    """A star in counts (2 electrons per count, offset 200); terms in waves rms, coma along columns and rows.
+
+    It moves by so many pixels along columns during the exposure.
+    """
     # Samples of half a pixel: the pupil has a diameter of so many cells in a transform of `count`.
     count, n = 4 * side, 10.0
     cells = 0.5 * PIXEL * count / (550e-9 * n)
@@ -31,6 +34,7 @@ def donut(waves, x=0.0, y=0.0, astigmatism=0.0, *, side=72, seed=1, electrons=2e
     field = np.exp(2j * np.pi * phase) * ((r2 < 1.0) & (r2 > 0.35**2))
     light = np.fft.fftshift(np.abs(np.fft.fft2(np.fft.ifftshift(field))) ** 2)
     light = scipy.ndimage.gaussian_filter(light / light.sum(), 2.0)
+    light = scipy.ndimage.uniform_filter1d(light, 2 * trail + 1, axis=1, mode="wrap")
     # Pixels of 2 x 2 samples, centred on the axis.
     light = 0.25 * sum(np.roll(light, shift, (0, 1)) for shift in ((0, 0), (0, 1), (1, 0), (1, 1)))
     pixels = 4.0 * light[::2, ::2][side // 2 : side // 2 + side, side // 2 : side // 2 + side]
@@ -53,6 +57,15 @@ def test_coma_has_its_direction_on_both_sides_of_focus(waves):
     assert other.coma.angle == pytest.approx(found.coma.angle, abs=0.01)
     assert abs(math.sin(other.astigmatism.angle)) == pytest.approx(float(waves < 0.0), abs=0.2)
     assert other.spherical[0] == pytest.approx(-found.spherical[0], abs=found.spherical[1])
+
+
+def test_a_star_that_drifts_has_no_more_coma_or_astigmatism():
+    found = measure_collimation(donut(6.0, 0.12, -0.16, 0.05, trail=10), TELESCOPE, PIXEL)
+    (motion,) = (blur for blur in found.fit.blurs[0] if isinstance(blur, lm.Motion))
+    assert motion.length == pytest.approx(10.5 * PIXEL, rel=0.1)
+    assert abs(math.sin(motion.angle)) < 0.05
+    assert found.coma.size == pytest.approx(0.2, abs=max(3.0 * found.coma.error, 0.01))  # 0.24 without the trail
+    assert abs(math.sin(found.astigmatism.angle)) < 0.3
 
 
 def test_an_outline_includes_the_dim_side_and_the_hole():

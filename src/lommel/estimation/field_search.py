@@ -53,6 +53,9 @@ _NARROW = 0.06  # squared width of blur, pixels^2, below which its profile does 
 _SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # trial offsets of a term, radians rms
 _RANKING_STARS, _FITTED_SHIFTS = 20, 2  # number of stars whose chi2 ranks the offsets; number of best offsets fitted
 _GOOD_CHI2 = 1.08  # largest median chi2 of stars at which a candidate is accepted
+_TRAIL_SHARE = (
+    0.3  # least log Bayes factor of a trail, divided by that of the likeliest effect, to be estimated first
+)
 _LITTLE = 0.2  # part of the light that a fit from the only start may miss: less than at other minima (0.3 to 0.7)
 _SAME_CHI2 = 0.02  # two fits of a star are at the same minimum if chi2 differs by less than this times (chi2 - 1)
 _MIN_SURE = 0.75  # smallest fraction of sure stars (see `fit_single_stars`) at which their chi2 is a reference
@@ -703,7 +706,7 @@ class Search:
             fit, rejected = self.fit_all_stars(self._with_background_slopes(fit, sloping=True))
         tested = partial(missing_tests, self.places, self.degree)
         revised = partial(self._revised, tested)
-        rounds = rounds_of(self.nearest_twin(fit), tested, self._estimating, _without_drifts, revised=revised)
+        rounds = rounds_of(self.nearest_twin(fit), tested, self._estimating, self._favoured, revised=revised)
         fit, (tests, grade, untested) = rounds[-1][:2]
         self.stars = fit.model.stars
         self.report.begin(*_PHASES["end"])
@@ -720,6 +723,17 @@ class Search:
         if len(chosen) == 1 and "misfit" in outcome.findings.codes:
             outcome.model_error = fit.valid_model_error(outcome.findings.codes, tests)
         return outcome
+
+    def _favoured(self, tests: Sequence[ScoreTest]) -> list[ScoreTest]:
+        """Return significant effects, of a donut that of a trail first: it resembles others that no model estimates.
+
+        The model has no changes from image to image, which two foci resemble as well.
+        """
+        found = [test for test in seen(tests) if not test.name.endswith(DRIFTS)]
+        if not found or self.stars.count > 1 or not self.stars.is_donut:
+            return found
+        trails = [t for t in tests if t.name == ELLIPSE and t.log_bayes > _TRAIL_SHARE * found[0].log_bayes]
+        return [*trails, *(test for test in found if test.name != ELLIPSE)]
 
     def _estimating(self, fit: Solution, test: ScoreTest) -> tuple[Solution, float] | None:
         """Return a fit that estimates the effect of `test`, and its gain of lnL; None if the model cannot.
@@ -813,11 +827,6 @@ def trails_of(fit: Solution, tests: Sequence[ScoreTest]) -> tuple[Array, Array, 
     # The length is sqrt(24 m) for m = hypot(trails), and its derivative by m is 12 / length.
     spread = np.hypot(*(trails * errors.reshape(trails.shape)).T) / np.maximum(np.hypot(*trails.T), 1e-12)
     return lengths, 12.0 * spread / np.maximum(lengths, np.sqrt(12.0 * spread)), angles
-
-
-def _without_drifts(tests: Sequence[ScoreTest]) -> list[ScoreTest]:
-    """Return significant effects; the model has no changes from image to image, which two foci resemble as well."""
-    return [test for test in seen(tests) if not test.name.endswith(DRIFTS)]
 
 
 def estimated_effects(rounds: Sequence[Round], coefficients: Array, errors: Array) -> list[Finding]:

@@ -39,6 +39,7 @@ _OTHERS_SHARE = 0.55  # measured part of a fit's remaining time that the derivat
 _ZERO_LIMIT = 0.02  # squared width of blur, pixels^2, below which a step may set it to 0
 _MIN_BRIGHT = 50.0  # chi2 of bright pixels requires this many more of them than twice the number of parameters
 _FIRST_ANGLE = 4  # number of parameters of each image (row, column, flux, background) before the angles
+_DONUT = 1.5 * math.pi  # C_d, radians, from which the outline of a star shows its astigmatism, and not a trail
 _MAX_ANGLE_STEP = 0.05  # largest step of an angle, radians
 
 
@@ -112,6 +113,11 @@ class FieldStars:
         self.latest: list[tuple[Any, bytes, list[Any]]] = [(None, b"", [])]
         self.degrees_of_freedom = int((self.pixel_data[3].sum(axis=(1, 2)) - self.size).mean())
 
+    @property
+    def is_donut(self) -> bool:
+        """Whether all exposures are out of focus by waves, such that stars have an outline."""
+        return float(np.abs(self.defocus).min()) > _DONUT
+
     def with_blur_profile(self, profile: BlurProfile) -> FieldStars:
         """Return a model of the same stars with another profile of the blur, of unknown widths."""
         added_count = (profile.unknown - self.width_count) * self.exposures
@@ -152,10 +158,11 @@ class FieldStars:
     def with_trails(self, trails: Array) -> FieldStars | None:
         """Return a model whose exposures are blurred by lines besides (`trails` as in `lines_of`).
 
-        None if the images cannot tell a line: blur is not estimated, or a single star in one focus has astigmatism.
+        None if the images cannot tell a line: blur is not estimated, or a single star in one focus has astigmatism
+        (of which defocus shows the outline).
         """
         astigmatic = any(abs(m) == 2 for _, m in self.first_star.unknowns.edge)
-        is_told = self.count > 1 or not self.first_star.one_focus or not astigmatic
+        is_told = self.is_donut or self.count > 1 or not (self.first_star.one_focus and astigmatic)
         longest = float(lines_of(trails)[0].max())
         if self.target is not None or not self.width_count or not is_told or longest > 0.5 * min(self.shape):
             return None

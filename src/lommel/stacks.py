@@ -13,10 +13,8 @@ from __future__ import annotations
 import math
 import os
 import secrets
-import warnings
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
-from concurrent import futures
-from contextlib import closing, nullcontext, suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -25,11 +23,12 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import atomic, validation
+from lommel.base import atomic, executors, validation
 from lommel.base.arrays import Array, Json, Values
 from lommel.base.arrays import Index as ArrayIndex
 from lommel.base.atomic import checksum, crc32, plain, sealed
 from lommel.base.cached import cached_property
+from lommel.base.executors import Workers
 from lommel.base.optional import version
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import zarr_folders
@@ -698,9 +697,8 @@ def psf_to(
     """
     path = path_of(store)
     validation.function("progress", progress, required=False)
-    plan, (pool, slots) = Plan(shape, pixel, **options), _executor(client)
-    if pool is not None and plan.threads:
-        raise ValueError(f"threads must be left out with a client, whose workers are used, got {plan.threads}")
+    plan = Plan(shape, pixel, **options)
+    workers = Workers.of(client, plan.threads)
     request = requested(plan, pupils, axes, chunk)
     if not path.exists():
         arrays: Arrays = {f"pupil/{name}": values for name, values in request.arrays.items()}
@@ -717,15 +715,24 @@ def psf_to(
         )
     computed = target.computed()
     todo = [tuple(int(i) for i in index) for index in np.argwhere(~computed)]
-    if pool is None:
-        slots = min(plan.threads or os.cpu_count() or 1, max(1, len(todo)))
     compute = partial(_compute_chunk, target, request.methods, request.prepare)
     tasks = ((index, request.pupil_checksum(index), *request.part(index)) for index in todo)
-    with closing(_run_tasks(pool, slots, compute, tasks, client)) as results:
+    with closing(workers.run(compute, tasks)) as results, _seen(target, client):
         for done, _ in enumerate(results, computed.size - len(todo) + 1):
             if progress is not None:
                 progress(done, computed.size)
     return PSFStack(target)
+
+
+@contextmanager
+def _seen(store: Store, client: object) -> Iterator[None]:
+    """Raise the error of a replaced store as that of a worker that does not see it, where this process does."""
+    try:
+        yield
+    except FileError:
+        if client is not None and _scratch(store.path, store.description).is_dir():
+            raise FileError(executors.unseen(store.path)) from None
+        raise
 
 
 def _difference(stored: Description, requested: Description) -> str:
@@ -738,83 +745,6 @@ def _difference(stored: Description, requested: Description) -> str:
                 f"{name}: {validation.shown(stored.get(name))} in the store, now {validation.shown(requested[name])}"
             )
     return ""
-
-
-def _executor(client: Any) -> tuple[futures.Executor | None, int]:
-    """Return the executor of a client (None for threads of this process), and the number of chunks to queue."""
-    if client is None:
-        return None, 0
-    if isinstance(client, futures.Executor):
-        return client, 2 * (os.cpu_count() or 1)
-    if callable(getattr(client, "get_executor", None)):
-        return client.get_executor(), 2 * max(1, sum(client.nthreads().values()))
-    raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
-
-
-def _run_tasks(
-    pool: futures.Executor | None,
-    slots: int,
-    function: Callable[..., None],
-    tasks: Iterator[tuple[object, ...]],
-    client: Any = None,
-) -> Generator[None]:
-    """Call `function` for each task, yield after each; at most `slots + 1` are queued, and an error cancels these."""
-    under_way: set[futures.Future[None]] = set()
-    wait = partial(_wait, client if hasattr(client, "nthreads") else None)
-    with futures.ThreadPoolExecutor(slots) if pool is None else nullcontext(pool) as executor:
-        try:
-            for task in tasks:
-                if len(under_way) > slots:
-                    done, under_way = wait(under_way)
-                    yield from map(_result, done)
-                try:
-                    under_way.add(executor.submit(function, *task))
-                except Exception:
-                    if getattr(client, "status", "running") == "running":
-                        raise
-                    raise RuntimeError(_CANCELLED) from None  # the client lost its scheduler
-            while under_way:
-                done, under_way = wait(under_way)
-                yield from map(_result, done)
-        finally:
-            for future in under_way:
-                future.cancel()
-
-
-_CANCELLED = (
-    "the client cancelled chunks, as when the scheduler of its cluster ends: repeat the call, which keeps the chunks "
-    "that were computed and computes the others"
-)
-_PATIENCE = 10.0
-"""Seconds without a result after which a cluster is asked for its workers."""
-
-
-def _wait(
-    client: Any, under_way: set[futures.Future[None]]
-) -> tuple[set[futures.Future[None]], set[futures.Future[None]]]:
-    """Return the futures that are done, at least one, and the others; warn if a cluster has no workers."""
-    while True:
-        done, others = futures.wait(under_way, None if client is None else _PATIENCE, futures.FIRST_COMPLETED)
-        if done:
-            return done, others
-        try:
-            workers = client.nthreads()
-        except Exception:  # the scheduler does not answer, for which distributed raises many types
-            workers = {}
-        if not workers:
-            warnings.warn(
-                "no worker is connected to the cluster of the client: psf_to waits for workers",
-                RuntimeWarning,
-                stacklevel=4,
-            )
-
-
-def _result(future: futures.Future[None]) -> None:
-    """Return the result of a future; RuntimeError if its executor cancelled it."""
-    try:
-        future.result()
-    except futures.CancelledError:
-        raise RuntimeError(_CANCELLED) from None
 
 
 def _compute_chunk(

@@ -17,6 +17,7 @@ import pytest
 
 import lommel as lm
 from lommel import stacks
+from lommel.base import executors
 from lommel.io.psf_files import FileError
 from lommel.stacks import PSFStack
 
@@ -137,7 +138,7 @@ class Cluster:
 
 
 def test_chunks_that_a_cluster_cancels_are_computed_by_the_next_call(tmp_path, known):
-    with pytest.raises(RuntimeError, match=r"the client cancelled chunks, .* repeat the call, which keeps"):
+    with pytest.raises(RuntimeError, match=r"the client cancelled tasks, .* repeat the call, which keeps"):
         run(tmp_path / "a.zarr", client=Cluster("cancelled"))
     assert lm.open_stack(tmp_path / "a.zarr").done[0] >= 2
     assert contents(run(tmp_path / "a.zarr")) == known
@@ -145,7 +146,7 @@ def test_chunks_that_a_cluster_cancels_are_computed_by_the_next_call(tmp_path, k
 
 @pytest.mark.parametrize("fate", ["late", "silent"])
 def test_a_cluster_without_workers_is_waited_for_with_a_warning(fate, tmp_path, known, monkeypatch):
-    monkeypatch.setattr(stacks, "_PATIENCE", 0.01)
+    monkeypatch.setattr(executors, "_PATIENCE", 0.01)
     with pytest.warns(RuntimeWarning, match="no worker is connected to the cluster") as caught:
         stack = run(tmp_path / "a.zarr", client=Cluster(fate))
     assert contents(stack) == known
@@ -155,7 +156,7 @@ def test_a_cluster_without_workers_is_waited_for_with_a_warning(fate, tmp_path, 
 def test_the_end_of_a_real_scheduler_is_told(tmp_path, known):
     distributed = pytest.importorskip("distributed")
     cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None)
-    cancelled = pytest.raises(RuntimeError, match="the client cancelled chunks")
+    cancelled = pytest.raises(RuntimeError, match="the client cancelled tasks")
     with cluster, distributed.Client(cluster) as client, cancelled:
         run(tmp_path / "a.zarr", client=client, progress=lambda *_: cluster.close())
     assert contents(run(tmp_path / "a.zarr")) == known

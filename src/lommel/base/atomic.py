@@ -41,6 +41,7 @@ from lommel.base.validation import line
 # Prefix of temporary names, by which `_sweep` recognises files that a killed process has left. It is short, since
 # file names have a maximum length, and no other program uses it.
 _PREFIX = ".lommel-"
+_SCRATCH = f"{_PREFIX}scratch-"
 _DAY = 86400.0  # seconds
 _MAX_NAME = 255  # maximum length of a file name, bytes
 _FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # no conversion of line ends
@@ -110,6 +111,24 @@ def _temporary_files(scratch: Path | None = None, *, exclusive: bool = False) ->
         for temporary, _, _ in renames:
             with suppress(OSError):  # already renamed, or in a folder without write permission
                 temporary.unlink()
+
+
+@contextmanager
+def scratch_folder(folder: Path) -> Iterator[Path]:
+    """Yield a new folder in `folder`, for files that workers write before they move them into place.
+
+    It is removed at the end: a worker that outlives the call, or of a call that was killed before this one, can no
+    longer write. The caller holds the lock of `folder`.
+    """
+    with as_path_error(folder):
+        for left in folder.glob(f"{_SCRATCH}*"):
+            shutil.rmtree(left, ignore_errors=True)
+        scratch = folder / (_SCRATCH + secrets.token_hex(8))
+        scratch.mkdir()
+    try:
+        yield scratch
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
 
 
 def _move_into_place(renames: list[tuple[Path, Path, int | None]], *, exclusive: bool = False) -> None:

@@ -9,7 +9,9 @@ import os
 import reprlib
 import sys
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, SupportsIndex, TypeVar, cast
 
 import numpy as np
@@ -22,13 +24,29 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 
-def tell(note: str) -> None:
-    """Issue a UserWarning that refers to the line outside this package from which the package was called."""
+def tell(note: str, category: type[Warning] = UserWarning) -> None:
+    """Issue a warning that refers to the line outside this package from which the package was called."""
+    if category is UserWarning and (notes := _collected.get()) is not None:
+        notes[0].append(notes[1] + note)
+        return
     # A fixed stacklevel would refer to a line of this package, since the number of frames varies.
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("lommel."):
         level, frame = level + 1, frame.f_back
-    warnings.warn(note, stacklevel=level)
+    warnings.warn(note, category, stacklevel=level)
+
+
+_collected: ContextVar[tuple[list[str], str] | None] = ContextVar("collected", default=None)
+
+
+@contextmanager
+def collected(notes: list[str], prefix: str) -> Iterator[None]:
+    """Add the warnings of :func:`tell` in this thread, after a prefix, to a list instead of issuing them."""
+    token = _collected.set((notes, prefix))
+    try:
+        yield
+    finally:
+        _collected.reset(token)
 
 
 MAX_SIDE = 16384

@@ -62,6 +62,9 @@ _Function = TypeVar("_Function", bound=Callable[..., object])
 OUTPUT = Shown(("--output", "-o"), metavar="FILE", writes=True)
 """Form of the file that a command writes."""
 
+CLIENT = Shown(metavar="ADDRESS")
+"""Form of the address of the scheduler of a cluster."""
+
 PLOT = Shown(("--plot",), metavar="FILE", writes=True, figure=True)
 """Form of the file to which a command draws a figure: .png, .pdf or .svg."""
 

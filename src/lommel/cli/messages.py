@@ -13,6 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from lommel.base.executors import ExecutorError, Waiting
 from lommel.base.units import with_units
 from lommel.base.validation import brief, line
 from lommel.cli.interrupts import discard
@@ -68,7 +69,9 @@ def collected_notes(notes: list[str]) -> Iterator[None]:
         old_show = warnings.showwarning
 
         def show(message: Warning | str, category: type[Warning], *place: Any, **keywords: Any) -> None:
-            if not issubclass(category, UserWarning):
+            if issubclass(category, Waiting):  # now, since the wait may have no end
+                print(f"Note: {message}", file=sys.stderr)
+            elif not issubclass(category, UserWarning):
                 old_show(message, category, *place, **keywords)
             elif (note := with_options(str(message))) not in notes:
                 notes.append(note)
@@ -78,7 +81,7 @@ def collected_notes(notes: list[str]) -> Iterator[None]:
 
 
 _SHORTAGES = ("can't start new thread", "failed to map segment")  # messages if memory or threads are short
-_USER_ERRORS = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError)
+_USER_ERRORS = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError, ExecutorError)
 
 
 def _message(error: Exception) -> str:

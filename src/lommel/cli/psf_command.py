@@ -15,12 +15,13 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 import numpy as np
 
 from lommel.base import validation
+from lommel.base.executors import connected
 from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import ARCSEC, format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import colour_psf
-from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.command import CLIENT, OUTPUT, PLOT, command
 from lommel.cli.instruments import WINDOW, Optics, Planes, Sensor, instrument_of, microscope_of
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
 from lommel.field.psf_grid import PSFGrid
@@ -47,6 +48,7 @@ def stack(
     count: Annotated[int, In(least=2, most=10**9)],
     output: Annotated[Path, OUTPUT._replace(metavar="FOLDER")],
     shape: Annotated[Any, WINDOW] = None,
+    client: Annotated[str | None, CLIENT] = None,
     sensor: Sensor = Sensor(),
 ) -> Report:
     """Compute PSFs over a range of object distances, on disk.
@@ -64,6 +66,8 @@ def stack(
         Store to write, a folder .zarr.
     shape
         Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
+    client
+        Scheduler of a dask cluster that computes, such as tcp://host:8786; its workers must reach the store.
 
     Examples
     --------
@@ -77,7 +81,10 @@ def stack(
         distances = 1.0 / np.linspace(1.0 / near, 1.0 / far, count)
     distances[0], distances[-1] = near, far
     window, start, steps = instrument.window, time.perf_counter(), 0
-    with progress(f"{count} PSFs of {window[0]} x {window[1]} pixels") as report_progress:
+    with (
+        progress(f"{count} PSFs of {window[0]} x {window[1]} pixels") as report_progress,
+        connected(client) as cluster,
+    ):
 
         def report_chunk(chunks: int, total: int) -> None:
             nonlocal steps
@@ -91,6 +98,7 @@ def stack(
             instrument.pixel,
             integrate=instrument.integrate,
             progress=report_chunk,
+            client=cluster,
         )
     bound, seconds = float(store.error_bound.max()), time.perf_counter() - start
     facts = {"store": str(output), "shape": list(store.shape), "dtype": str(store.dtype), "seconds": seconds}

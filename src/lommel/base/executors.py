@@ -1,0 +1,193 @@
+"""Tasks on threads, on an executor of concurrent.futures, or on the workers of a cluster (dask.distributed).
+
+A task reads its data and writes its results where it runs. A cluster repeats tasks whose worker ended, and a worker
+may outlive the call: a task must therefore write parts that are complete or absent, with the same bits each time.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+from collections.abc import Callable, Generator, Iterable, Iterator
+from concurrent import futures
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from lommel.base import validation
+from lommel.base.optional import library
+
+_Task = TypeVar("_Task", bound=tuple[Any, ...])
+_Result = TypeVar("_Result")
+_Value = TypeVar("_Value")
+
+_PATIENCE = 10.0
+"""Seconds without a result after which a cluster is asked for its workers."""
+_ATTEMPTS = 8
+"""Number of times that a task is submitted again after a cluster gave it up because its workers ended."""
+
+
+class ExecutorError(RuntimeError):
+    """Error of an executor that ended or gave up tasks; the same call with a new one continues."""
+
+
+@dataclass(eq=False)
+class _Submitted(Generic[_Task, _Result]):
+    """A task, its future, and how often the executor gave it up."""
+
+    task: _Task
+    future: futures.Future[_Result]
+    losses: int = 0
+
+
+@dataclass(frozen=True)
+class Workers:
+    """The workers of a client: `executor` is None for threads of this process; `slots` tasks are queued."""
+
+    executor: futures.Executor | None
+    slots: int
+    client: Any = None
+
+    @classmethod
+    def of(cls, client: Any, threads: int | None = None) -> Workers:
+        """Return the workers of a client, or for None `threads` of this process, by default one per processor."""
+        if client is None:
+            return cls(None, threads or os.cpu_count() or 1)
+        if threads:
+            raise ValueError(f"threads must be left out with a client, whose workers are used, got {threads}")
+        if isinstance(client, futures.Executor):
+            return cls(client, 2 * (os.cpu_count() or 1))
+        if callable(getattr(client, "get_executor", None)):
+            return cls(client.get_executor(), 2 * max(1, sum(client.nthreads().values())), client)
+        raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
+
+    def run(
+        self, function: Callable[..., _Result], tasks: Iterable[_Task], *, ordered: bool = False
+    ) -> Generator[tuple[_Task, _Result]]:
+        """Call ``function(*task)`` for each task; yield tasks and results as they end, or in the order of the tasks.
+
+        At most `slots` + 1 tasks are queued. An error, or closing the generator, cancels them. ExecutorError if the
+        executor ends or gives up a task.
+        """
+        queue: list[_Submitted[_Task, _Result]] = []
+        pool = futures.ThreadPoolExecutor(self.slots) if self.executor is None else nullcontext(self.executor)
+        with pool as executor:
+            try:
+                source = iter(tasks)
+                while True:
+                    while len(queue) <= self.slots and (task := next(source, None)) is not None:
+                        queue.append(_Submitted(task, self._submit(executor, function, task)))
+                    if not queue:
+                        return
+                    done = self._wait([each.future for each in (queue[:1] if ordered else queue)])
+                    for each in [each for each in queue if each.future in done]:
+                        try:
+                            result = _result(each.future)
+                        except Exception as error:
+                            if type(error).__name__ != "KilledWorker":  # of distributed
+                                raise
+                            if (losses := each.losses + 1) > _ATTEMPTS:
+                                raise ExecutorError(_KILLED) from None
+                            each.future, each.losses = self._submit(executor, function, each.task), losses
+                            continue
+                        queue.remove(each)
+                        yield each.task, result
+            finally:
+                for each in queue:
+                    each.future.cancel()
+
+    def _submit(
+        self, executor: futures.Executor, function: Callable[..., _Result], task: _Task
+    ) -> futures.Future[_Result]:
+        try:
+            return executor.submit(function, *task)
+        except futures.BrokenExecutor:
+            raise ExecutorError(_ENDED) from None
+        except Exception:
+            if getattr(self.client, "status", "running") == "running":
+                raise
+            raise ExecutorError(_CANCELLED) from None  # the client lost its scheduler
+
+    def _wait(self, pending: list[futures.Future[_Result]]) -> set[futures.Future[_Result]]:
+        """Return the futures that are done, at least one; warn if a cluster has no workers."""
+        while True:
+            patience = _PATIENCE if hasattr(self.client, "nthreads") else None
+            if done := futures.wait(pending, patience, futures.FIRST_COMPLETED).done:
+                return done
+            try:
+                workers = self.client.nthreads()
+            except Exception:  # the scheduler does not answer, for which distributed raises many types
+                workers = {}
+            if not workers:
+                validation.tell("no worker is connected to the cluster of the client: waiting for workers", Waiting)
+
+
+class Waiting(RuntimeWarning):
+    """Warning that a cluster has no workers."""
+
+
+_REPEAT = "repeat the call, which keeps the parts that were computed and computes the others"
+_CANCELLED = f"the client cancelled tasks, as when the scheduler of its cluster ends: {_REPEAT}"
+_ENDED = f"a process of the executor ended, as when memory is short: {_REPEAT}, with a new executor"
+_KILLED = f"the workers that computed a task ended again and again, as when their memory is too small: {_REPEAT}"
+
+
+def _result(future: futures.Future[_Result]) -> _Result:
+    """Return the result of a future; ExecutorError if its executor cancelled it or ended."""
+    try:
+        return future.result()
+    except futures.CancelledError:
+        raise ExecutorError(_CANCELLED) from None
+    except futures.BrokenExecutor:
+        raise ExecutorError(_ENDED) from None
+
+
+def unseen(place: Path) -> str:
+    """Return the message for a folder that this process sees, and a worker does not."""
+    return (
+        f"a worker does not see {validation.line(place)}: choose a folder that all workers reach under this path, "
+        "and repeat the call"
+    )
+
+
+class Shared(Generic[_Value]):
+    """A value that tasks have in common: pickled once, and unpickled once by each process of workers."""
+
+    def __init__(self, value: _Value) -> None:
+        self.value = value
+
+    @cached_property
+    def _pickled(self) -> bytes:
+        try:
+            from cloudpickle import dumps  # of dask: also for functions of scripts
+        except ImportError:
+            dumps = pickle.dumps
+        data: bytes = dumps(self.value)
+        return data
+
+    def __reduce__(self) -> tuple[Callable[[bytes], Shared[Any]], tuple[bytes]]:
+        return _unpickled, (self._pickled,)
+
+
+@lru_cache(maxsize=2)
+def _unpickled(data: bytes) -> Shared[Any]:
+    return Shared(pickle.loads(data))
+
+
+@contextmanager
+def connected(address: str | None) -> Iterator[Any]:
+    """Yield a client of the cluster at an address, such as tcp://scheduler:8786, or None without an address."""
+    if address is None:
+        yield None
+        return
+    distributed = library("distributed", "a cluster needs", "")
+    try:
+        client = distributed.Client(address, timeout="10s")
+    except (OSError, ValueError, TypeError) as error:
+        raise ConnectionError(
+            f"no scheduler of a dask cluster answers at {validation.shown(address)}: {validation.line(str(error))}"
+        ) from None
+    with client:
+        yield client

@@ -1,0 +1,167 @@
+"""Tasks on executors: results in order, few tasks in progress, and executors that end."""
+
+from __future__ import annotations
+
+import pickle
+import threading
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+
+import pytest
+
+from lommel.base import executors
+from lommel.base.executors import ExecutorError, Shared, Workers, connected
+
+
+def numbers(count):
+    return [(k,) for k in range(count)]
+
+
+def test_results_come_as_they_end_or_in_order():
+    gates = [threading.Event() for _ in range(3)]
+
+    def wait(k: int) -> int:
+        gates[k].wait(5.0)
+        if k:
+            gates[k - 1].set()
+        return 10 * k
+
+    for ordered, expected in ((False, [2, 1, 0]), (True, [0, 1, 2])):
+        gates[2].set()
+        with ThreadPoolExecutor(3) as pool:
+            results = list(Workers(pool, 3).run(wait, numbers(3), ordered=ordered))
+        assert (sorted(results) if not ordered else results) == [((k,), 10 * k) for k in range(3)]
+        if not ordered:
+            assert {task[0] for task, _ in results} == set(expected)
+        for gate in gates:
+            gate.clear()
+
+
+class Immediate(Executor):
+    """Executor that computes at once; `fates` are exceptions of the first calls of each task, by its number."""
+
+    def __init__(self, **fates: list[Exception]) -> None:
+        self.fates, self.futures = fates, []
+
+    def submit(self, function, *task):
+        future = Future()
+        self.futures.append(future)
+        if fates := self.fates.get(f"task{task[0]}"):
+            future.set_exception(fates.pop(0))
+        else:
+            future.set_result(function(*task))
+        return future
+
+
+class KilledWorker(Exception):  # noqa: N818 (the name in distributed)
+    """As distributed raises it for a task whose workers ended four times."""
+
+
+def test_tasks_whose_workers_ended_are_submitted_again():
+    pool = Immediate(task1=[KilledWorker(), KilledWorker()])
+    assert [result for _, result in Workers(pool, 2).run(str, numbers(4), ordered=True)] == ["0", "1", "2", "3"]
+    assert len(pool.futures) == 6
+    endless = Immediate(task1=[KilledWorker() for _ in range(99)])
+    with pytest.raises(ExecutorError, match="ended again and again, as when their memory is too small"):
+        list(Workers(endless, 2).run(str, numbers(4)))
+
+
+def test_an_executor_that_ended_is_named():
+    with pytest.raises(ExecutorError, match=r"a process of the executor ended.* repeat the call"):
+        list(Workers(Immediate(task2=[BrokenExecutor()]), 2).run(str, numbers(4)))
+
+
+def test_closing_cancels_queued_tasks():
+    class Waiting(Executor):
+        def __init__(self) -> None:
+            self.futures = []
+
+        def submit(self, function, *task):
+            self.futures.append(future := Future())
+            if not task[0]:
+                future.set_result(None)
+            return future
+
+    pool = Waiting()
+    results = Workers(pool, 3).run(str, numbers(100))
+    next(results)
+    results.close()
+    assert [future.cancelled() for future in pool.futures] == [False, True, True, True]
+
+
+def test_errors_of_a_task_are_raised():
+    with pytest.raises(ZeroDivisionError):
+        list(Workers.of(None, 2).run(lambda k: 1 // k, numbers(3)))
+
+
+class Counted:
+    """A value that counts how often it is pickled and unpickled."""
+
+    pickled, unpickled = 0, 0
+
+    def __reduce__(self):
+        Counted.pickled += 1
+        return _count, ()
+
+
+def _count():
+    Counted.unpickled += 1
+    return Counted()
+
+
+def test_shared_values_are_pickled_and_unpickled_once():
+    shared = Shared(Counted())
+    copies = [pickle.loads(pickle.dumps(shared)) for _ in range(3)]
+    assert (Counted.pickled, Counted.unpickled) == (1, 1)
+    assert isinstance(copies[0].value, Counted)
+    assert pickle.loads(pickle.dumps(copies[0])) is not None
+
+
+def test_clients_are_checked():
+    with pytest.raises(TypeError, match=r"client must be a distributed.Client, an Executor or None, got 'tcp"):
+        Workers.of("tcp://host:8786")
+    with ThreadPoolExecutor(1) as pool, pytest.raises(ValueError, match="threads must be left out with a client"):
+        Workers.of(pool, 2)
+
+
+def test_an_address_without_a_scheduler_is_named(monkeypatch):
+    distributed = pytest.importorskip("distributed")
+
+    def refuse(*_, **__):
+        raise OSError("Timed out trying to connect")
+
+    monkeypatch.setattr(distributed, "Client", refuse)
+    with connected(None) as client:
+        assert client is None
+    with (
+        pytest.raises(ConnectionError, match=r"no scheduler .* 'tcp://nobody:8786': Timed out"),
+        connected("tcp://nobody:8786"),
+    ):
+        pass
+
+
+def _exit(_):
+    import os
+
+    os._exit(1)
+
+
+def test_a_process_that_was_killed_is_named():
+    import multiprocessing
+
+    with (
+        ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool,
+        pytest.raises(ExecutorError, match="a process of the executor ended"),
+    ):
+        list(Workers.of(pool).run(_exit, numbers(5)))
+
+
+def test_results_within_patience_need_no_workers_asked(monkeypatch):
+    monkeypatch.setattr(executors, "_PATIENCE", 60.0)
+
+    class Client:
+        status = "running"
+
+        def nthreads(self):
+            raise AssertionError("asked")
+
+    assert len(list(Workers(Immediate(), 2, Client()).run(str, numbers(3)))) == 3

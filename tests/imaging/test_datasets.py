@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import json
+import os
+import random
+import shutil
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import lommel as lm
-from lommel.imaging import DepthBlur, DepthMapOptions, LensRanges, Occlusion, render_dataset
+from lommel.imaging import DepthBlur, DepthMapOptions, LensRanges, Occlusion, datasets, render_dataset
 from lommel.imaging.datasets import pair_files
 from lommel.io import registry
 
@@ -103,6 +108,76 @@ def test_workers_and_interruptions_change_nothing(files):
     assert [each.number for each in rendered(files, "again", workers=2)] != [0]
     assert_alike(contents(files / "again"), wanted)
     assert rendered(files, "again") == []
+
+
+def test_an_executor_renders_the_same_bits(files, monkeypatch):
+    """As one thread of this process does."""
+    monkeypatch.setattr("os.cpu_count", lambda: 1)
+    rendered(files, noise=lm.Noise(white=5000, read=3.0))
+    with ThreadPoolExecutor(2) as client:
+        made = rendered(files, "other", client=client, noise=lm.Noise(white=5000, read=3.0))
+        assert rendered(files, "other", client=client, noise=lm.Noise(white=5000, read=3.0)) == []
+    assert contents(files / "other") == contents(files / "set")
+    assert all(file.is_file() for each in made for file in each.files)
+
+
+def test_folders_that_workers_do_not_see_or_that_were_replaced_are_told(files, monkeypatch):
+    with ThreadPoolExecutor(1) as client:
+        some = render_dataset(
+            files / "photos", files / "depths", files / "set", LENSES, seed=3, copies=9, client=client
+        )
+        next(some)
+        shutil.rmtree(files / "set")
+        with pytest.raises(ValueError, match="set was removed or replaced while its pictures were rendered"):
+            list(some)
+        elsewhere = datasets.atomic.whole_files
+        monkeypatch.setattr("lommel.imaging.datasets.atomic.whole_files", lambda _: elsewhere(files / "none"))
+        with pytest.raises(ValueError, match=r"a worker does not see .*set: choose a folder that all workers reach"):
+            rendered(files, client=client)
+
+
+def test_a_worker_that_outlives_its_call_writes_nothing(files):
+    late = []
+
+    class Late(ThreadPoolExecutor):
+        def submit(self, function, *task):
+            if task[0] == 2:
+                late.append((function, task))
+                raise KeyboardInterrupt
+            return super().submit(function, *task)
+
+    with Late(1) as client, pytest.raises(KeyboardInterrupt):
+        rendered(files, client=client)
+    before = contents(files / "set")
+    ((function, task),) = late
+    with pytest.raises(ValueError, match="was removed or replaced"):
+        function(*task)
+    assert contents(files / "set") == before
+
+
+@pytest.mark.filterwarnings("ignore::lommel.base.executors.Waiting")  # workers begin anew
+def test_workers_and_a_scheduler_that_are_killed_change_no_picture(files, monkeypatch):
+    distributed, psutil = pytest.importorskip("distributed"), pytest.importorskip("psutil")
+    draw = random.Random(5)
+    monkeypatch.setattr(sys.modules[__name__], "LENSES", replace(LENSES, f_number=8.0))
+    made = rendered(files, copies=30, workers=1 + (os.cpu_count() or 1))  # one thread for each picture
+    cluster = distributed.LocalCluster(2, threads_per_worker=1, processes=True, dashboard_address=None)
+    with cluster, distributed.Client(cluster) as client:
+        pictures = render_dataset(
+            files / "photos", files / "depths", files / "other", LENSES, seed=3, copies=30, client=client
+        )
+        for picture in pictures:
+            if picture.done % 9 == 0:
+                processes = psutil.Process().children(recursive=True)
+                draw.choice([each for each in processes if "spawn_main" in " ".join(each.cmdline())]).kill()
+            if picture.done == 50:
+                cluster.close()
+                break
+        with pytest.raises(RuntimeError, match="the client cancelled tasks"):
+            list(pictures)
+    rendered(files, "other", copies=30, workers=1 + (os.cpu_count() or 1))
+    assert len(made) == 60
+    assert contents(files / "other") == contents(files / "set")
 
 
 def test_draws_are_uniform_in_what_they_say():

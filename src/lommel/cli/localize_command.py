@@ -11,8 +11,9 @@ from typing import Annotated, ClassVar, Literal
 import numpy as np
 from rich.text import Text
 
+from lommel.base.executors import connected
 from lommel.base.options import In, Options, Shown, filled
-from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.command import CLIENT, OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraMaps, header_differences, require_microscope, require_order
 from lommel.cli.messages import finding_lines
 from lommel.cli.output import progress, require_folder, save_figure, written
@@ -61,6 +62,7 @@ def localize(
     *,
     outputs: Annotated[tuple[Path, ...], OUTPUT],
     figure: Annotated[Path | None, PLOT] = None,
+    client: Annotated[str | None, CLIENT] = None,
     camera: CameraMaps = CameraMaps(),
     molecules: MoleculeImages = MoleculeImages(),
     options: LocalizeOptions = LocalizeOptions(),
@@ -85,6 +87,9 @@ def localize(
         Table of molecules: {formats}; may be repeated.
     figure
         Picture of the molecules, coloured by z: .png, .pdf or .svg.
+    client
+        Scheduler of a dask cluster that reads and fits the frames, such as tcp://host:8786; its workers must reach
+        MOVIE under this path. After an interruption, the same command resumes.
     mask
         Image that is not 0 at pixels to ignore.
     flat
@@ -105,7 +110,11 @@ def localize(
     microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
     start = time.perf_counter()
     parts: list[Localizations] = []
-    with progress("table of images") as report_progress, open_frames(movie) as movie_file:
+    with (
+        progress("table of images") as report_progress,
+        open_frames(movie) as movie_file,
+        connected(client) as cluster,
+    ):
         frames = movie_file.as_stack()
         noise, saturation, header = camera.resolve(frames.metadata, microscope.camera, microscope.pixel)
         header = [*frames.notes, *header, *header_differences(frames.metadata, microscope).values()]
@@ -116,6 +125,8 @@ def localize(
             options,
             surface=microscope.focal_surface,
             progress=lambda count, total: report_progress(f"frame {count} of {total}", count / total),
+            client=cluster,
+            keep=outputs[0] if cluster else None,
         )
         with writer(*outputs) as write:
             for part in movie_blocks(

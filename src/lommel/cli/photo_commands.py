@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from lommel import imaging
 from lommel.base.arrays import Values, plain
 from lommel.base.encoding import Encoding, as_json, named, parsed, to_light
+from lommel.base.executors import connected
 from lommel.base.options import In, Shown, filled
-from lommel.cli.command import OUTPUT, PLOT, command, length
+from lommel.cli.command import CLIENT, OUTPUT, PLOT, command, length
 from lommel.cli.instruments import (
     MaskedPhotoNoise,
     PhotoCamera,
@@ -77,20 +78,28 @@ class DataSet(imaging.DatasetOptions):
         Electrons at white, such as 5000, for photon noise.
     read
         Read noise, rms electrons; needs --white.
+    client
+        Scheduler of a dask cluster that renders, such as tcp://host:8786; its workers must reach all folders.
     """
 
     heading: ClassVar[str] = "Data set"
     seed: int = 0
     white: float | None = None
     read: float | None = None
+    client: Annotated[str | None, CLIENT] = None
 
-    def options(self, depth: imaging.DepthMapOptions) -> imaging.DatasetOptions:
+    def options(self, depth: imaging.DepthMapOptions, client: Any) -> imaging.DatasetOptions:
         """Return the options of :func:`lommel.imaging.render_dataset`."""
         if self.white is None and self.read is not None:
             raise ValueError("--read needs --white, the electrons at white")
         noise = None if self.white is None else Noise(white=self.white, read=self.read or 0.0)
         return imaging.DatasetOptions(
-            copies=self.copies, workers=self.workers, noise=noise, depth_options=depth, on_error="skip"
+            copies=self.copies,
+            workers=self.workers,
+            client=client,
+            noise=noise,
+            depth_options=depth,
+            on_error="skip",
         )
 
 
@@ -212,9 +221,9 @@ def _render(
     failed: list[Facts] = []
     rendered: list[Facts] = []
     try:
-        with progress("reading") as status:
+        with progress("reading") as status, connected(data.client) as cluster:
             pictures = imaging.render_dataset(
-                photos, depths, folder, lenses, seed=data.seed, options=data.options(depth_map)
+                photos, depths, folder, lenses, seed=data.seed, options=data.options(depth_map, cluster)
             )
             for picture in pictures:
                 finished, total = picture.done, picture.total

@@ -106,6 +106,7 @@ def find(
     threshold: float = 6.0,
     width: float = 2.0,
     first: int = 0,
+    threads: int | None = None,
 ) -> Spots:
     """Find spots of light above the background, and cut a box around each.
 
@@ -128,6 +129,8 @@ def find(
         smoothed with a standard deviation of a third of the box.
     first : int, default 0
         Number of the first frame.
+    threads : int, optional
+        Maximum number of threads; by default the number of processors.
 
     Returns
     -------
@@ -160,6 +163,7 @@ def find(
     rows, columns = box = validation.image_shape(box, "box")
     counts = frame_counts(frames, box)
     start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
+    thread_count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     validation.optional("noise", noise, Noise)
@@ -192,7 +196,7 @@ def find(
         light = filled(frame[None], defects[None], narrow, known_fraction)[0]
         return kernel.maxima(light, variance, min(level, _NEIGHBOR), steady)
 
-    spots = side_by_side(maxima, list(electrons), 0)
+    spots = side_by_side(maxima, list(electrons), thread_count)
     frame = np.repeat(np.arange(len(electrons)), [part[0].size for part in spots])
     row, column, score = (np.concatenate([part[k] for part in spots] or [np.empty(0, int)]) for k in range(3))
     # With twice the frame number as a coordinate, spots of different frames are at least 2 boxes apart.

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import math
+import multiprocessing
 import os
 import signal
 import threading
-import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from contextlib import suppress
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import ExitStack, closing, suppress
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache, partial
 from os import PathLike
@@ -19,9 +19,10 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
-from lommel.base import atomic, encoding, reading, validation
+from lommel.base import atomic, encoding, executors, reading, validation
 from lommel.base.arrays import Array, Json, Values
 from lommel.base.atomic import plain, size_and_checksum_of_bytes, size_and_checksum_of_file
+from lommel.base.executors import Workers
 from lommel.base.options import HIDDEN, In, Options, listed
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
@@ -224,6 +225,9 @@ class DatasetOptions(Options):
     workers : int, default 1
         Number of processes, among which the processors are divided; 1 renders in this process. More processes are
         spawned: a script must then call this function below ``if __name__ == "__main__":``.
+    client : distributed.Client or concurrent.futures.Executor, optional
+        Executor that renders the pictures, in place of `workers`. Its workers must reach photos, depth maps and `out`
+        under the same paths. Each picture is rendered by one thread, to the same bits wherever it is rendered.
     """
 
     copies: Annotated[int, In(least=1, most=1_000_000)] = 1
@@ -231,6 +235,7 @@ class DatasetOptions(Options):
     depth_options: Annotated[DepthMapOptions | None, _depth_options, HIDDEN] = None
     on_error: Annotated[Literal["raise", "skip"], HIDDEN] = "raise"
     workers: Annotated[int, In(least=1, most=1024)] = 1
+    client: Annotated[Any, HIDDEN] = None
 
 
 class _Job(NamedTuple):
@@ -309,6 +314,9 @@ def render_dataset(
         depth map cannot be used or the blur is too large; complete pictures are kept.
     OSError
         If a file cannot be written or, with ``on_error="raise"``, cannot be read.
+    RuntimeError
+        If the client cancels pictures, as when the scheduler of its cluster ends. The same call, with a new client,
+        continues.
 
     Notes
     -----
@@ -378,9 +386,11 @@ def _complete_pictures(folder: Path, total: int) -> Iterator[tuple[int, Json]]:
 
 def _render_missing(folder: Path, job: _Job, pairs: list[tuple[Path, Path]]) -> Iterator[DatasetPicture]:
     """Render the missing pictures, and yield each picture after its files are written."""
-    copies, workers = job.o.copies, job.o.workers
-    # Without the lock, two processes in one folder would render the same pictures.
-    with atomic.locked(folder / _RECORD, folder):
+    copies, workers, client = job.o.copies, job.o.workers, job.o.client
+    with ExitStack() as stack:
+        # Without the lock, two processes in one folder would render the same pictures.
+        stack.enter_context(atomic.locked(folder / _RECORD, folder))
+        scratch = stack.enter_context(atomic.scratch_folder(folder))
         total = len(pairs) * copies
         # Several pictures may have the same photo: its checksum is computed once.
         complete, checksum_of = set(), cache(size_and_checksum_of_file)
@@ -393,55 +403,41 @@ def _render_missing(folder: Path, job: _Job, pairs: list[tuple[Path, Path]]) -> 
                     )
             complete.add(number)
         missing = [number for number in range(total) if number not in complete]
-        done = len(complete)
-
-        def finish(
-            number: int, files: list[str], facts: Json, failure: str | None, notes: list[str]
-        ) -> DatasetPicture:
-            nonlocal done
-            for note in notes:
-                validation.tell(note)
-            done += failure is None
-            return DatasetPicture(number, done, total, tuple(folder / name for name in files), facts, failure)
-
-        if workers == 1:
-            for number in missing:
-                yield finish(number, *_write(job, folder, number, *pairs[number // copies]))
-            return
-        # The processors are divided among the processes.
-        worker_job = job._replace(threads=max(1, (os.cpu_count() or 1) // workers))
-        results = _run_processes(partial(_write, worker_job, folder), missing, pairs, copies, workers)
-        yield from (finish(number, *written) for number, written in results)
+        done, tasks = len(complete), ((number, *pairs[number // copies]) for number in missing)
+        if client is None and workers == 1:
+            results: Iterator[Any] = ((task, _write(job, folder, scratch, *task)) for task in tasks)
+        else:
+            if client is not None:
+                found, job = Workers.of(client), job._replace(threads=1)
+                tasks = ((number, *(file.absolute() for file in files)) for number, *files in tasks)
+            else:
+                # Processes are spawned, not forked: a fork would copy locks that other threads hold.
+                spawn = multiprocessing.get_context("spawn")
+                count = min(workers, max(len(missing), 1))
+                pool = stack.enter_context(ProcessPoolExecutor(count, spawn, initializer=_set_up_worker))
+                # The processors are divided among the processes. With two tasks per worker, no worker waits.
+                found = Workers(pool, 2 * workers - 1)
+                job = job._replace(threads=max(1, (os.cpu_count() or 1) // workers))
+            job = job._replace(o=replace(job.o, client=None))
+            render = partial(_write, job, folder.absolute(), scratch.absolute())
+            results = stack.enter_context(closing(found.run(render, tasks)))
+        try:
+            for (number, *_), (files, facts, failure, notes) in results:
+                for note in notes:
+                    validation.tell(note)
+                done += failure is None
+                yield DatasetPicture(number, done, total, tuple(folder / name for name in files), facts, failure)
+        except _ScratchError:
+            if client is not None and scratch.is_dir():
+                raise ValueError(executors.unseen(folder)) from None
+            raise
 
 
 _Output = tuple[list[str], Json, str | None, list[str]]  # names of the files, facts, reason of a failure, warnings
 
 
-def _run_processes(
-    render: Callable[[int, Path, Path], _Output],
-    missing: list[int],
-    pairs: list[tuple[Path, Path]],
-    copies: int,
-    workers: int,
-) -> Iterator[tuple[int, _Output]]:
-    """Run a function for each picture in worker processes; yield the number of the picture and the result."""
-    from multiprocessing import get_context
-
-    # Processes are spawned, not forked: a fork would copy locks that other threads hold.
-    pool = ProcessPoolExecutor(min(workers, max(len(missing), 1)), get_context("spawn"), initializer=_set_up_worker)
-    numbers, tasks = iter(missing), dict[Future[_Output], int]()
-    try:
-        while True:
-            # With two tasks per worker, no worker waits for the next task, and few results are in memory.
-            while len(tasks) < 2 * workers and (number := next(numbers, None)) is not None:
-                tasks[pool.submit(render, number, *pairs[number // copies])] = number
-            if not tasks:
-                return
-            for finished in wait(tasks, return_when=FIRST_COMPLETED).done:
-                number = tasks.pop(finished)
-                yield number, finished.result()
-    finally:
-        pool.shutdown(cancel_futures=True)
+class _ScratchError(ValueError):
+    """Error for a folder that was removed or replaced while pictures were rendered."""
 
 
 def _set_up_worker() -> None:
@@ -460,17 +456,13 @@ def _set_up_worker() -> None:
         threading.Thread(target=exit_with_parent, daemon=True).start()
 
 
-def _write(job: _Job, folder: Path, number: int, photo: Path, depth: Path) -> _Output:
+def _write(job: _Job, folder: Path, scratch: Path, number: int, photo: Path, depth: Path) -> _Output:
     """Render a picture and write its files; return file names, facts, failure and warnings (see `_Output`)."""
     notes: list[str] = []
     try:
-        with warnings.catch_warnings(record=True) as caught:
-            # Collect warnings, which the parent process issues: warnings of a worker process would be lost.
-            warnings.simplefilter("always", UserWarning)
-            try:
-                files, facts = _render(job, number, photo, depth)
-            finally:
-                notes += [f"{validation.line(photo)}: {each.message}" for each in caught]
+        # Notes are issued by the calling process: those of a worker would be lost.
+        with validation.collected(notes, f"{validation.line(photo)}: "):
+            files, facts = _render(job, number, photo, depth)
     except (ValueError, OSError) as error:
         names_file = isinstance(error, PhotoError | OSError) or str(depth) in str(error)
         if job.o.on_error == "skip":
@@ -481,9 +473,14 @@ def _write(job: _Job, folder: Path, number: int, photo: Path, depth: Path) -> _O
         if names_file:
             raise
         raise ValueError(f"{validation.line(photo)}: {error}") from None
-    with atomic.whole_files() as write:
-        for name, data in files.items():
-            write(folder / f"{number:06d}.{name}", data)
+    try:
+        with atomic.whole_files(scratch) as write:
+            for name, data in files.items():
+                write(folder / f"{number:06d}.{name}", data)
+    except (FileNotFoundError, NotADirectoryError):
+        raise _ScratchError(
+            f"{validation.line(folder)} was removed or replaced while its pictures were rendered; repeat the call"
+        ) from None
     return [f"{number:06d}.{name}" for name in files], facts, None, notes
 
 

@@ -13,7 +13,7 @@ from copy import copy
 from dataclasses import replace
 from functools import partial
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import scipy
@@ -85,6 +85,34 @@ _NOT_TESTABLE = (
 _MIN_GAIN = 10.0  # smallest gain of log-likelihood of the rival that is reported
 
 
+class FirstFrames(NamedTuple):
+    """Number of spots of the median of the first block of frames, and findings on its counts."""
+
+    steady: int
+    findings: tuple[Finding, ...]
+
+    @classmethod
+    def of(cls, counts: Counts, noise: Noise, search: Callable[..., Spots]) -> Self:
+        """Check the counts of the first block; `search` finds spots."""
+        steady, found = 0, list[Finding]()
+        if len(counts) >= _MIN_FRAMES:
+            # Spots of the median of frames stay in place: no molecules that blink, but structure of the background.
+            spots = search(np.median(counts.marked(), axis=0)[None])
+            steady = len(spots) + spots.borders + spots.overlapping
+        # Without light, read noise puts half of the counts below the offset.
+        dark_fraction = float(np.mean(counts.values < noise.offset))
+        if dark_fraction > _MAX_DARK:
+            text = f"{percent(dark_fraction)} of the counts of the first frames are below the offset: check `offset`"
+            found.append(Finding("below_offset", "doubt", text, {"share": dark_fraction}))
+        if remark := flat_tops([counts], noise, "movie"):
+            is_clipped = flat_top(counts.values, counts.known, noise)[1] > 0
+            found.append(Finding("flat_top", "doubt" if is_clipped else "note", remark))
+        found += (Finding(one.code, one.severity, one.text) for one in scale_findings([counts[:1]], noise))
+        if counts.assumed:
+            found.append(Finding("saturation_assumed", "note", counts.assumed))
+        return cls(steady, tuple(found))
+
+
 class Checks:
     """Checks of successive blocks of frames; `refit` is a function that fits boxes with a given table."""
 
@@ -126,24 +154,11 @@ class Checks:
     def _add_once(self, code: str, severity: Severity, text: str, **numbers: Any) -> None:
         self._once.setdefault(code, Finding(code, severity, text, numbers))
 
-    def first(self, counts: Counts, search: Callable[..., Spots]) -> None:
-        """Check the counts of the first block; `search` finds spots."""
-        if len(counts) >= _MIN_FRAMES:
-            # Spots of the median of frames stay in place: no molecules that blink, but structure of the background.
-            spots = search(np.median(counts.marked(), axis=0)[None])
-            self._steady = len(spots) + spots.borders + spots.overlapping
-        # Without light, read noise puts half of the counts below the offset.
-        dark_fraction = float(np.mean(counts.values < self._noise.offset))
-        if dark_fraction > _MAX_DARK:
-            text = f"{percent(dark_fraction)} of the counts of the first frames are below the offset: check `offset`"
-            self._add_once("below_offset", "doubt", text, share=dark_fraction)
-        if remark := flat_tops([counts], self._noise, "movie"):
-            is_clipped = flat_top(counts.values, counts.known, self._noise)[1] > 0
-            self._add_once("flat_top", "doubt" if is_clipped else "note", remark)
-        for found in scale_findings([counts[:1]], self._noise):
-            self._add_once(found.code, found.severity, found.text)
-        if counts.assumed:
-            self._add_once("saturation_assumed", "note", counts.assumed)
+    def first(self, found: FirstFrames) -> None:
+        """Take up the findings of the first block."""
+        self._steady = found.steady
+        for finding in found.findings:
+            self._once.setdefault(finding.code, finding)
 
     def tilt(self, spots: Spots, molecules: Molecules, *, fitted: bool) -> float:
         """Test the wavefront of the table and, unless slopes of the background were `fitted`, slopes and noise.
@@ -556,6 +571,24 @@ def _eliminate(information: Array, slope: Array, count: int) -> tuple[Array, Arr
     return reduced, slope[:, count:] - np.einsum("nki,nk->ni", regression, slope[:, :count]), regression
 
 
+def tested(spots: Spots, molecules: Molecules, table: Table, *, everything: bool) -> NDArray[np.intp]:
+    """Return the indices of the molecules that :func:`scored` tests."""
+    positions = np.column_stack([molecules.row, molecules.column]) - spots.corners
+    usable = molecules.converged & (np.abs(positions - np.array(table.shape) // 2) < table.reach).all(axis=1)
+    # Molecules with neighbours are left out, because a neighbour resembles a slope of the background.
+    if not everything and usable.any():
+        if (usable & spots.isolated).sum() >= _MIN_ISOLATED:
+            usable &= spots.isolated
+        usable &= molecules.discrepancy < np.median(molecules.discrepancy[usable]) + DOUBTFUL
+    return np.flatnonzero(usable)[:_MOLECULES]
+
+
+def with_images(spots: Spots, molecules: Molecules, table: Table) -> NDArray[np.intp]:
+    """Return the indices of the spots whose images the checks of a block need."""
+    first = np.arange(min(len(spots), _MOLECULES))
+    return np.unique(np.concatenate([first, *(tested(spots, molecules, table, everything=e) for e in (False, True))]))
+
+
 def scored(
     spots: Spots, molecules: Molecules, table: Table, camera: Noise, changes: ChangeImages | None = None,
     *, everything: bool = False,
@@ -566,16 +599,9 @@ def scored(
     """
     height, width = table.shape
     positions = np.column_stack([molecules.row, molecules.column]) - spots.corners
-    middle = np.array([height // 2, width // 2])
-    usable = molecules.converged & (np.abs(positions - middle) < table.reach).all(axis=1)
-    if not usable.any():
+    chosen = tested(spots, molecules, table, everything=everything)
+    if not chosen.size:
         return None
-    # Molecules with neighbours are left out, because a neighbour resembles a slope of the background.
-    if not everything:
-        if (usable & spots.isolated).sum() >= _MIN_ISOLATED:
-            usable &= spots.isolated
-        usable &= molecules.discrepancy < np.median(molecules.discrepancy[usable]) + DOUBTFUL
-    chosen = np.flatnonzero(usable)[:_MOLECULES]
     counts, read = in_electrons(spots.images[chosen], camera, spots.corners[chosen])
     places = positions[chosen, 0], positions[chosen, 1], molecules.z[chosen]
     values, derivatives = table(*places, derivatives=True)

@@ -5,28 +5,28 @@ A box is a small window of a frame, around a spot of light.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import closing, contextmanager, nullcontext
 from dataclasses import dataclass, fields, replace
-from functools import partial
 from os import PathLike
+from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array
 from lommel.base.options import HIDDEN, Options, listed
-from lommel.detection.molecules import Spots, box_pixels, find, frame_counts
+from lommel.detection.molecules import Spots
+from lommel.localize.block_fits import BlockFits, MovieBlocks, State, kept_results
 from lommel.localize.checks import TILTED, Checks
-from lommel.localize.fitting import STATES, MoleculeErrors, Molecules, fit
+from lommel.localize.fitting import STATES, MoleculeErrors, Molecules
 from lommel.localize.localizations import Localizations, MovieInfo, columns, joined
 from lommel.localize.table import Table
 from lommel.optics.layers.objective import FocalSurface
-from lommel.recorded.counts import Counts
-from lommel.recorded.frames import Frames, blocks_of, frames_of
+from lommel.recorded.counts import Counts, is_on_demand
+from lommel.recorded.frames import Frames, frames_of
 from lommel.recorded.headers import Metadata, metadata_of, tell_sizes, with_header
 from lommel.recorded.noise import Noise
 
@@ -50,6 +50,12 @@ class LocalizeOptions(Options):
         Focal surface over the frame, ``microscope.focal_surface``, subtracted from z; by default z counts from it.
     progress : callable, optional
         Function that is called after each block, with the number of processed frames and the total number.
+    client : distributed.Client or concurrent.futures.Executor, optional
+        Executor that reads and fits the blocks; by default this process. Its workers must reach the files of the
+        movie under the same paths. The results are the same bit by bit.
+    keep : path, optional
+        Output beside which the results of blocks are kept, in the hidden folder ``.NAME.unfinished``, until the call
+        ends. After an error or a killed process, the same call continues with them.
     """
 
     heading: ClassVar[str] = "Fits"
@@ -58,6 +64,8 @@ class LocalizeOptions(Options):
     background: Literal["auto", "flat", "tilted"] = "auto"
     surface: Annotated[FocalSurface | None, HIDDEN] = None
     progress: Annotated[Callable[[int, int], object] | None, HIDDEN] = None
+    client: Annotated[Any, HIDDEN] = None
+    keep: Annotated[Path | None, validation.path, HIDDEN] = None
 
 
 @listed(LocalizeOptions)
@@ -172,7 +180,7 @@ def movie_blocks(
     background, widths = options.background, gaussian_widths(table)
     # Median over z of the geometric mean of the widths along y and x.
     width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
-    with _open_blocks(movie, block) as (shape, blocks, name, header):
+    with _open_images(movie) as (shape, images, name, header):
         camera, saturation = with_header(noise, saturation, header, read=0.0)
         layers, times = table.pupil.layers, table.pupil.magnification
         facts = {"NA": layers.NA, "immersion": layers.immersion, "emission": layers.wavelength}
@@ -180,97 +188,65 @@ def movie_blocks(
         if surface is not None and (surface.frame != tuple(shape[1:]) or table.along == "depth"):
             got = f"its frame is {surface.frame}, got frames of {tuple(shape[1:])} and z along {table.along}"
             raise ValueError(f"surface must be that of the frames of the movie, along z of the stage: {got}")
-        search = partial(find, box=table.shape, noise=camera, width=width)
         pixel = table.pixel / table.pupil.magnification  # in the sample
         along = "none" if options.flat else table.along
         recording = MovieInfo(*shape, pixel, table.shape, along, name)
-        # `counts.marked` replaces saturated pixels by NaN: fits need no test of saturation.
-        fit_boxes = partial(fit, noise=camera, saturation=math.inf)
-        checks, count = Checks(recording, table, fit_boxes, background, surface), 0
-        for frames in blocks:
-            part = mask if np.ndim(mask) < 3 else mask[count : count + len(frames)]
-            counts = frame_counts(frames, table.shape, saturation=saturation, mask=part)
-            if not count:
-                checks.first(counts, search)
-            if counts.assumed:
-                saturation = counts.saturation  # for all following blocks
-            spots = search(counts, first=count)
-            values = counts.marked()
-            start = "flat" if background == "auto" else background
-            molecules = _recentred(values, spots, count, table, partial(fit_boxes, table, background=start))
-            if checks.tilt(spots, molecules, fitted=start == "tilted") > TILTED and background == "auto":
-                background = "tilted"
-                molecules = _recentred(values, spots, count, table, partial(fit_boxes, table, background=background))
-            checks.compare(spots, "tilted" if background == "tilted" else "flat")
-            localizations = _localizations(spots, molecules, recording, widths, table)
-            if surface is not None:
-                localizations.table["z"] -= surface.z(molecules.row, molecules.column)
-            checks.count(localizations, spots.isolated, len(frames))
-            yield replace(localizations, findings=checks.findings, summary=checks.summary)
-            count += len(frames)
-            if options.progress is not None:
-                options.progress(count, shape[0])
-
-
-_MAX_MOVES = 3  # largest number of times that a box is moved
-
-
-def _recentred(
-    frames: Values, spots: Spots, first_frame: int, table: Table, fit_boxes: Callable[..., Molecules]
-) -> Molecules:
-    """Fit the boxes of spots; fit molecules that are off-centre, for example due to coma, again in centred boxes.
-
-    `frames` (frames, rows, columns) begin at frame `first_frame` of the movie.
-    """
-
-    def boxes(frame: NDArray[np.int64], corner: NDArray[np.int64]) -> Values:
-        return np.asarray(frames[frame[:, None, None], *box_pixels(corner, table.shape)])
-
-    frame, corners = spots.frame - first_frame, spots.corners
-    molecules = fit_boxes(boxes(frame, corners), corners=corners)
-    last_corner, middle = np.array(frames.shape[1:]) - table.shape, np.array(table.shape) // 2
-    indices = np.arange(len(frame))  # molecules whose boxes were moved in the last round
-    for _ in range(_MAX_MOVES):
-        positions = np.stack([molecules.row[indices], molecules.column[indices]], axis=1)
-        new_corners = np.clip(np.round(positions).astype(np.int64) - middle, 0, last_corner)
-        off_centre = (new_corners != corners[indices]).any(axis=1)
-        indices, new_corners = indices[off_centre], new_corners[off_centre]
-        if not indices.size:
-            break
-        refitted = fit_boxes(boxes(frame[indices], new_corners), corners=new_corners)
-        # The old fit is kept if it converged and the new fit did not.
-        replace_fit = refitted.converged | ~molecules.converged[indices]
-        indices, new_corners = indices[replace_fit], new_corners[replace_fit]
-        molecules, corners[indices] = molecules.replaced(indices, refitted[replace_fit]), new_corners
-    return molecules
+        fits = BlockFits(table, camera, width, None if options.client is None else 1)
+        checks = Checks(recording, table, fits.fit_boxes, background, surface)
+        state = State(saturation, "flat" if background == "auto" else background)
+        count, is_tested = 0, False
+        with kept_results(options.keep, images, block, fits, mask) as unfinished:
+            blocks = MovieBlocks(images, mask, block, fits, state, options.client, unfinished)
+            while count < shape[0]:
+                with closing(blocks.fitted(count)) as results:
+                    for fitted in results:
+                        if not state.is_of(fitted):
+                            break  # it was fitted before a block that changed the state
+                        spots, molecules = fitted.spots, fitted.molecules
+                        if not is_tested:
+                            is_tested = True
+                            if fitted.first is not None:
+                                checks.first(fitted.first)
+                            tilt = checks.tilt(spots, molecules, fitted=background == "tilted")
+                            if tilt > TILTED and background == "auto":
+                                background = state.background = "tilted"
+                                break  # it is fitted again
+                        checks.compare(spots, state.background)
+                        localizations = _localizations(spots, molecules, recording, widths, table)
+                        if surface is not None:
+                            localizations.table["z"] -= surface.z(molecules.row, molecules.column)
+                        checks.count(localizations, spots.isolated, fitted.frames)
+                        yield replace(localizations, findings=checks.findings, summary=checks.summary)
+                        count, is_tested = count + fitted.frames, False
+                        if fitted.is_assumed:
+                            state.saturation = fitted.saturation  # for all following blocks
+                        if options.progress is not None:
+                            options.progress(count, shape[0])
 
 
 @contextmanager
-def _open_blocks(
-    movie: Frames | str | PathLike[str] | ArrayLike | Counts, block: int | None
-) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str, Metadata]]:
-    """Yield the shape of a movie, an iterator over its blocks, its file name ("" for an array), and its metadata."""
+def _open_images(
+    movie: Frames | str | PathLike[str] | ArrayLike | Counts,
+) -> Iterator[tuple[tuple[int, int, int], Any, str, Metadata]]:
+    """Yield the shape of a movie, its images, its file name ("" for an array), and its metadata."""
     if isinstance(movie, str | PathLike | Frames):
         with nullcontext(movie) if isinstance(movie, Frames) else frames_of("movie", movie) as frames:
             stack = frames.as_stack()
             count, rows, columns = stack.shape
-            yield (
-                (count, rows, columns),
-                stack.blocks(block),
-                "" if stack.path is None else stack.path.name,
-                stack.metadata,
-            )
+            yield (count, rows, columns), stack, "" if stack.path is None else stack.path.name, stack.metadata
         return
     if isinstance(movie, Counts):
         values, header = movie.values, movie.metadata  # perhaps read on demand
     else:
         header = metadata_of("movie", movie)
-        values, mask = validation.parted("movie", movie, "counts")
-        values = values if mask is None else np.ma.masked_array(values, mask)
+        values = movie
+        if not is_on_demand(movie):
+            values, mask = validation.parted("movie", movie, "counts")
+            values = values if mask is None else np.ma.masked_array(values, mask)
     if len(values.shape) != 3 or 0 in values.shape:
         raise ValueError(f"movie must have the shape (frames, rows, columns), got {values.shape}")
     count, rows, columns = values.shape
-    yield (count, rows, columns), blocks_of(values, block), "", header
+    yield (count, rows, columns), values, "", header
 
 
 def _localizations(

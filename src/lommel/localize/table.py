@@ -43,6 +43,7 @@ _EPS = 2.0**-24  # unit roundoff of float32
 # polynomial, and from sums (which start at the last term). The first polynomial is 1.
 _TERM_ROUNDINGS = np.array([2.0, *np.arange(5.0, engine.MoleculeTable.terms + 4.0)])
 _MAX_PLANES, _MAX_PIECES = 400, 200  # largest numbers of planes at which images are computed, and of pieces
+_CACHED = ("_fitter", "_rival", "_changes")  # attributes that fits and checks add
 _INNER = 24  # number of Chebyshev points in a piece
 # Ellipses on which functions are bounded have the semi-axes cosh(eta) and sinh(eta), multiplied by half the range.
 _ETA = np.geomspace(0.02, 6.0, 300)
@@ -323,6 +324,15 @@ class Table:
         smallest, largest = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
         self.limits = np.array([[*smallest, low], [*largest, high]])  # smallest and largest row, column and z
         self._build()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the attributes without what is computed from them again (copy, pickle)."""
+        return {name: value for name, value in vars(self).items() if name not in ("core", *_CACHED)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Set the attributes."""
+        vars(self).update(state)
+        self.core = engine.MoleculeTable(**self._parts)
 
     def _build(self) -> None:
         waves, step = Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)

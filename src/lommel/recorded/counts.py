@@ -169,7 +169,7 @@ class Counts:
         if isinstance(array, Counts):
             raise TypeError("array must be an array without noise, got Counts")
         validation.instance("noise", noise, Noise)
-        counts = _counts("array", array, mask, saturation, noise, is_read=not _is_on_demand(array))
+        counts = _counts("array", array, mask, saturation, noise, is_read=not is_on_demand(array))
         if len(counts.shape) < 2 or 0 in counts.shape:
             raise ValueError(f"array must have the shape (..., height, width), got {counts.shape}")
         noise.require_shape(counts.shape)
@@ -347,7 +347,8 @@ def counts_of(
     return counts
 
 
-def _is_on_demand(array: object) -> bool:
+def is_on_demand(array: object) -> bool:
+    """Return True for images that are read when they are needed: frames, and arrays in chunks."""
     has_chunks = not isinstance(array, np.ndarray) and getattr(array, "chunks", None) is not None
     return isinstance(array, OnDemand) or has_chunks
 

@@ -15,15 +15,15 @@ import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import lru_cache, partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, Self, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel.base import optional, reading, validation
+from lommel.base import executors, optional, reading, validation
 from lommel.base.arrays import Index, Values
 from lommel.base.encoding import named
 from lommel.base.quantities import EVEN, LETTERS, in_order, in_unit
@@ -236,6 +236,8 @@ class Planes:
     chunk_sizes: tuple[tuple[int, ...], ...] = ()  # along each axis of the array; () without chunks
     path: Path | None = None
     names: tuple[str, ...] = ()  # of each image, if they are of several files
+    source: Source | None = None  # file from which another process can read the images
+    together: int = 1  # number of images that are read together
 
     def plane(self, number: int) -> Values:
         """Return one image, of type `dtype` and shape `sides`."""
@@ -403,7 +405,8 @@ class Frames(OnDemand):
         >>> [len(block) for block in frames.blocks(100)]
         [100, 100, 50]
         """
-        return blocks_of(self, size)
+        length = block_size(self.shape, size)
+        return (self[first : first + length] for first in range(0, len(self), length))
 
     def one_of(self, letter: str, place: int) -> Frames:
         """Return the images at one index of an axis.
@@ -506,17 +509,45 @@ class Frames(OnDemand):
         return "the array" if self.path is None else line(self.path)
 
 
-def blocks_of(images: Frames | Values, size: int | None) -> Iterator[Values]:
-    """Yield images in blocks of consecutive ones along the first axis, by default of 4194304 pixels."""
-    length_of_block = max(1, BLOCK // math.prod(images.shape[1:])) if size is None else size
-    validation.integer("size", length_of_block, least=1, most=validation.MAX_VALUES)
-    for first in range(0, len(images), length_of_block):
-        yield images[first : first + length_of_block]
+def block_size(shape: tuple[int, ...], size: int | None) -> int:
+    """Return the number of images of a block, `size` or by default that of 4194304 pixels."""
+    length = max(1, BLOCK // math.prod(shape[1:])) if size is None else size
+    return validation.integer("size", length, least=1, most=validation.MAX_VALUES)
 
 
 def names_of(file: str, count: int) -> tuple[str, ...]:
     """Return a name for each image of a file."""
     return (file,) if count == 1 else tuple(f"{file} [{k}]" for k in range(count))
+
+
+class Source(NamedTuple):
+    """Path of an image file with its size and time of change, None for a folder."""
+
+    path: Path
+    state: tuple[int, int] | None
+
+    @classmethod
+    def of(cls, path: Path) -> Self:
+        """Return the source of a path, with the name of an image after it."""
+        file, _ = reading.part_of(path)
+        status = file.stat()
+        return cls(path.absolute(), None if file.is_dir() else (status.st_size, status.st_mtime_ns))
+
+    def opened(self) -> Frames:
+        """Return the images, as this process sees them; RecordingError if it does not, or sees another file."""
+        try:
+            if Source.of(self.path) == self:
+                return _opened(self)
+        except FileNotFoundError:
+            raise RecordingError(executors.unseen(self.path)) from None
+        raise RecordingError(
+            f"{line(self.path)} has changed since it was opened, or a worker sees another file there: repeat the call"
+        )
+
+
+@lru_cache(maxsize=2)
+def _opened(source: Source) -> Frames:
+    return _file_frames(source.path)
 
 
 class ArrayLikeImages(Protocol):
@@ -545,7 +576,7 @@ class _ArrayPlanes(Planes):
         self.sides: tuple[int, int] = (int(values.shape[-2]), int(values.shape[-1]))
         self.dtype = np.dtype(values.dtype).newbyteorder("=")
         chunks = None if isinstance(values, np.ndarray) else getattr(values, "chunks", None)
-        self.chunk_sizes = _sizes_of_chunks(values.shape, chunks) if isinstance(chunks, tuple) else ()
+        self.chunk_sizes = sizes_of_chunks(values.shape, chunks) if isinstance(chunks, tuple) else ()
 
     def plane(self, number: int) -> Values:
         """Return one image."""
@@ -581,9 +612,7 @@ class _LibraryPlanes(_ArrayPlanes):
             return values
 
 
-def _sizes_of_chunks(
-    shape: tuple[int, ...], chunks: tuple[int | tuple[int, ...], ...]
-) -> tuple[tuple[int, ...], ...]:
+def sizes_of_chunks(shape: tuple[int, ...], chunks: tuple[int | tuple[int, ...], ...]) -> tuple[tuple[int, ...], ...]:
     """Return the sizes of chunks along each axis, from these sizes (dask) or from the size of all chunks (Zarr)."""
     return tuple(
         size if isinstance(size, tuple) else (size,) * (side // size) + ((side % size,) if side % size else ())
@@ -644,13 +673,13 @@ class _ZarrPlanes(Planes):
         self.dtype = np.dtype(array.dtype).newbyteorder("=")
         reading.pixels(*self.sides[::-1])
         self.chunks = zarr_folders.Chunks(path, array)
-        sizes = _sizes_of_chunks(array.shape, array.chunks)
+        sizes = sizes_of_chunks(array.shape, array.chunks)
         self.chunk_sizes = tuple(sizes[axis] for axis in order)
         # Number of images that are read together: those of a chunk, or one, and its chunks again for each, if they
         # would take too much memory.
         images = array.chunks[order[-3]] if self._stack_shape else 1
         is_small = images * math.prod(self.sides) * self.dtype.itemsize <= _MAX_BLOCK
-        self._block_images: int = images if is_small else 1
+        self.together = images if is_small else 1
         self._block: tuple[int, Values] | None = None
         self._lock = threading.Lock()
 
@@ -672,14 +701,14 @@ class _ZarrPlanes(Planes):
 
     def _read(self, number: int) -> Values:
         *leading_indices, last_index = np.unravel_index(number, self._stack_shape) if self._stack_shape else (0,)
-        first = int(last_index) - int(last_index) % self._block_images
+        first = int(last_index) - int(last_index) % self.together
         key = number - int(last_index) + first
         block = self._block
         if block is None or block[0] != key:
             self._block = None
             slices = [slice(int(k), int(k) + 1) for k in leading_indices]
             if self._stack_shape:
-                slices.append(slice(first, min(first + self._block_images, self._stack_shape[-1])))
+                slices.append(slice(first, min(first + self.together, self._stack_shape[-1])))
             part = self._part((*slices, *(slice(0, side) for side in self.sides)))
             self._block = block = key, part.reshape(-1, *self.sides)
         return np.array(block[1][number - key])
@@ -734,7 +763,14 @@ def frames_of(name: str, images: str | PathLike[str] | ArrayLike) -> Frames:
         validation.refuse_masked(name, values)
         frames = _array_frames(values, name, metadata=described)
         return replace(frames, axes=f"{letters}YX") if len(letters) == frames.numbers.ndim else frames
-    source, part = reading.part_of(validation.path("path", images))
+    place = validation.path("path", images)
+    frames = _file_frames(place)
+    frames.planes.source = Source.of(place)
+    return frames
+
+
+def _file_frames(path: Path) -> Frames:
+    source, part = reading.part_of(path)
     if source.is_dir():
         with errors_of(source):
             return _zarr_frames(source, part)

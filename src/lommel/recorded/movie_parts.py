@@ -1,0 +1,101 @@
+"""Parts of movies that workers read: of files, of arrays in chunks (dask, Zarr), and of arrays in memory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import executors, validation
+from lommel.base.arrays import Values
+from lommel.base.optional import library
+from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, Source, block_size, sizes_of_chunks
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """Images `first` to `last` - 1 of a movie, read where they are used: workers open files and chunks.
+
+    `images` begin at the number `start` of the movie. Files, and arrays of Zarr and dask, are sent to workers as they
+    are; other images are read before.
+    """
+
+    images: Any
+    first: int
+    last: int
+    start: int = 0
+    at_worker: bool = False
+
+    def read(self) -> Values:
+        """Return the images, with a mask if the array has one."""
+        images = self.images[self._within]
+        if isinstance(self.images, Frames):
+            return np.asarray(images)
+        if self.at_worker and _is_dask(images):
+            images = images.compute(scheduler="synchronous")  # not by the cluster, which waits for this worker
+        values, mask = validation.parted("movie", images, "counts")
+        return values if mask is None else np.ma.masked_array(values, mask)
+
+    @property
+    def _within(self) -> slice:
+        return slice(self.first - self.start, self.last - self.start)
+
+    def __reduce__(self) -> tuple[Callable[..., Part], tuple[Any, ...]]:
+        images, numbers = self.images, (self.first, self.last)
+        if isinstance(images, Frames) and images.planes.source is not None:
+            return _part_of_file, (images.planes.source, images.numbers[self._within], *numbers)
+        if type(images).__module__.partition(".")[0] == "zarr":
+            return _part_at_worker, (images, *numbers, self.start)
+        if not _is_dask(images):
+            return Part, (self.read(), *numbers, self.first)
+        (part,) = library("dask", "arrays of dask need", "").optimize(
+            images[self._within]
+        )  # without the other chunks
+        return _part_at_worker, (part, *numbers, self.first)
+
+
+def _is_dask(images: Any) -> bool:
+    return type(images).__module__.partition(".")[0] == "dask"
+
+
+def _part_of_file(source: Source, planes: NDArray[np.intp], first: int, last: int) -> Part:
+    images = replace(source.opened(), numbers=planes, axes=f"{UNKNOWN}YX")
+    return Part(images, first, last, first, at_worker=True)
+
+
+def _part_at_worker(images: Any, first: int, last: int, start: int) -> Part:
+    # Chunks of a Zarr array that are missing count as empty: without its folder all would.
+    for stored in (images, *(_values_of(images.__dask_graph__()) if _is_dask(images) else ())):
+        root = getattr(getattr(stored, "store", None), "root", None)
+        if root is not None and not Path(root).exists():
+            raise RecordingError(executors.unseen(Path(root)))
+    return Part(images, first, last, start, at_worker=True)
+
+
+def _values_of(graph: Mapping[Any, Any]) -> Iterator[Any]:
+    """Yield the objects in the tasks of a graph of dask, such as arrays of Zarr."""
+    for task in dict(graph).values():
+        yield from (
+            task if isinstance(task, tuple) else (task, getattr(task, "value", None), *getattr(task, "args", ()))
+        )
+
+
+def parts_of(images: Any, size: int | None) -> Iterator[tuple[Part, list[slice]]]:
+    """Yield parts of images to be read at once, and their blocks as slices: blocks that lie in the same chunk.
+
+    `size` is the number of images of a block, by default 4194304 pixels.
+    """
+    size = block_size(images.shape, size)
+    if isinstance(images, Frames):
+        together = images.planes.together
+    else:
+        chunks = None if isinstance(images, np.ndarray) else getattr(images, "chunks", None)
+        together = max(sizes_of_chunks(images.shape, chunks)[0]) if isinstance(chunks, tuple) else 1
+    length, total = size * -(-together // size), images.shape[0]
+    for first in range(0, total, length):
+        last = min(first + length, total)
+        yield Part(images, first, last), [slice(k, min(k + size, last)) for k in range(first, last, size)]

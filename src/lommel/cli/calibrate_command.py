@@ -86,7 +86,8 @@ def calibrate(
             origin=origin,
             magnification=registration.magnification,
         )
-        if output is not None:
+        if output is not None and found.converged:
             found.save(output, lens)
-    facts = found.to_dict() | {"notes": []}
-    return report_findings(facts, *str(found).splitlines(), headed=False) + written([output])
+    notes = [f"{output} is not written: depth by this lens would be wrong"] if output and not found.converged else []
+    report = report_findings(found.to_dict() | {"notes": notes}, *str(found).splitlines(), headed=False)
+    return report + written([output] if found.converged else [])

@@ -58,13 +58,15 @@ _PRIORS = 4.0  # shifts that are searched / standard errors of what is stated
 _LEAST = 0.01  # least vergence / range of vergences, at which transfer functions are computed
 _SCANNED = 128  # number of tiles of a plane in this search
 _UNLIKELY_START = 50.0  # -log(likelihood) above that of the best start, from which no lens is refined
-# chi2 above that of the likeliest lens, above which another one is excluded; and below which the other order is told.
+# chi2 above that of the likeliest lens, above which another one is excluded; and below which the other order, or the
+# plane without which the others agree, is told.
 _EVIDENCE, _PLAUSIBLE = 9.0, 25.0
 _FAR = 0.01  # relative change of a focus above which another answer is told, and not only part of the errors
 _STARTS = 6  # largest number of minima from which lenses are refined
 _STEP, _MAX_STEP, _TOLERANCE = 0.01, 2.0, 1e-3  # finite difference, largest step and last step, in these units
 # Difference of parameters, in these units, below which lenses are the same; and above which a twin is a start.
 _SAME, _TWIN = 0.3, 0.5
+_BEYOND = 2.0  # least distance of a plane that is proposed from the foci, in these units
 _COARSE = 0.1  # last step of the search by coarse details, in these units
 _MAX_STEPS, _GAIN_STEPS = 12, 8  # steps of the search, and of the gain
 # Metres: standard error of an origin that is held. Entrance pupils lie 0 to 4 cm behind the front rim of lenses of up
@@ -86,10 +88,6 @@ _MIN_TILT = 0.02  # change of distance across a plane / distance that is not tol
 _MAX_SHIFT = 0.1  # shift of a focus / its vergence above which exchanged photographs are likelier
 _MAX_MISFIT, _WRONG_MISFIT = 1.8, 6.0  # misfits above which the photographs do not follow the noise, and the lens
 _MIN_CHANGE = 0.2  # least change of the mean log(energy) of tiles by shifts of the foci
-_UNDETERMINED = (
-    "photographs do not determine the focus: use planes with more texture or light, or farther from the foci, or one "
-    "plane more"
-)
 _ASSUMED = Noise(white=5e3, read=3.0)  # for the weights of frequencies, where no noise is stated
 
 
@@ -319,9 +317,10 @@ class _Search:
         if origin is None:
             self.basis["origin"] = [0.0, 0.0, 0.0, shift * float(np.median(distances)) ** 2]
         self.rows = np.array(list(self.basis.values()))
-        # Standard errors of what is stated, in units; the difference is half of that of two foci.
+        # Standard errors of what is stated, in units. Both foci may be off by one cause, with opposite signs: half of
+        # their difference then has the error of each.
         errors = {"shift": math.inf, "f-number": UNMEASURED[0], "origin": _ORIGIN_ERROR}
-        errors["difference"] = 0.5 * UNMEASURED[1] * math.hypot(*self.foci)
+        errors["difference"] = 0.5 * UNMEASURED[1] * sum(self.foci)
         self.stated = np.array([errors[name] / max(row) for name, row in self.basis.items()])
         # The second direction in which a plane measures is that of the blur at a depth that does not change.
         self._measured = [0, list(self.basis).index("difference" if "difference" in self.basis else "f-number")]
@@ -387,7 +386,7 @@ class _Search:
             scatters.append(_scatter(tiles))
             tables.append((spline, [some[[0, -1]] for some in shifts], 0.5 * means.min(), count / scatters[-1]))
         if spans < _MIN_CHANGE * len(self.planes):
-            raise ValueError(_UNDETERMINED)
+            raise self._undetermined()
 
         def posterior(first: Array, second: Array, log_scale: Array) -> Array:
             """Return -log(likelihood), and of what is stated, by shifts of foci (units) and log of f-number."""
@@ -448,6 +447,17 @@ class _Search:
             f"no lens with foci within {self.reach * self.unit:.2g} dioptres of the stated ones explains planes at "
             f"{' to '.join(map(format_length, ends))}: check pixel pitch (of reduced photographs larger), f-number, "
             "focal length and foci, then the distances, and that nothing but the focus changed in a pair"
+        )
+
+    def _undetermined(self) -> ValueError:
+        """Return the error where planes do not determine a lens, with distances beyond the foci that would."""
+        low, high = min(self.foci), max(self.foci)
+        beyond = max(0.5 * (high - low), _BEYOND * self.unit)
+        places = [1.0 / focus - self._origin for focus in (high + beyond, low - beyond) if focus > 0.0]
+        return ValueError(
+            "photographs do not determine the focus: use a plane at about "
+            f"{' or '.join(format_length(place, digits=2) for place in places)}, beyond the foci, or one more there, "
+            "with texture of many sizes, such as print or leaves, and more light"
         )
 
     def _scores(self, at: Array) -> Iterator[_Score]:
@@ -518,7 +528,7 @@ class _Search:
             weight = np.linalg.inv(variance)
             precision = slopes.T @ weight @ slopes + np.diag(self.stated**-2.0)
             if not np.linalg.eigvalsh(precision)[0] > _MAX_ERROR**-2.0:
-                raise ValueError(_UNDETERMINED)
+                raise self._undetermined()
             gradient = slopes.T @ weight @ np.concatenate([score.gradient for score in scores])
             step = -np.linalg.solve(precision, gradient + at / self.stated**2)
             step *= min(1.0, _MAX_STEP / float(np.abs(step).max()))
@@ -618,7 +628,7 @@ class _Search:
         held = _SADDLE * np.diag(np.diag(scores[0].variance) / scores[0].scales / self.stated[self._measured] ** 2)
         saddle = len(scores) == 1 and np.linalg.eigvalsh(0.5 * (measured[0] + measured[0].T) + held)[0] <= 0.0
         if saddle or any(score.slopes[0, 0] <= 0.0 for score in scores):
-            raise ValueError(_UNDETERMINED)
+            raise self._undetermined()
         slopes, covariance = np.vstack([score.slopes for score in scores]), np.asarray(np.linalg.inv(precision))
         left = weight - weight @ slopes @ covariance @ slopes.T @ weight
         gradient = np.concatenate([score.gradient for score in scores])
@@ -790,11 +800,14 @@ class FocalCalibration(FitReport):
         Raises
         ------
         ValueError
-            If `path` does not end in .toml, or `lens_file` is no TOML or has a section [calibration].
+            If `path` does not end in .toml, `lens_file` is no TOML or has a section [calibration], or a finding is an
+        error: depth of this lens would be wrong.
         OSError
             If a file cannot be read or written.
         """
         target, source = validation.path("path", path), validation.path("lens_file", lens_file)
+        if not self.converged:
+            raise ValueError(f"a lens that contradicts its planes is not written: {self.message}")
         text = reading.decoded(reading.contents(source, reading.MAX_TOML))
         if target.suffix.lower() != ".toml" or "calibration" in reading.toml(text):
             raise ValueError(f"path must end in .toml, and {source} have no [calibration], got {target}")
@@ -935,11 +948,13 @@ def calibrate_focus(
     try:
         solutions = search.best()
     except ValueError as error:
-        if _contradiction(other()) < _PLAUSIBLE:
+        away = 1.0 / (planes[0].distance + zero)
+        midway = len(planes) == 1 and min(search.foci) < away < max(search.foci)  # either order has the same blur
+        if not midway and _contradiction(other()) < _PLAUSIBLE:
             raise ValueError(f"{error}; in the other order they agree: check the order of photographs") from None
         rest = range(len(planes) if len(planes) > 2 else 0)
         found = [_contradiction(_Search(lenses, [*planes[:k], *planes[k + 1 :]], *more[1:])) for k in rest]
-        if found and min(found) < math.inf:
+        if found and min(found) < _PLAUSIBLE:
             wrong = format_length(planes[int(np.argmin(found))].distance)
             raise ValueError(
                 f"distances contradict each other, and least without the plane at {wrong}: measure them again, from "
@@ -1025,7 +1040,8 @@ def _findings(
             f"{percent(UNMEASURED[1])} of each focus), farther than {len(planes)} plane{'s' * (len(planes) > 1)} can "
             f"show; standard errors contain both: check lens file, pixel and distances, or {decide}"
         )
-        yield Finding("contradiction", "doubt", text, {"deviation": moved, "limit": limit})
+        wrong = moved > _WRONG / _DOUBTFUL * limit
+        yield Finding("contradiction", "error" if wrong else "doubt", text, {"deviation": moved, "limit": limit})
     for plane in planes:
         name, (found, error) = f"the plane at {format_length(plane.distance)}", with_error(plane.found, plane.error)
         if (deviation := _deviation(plane)) > _DOUBTFUL:

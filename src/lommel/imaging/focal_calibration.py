@@ -564,6 +564,7 @@ class _Search:
                     break
                 if max(map(_deviation, one.seen)) > _DOUBTFUL:
                     contrary.append(one)
+                error = error or self._undetermined()  # of one plane: lenses far from the stated one are likelier
         found = found or (contrary[:1] if len(self.planes) < 3 else [])  # of more, the caller names the plane
         if not found:
             raise self._disagreement() if error is None or len(self.planes) > 1 else error

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.fit.findings import Findings
-from lommel.imaging.focal_calibration import _filled, _findings
+from lommel.imaging.focal_calibration import _filled, _findings, _Search
 from lommel.lensfiles.lens_files import load_instrument
 from planes import NOISE, PIXEL, shoot, texture
 from scenes import POINTS
@@ -280,6 +281,12 @@ def test_planes_without_texture_are_refused():
     flat = [NOISE.record(np.full((160, 160), 5e3), seed=seed) for seed in range(2)]
     with pytest.raises(ValueError, match=r"do not determine the focus|no lens with foci within"):
         lm.imaging.calibrate_focus([flat], [1.5], STATED, PIXEL, **OPTIONS)
+
+
+def test_planes_that_would_determine_the_focus_are_beyond_the_foci_and_two_units_of_defocus():
+    for unit, words in ((0.01, "1.2 m or 2.1 m"), (0.1, "1 m or 2.8 m"), (0.3, "730 mm,")):
+        search = SimpleNamespace(foci=[1.0 / 1.35, 1.0 / 1.8], unit=unit, _origin=0.02)
+        assert f"a plane at about {words}" in str(_Search._undetermined(search))
 
 
 PAIR = [np.full((160, 160), 0.5)] * 2

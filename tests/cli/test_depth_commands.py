@@ -10,6 +10,7 @@ import pytest
 import tifffile
 
 import lommel as lm
+from lommel.fit.findings import Finding, Findings
 from planes import PAIR, PIXEL, shoot, texture
 
 LENS = """
@@ -53,6 +54,24 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
         noise=lm.Noise(white=1e4, read=3.0), between=(1.2, 2.0),
     )  # fmt: skip
     assert np.array_equal(depth, found.depth.astype(np.float32), equal_nan=True)
+
+
+@pytest.mark.parametrize("severity", ["doubt", "error"])
+def test_a_calibration_is_written_unless_it_contradicts_the_planes(severity, folder, call_lommel, monkeypatch):
+    text = "the lens is 16 standard errors from the stated one"
+    found = lm.imaging.FocalCalibration(
+        findings=Findings([Finding("contradiction", severity, text)]), summary="", lenses=tuple(PAIR),
+        f_number_scale=2.0, f_number_error=0.4, focus_shifts=(0.0, 0.0), focus_error=0.1, origin=0.0,
+        origin_error=0.0, covariance=np.eye(4), planes=(),
+    )  # fmt: skip
+    monkeypatch.setattr(lm.imaging, "calibrate_focus", lambda *_, **__: found)
+    arguments = "calibrate", "near.tif", "far.tif", "lens.toml", *FOCI, "--distance", "1.5m", "-o", "mine.toml"
+    result = call_lommel(*arguments, folder=folder)
+    assert text in result.stdout
+    assert result.returncode == (3 if severity == "error" else 4)
+    assert (folder / "mine.toml").exists() == (severity == "doubt")
+    assert ("mine.toml is not written" in result.stdout) == (severity == "error")
+    assert ("wrote mine.toml" in result.stdout) == (severity == "doubt")
 
 
 def test_errors_of_the_lens_are_part_of_the_deviation(folder, call_lommel):

@@ -6,12 +6,14 @@ those of defocus are rings. Scenes have directions, too: each sector of frequenc
 stripes, have their light in few sectors: those in which motion gains most do not count.
 
 Scenes of equal rectangles have parallel zeros, too. A step of the light along the motion to the next pixel is,
-however, at most 1 / L of the range of the scene, which is about that of the photograph.
+however, at most 1 / L of the range of the scene, which is about that of the photograph. Where such a scene was moved,
+both have zeros: a second motion then explains them, too, and neither is told.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -42,6 +44,7 @@ _MIN_GAIN, _MIN_OVER, _DOUBTED = 15.0, 60.0, 10.0
 # was at most 1.5 in photographs that were moved.
 _RANGE, _STEPS, _STEEPEST = (1e-3, 0.999), 0.99, 1.8
 _STEP_NOISE = 3.6  # that quantile of steps by noise, over the rms noise of a pixel
+_MOST_SECOND = 25.0  # largest gain of a second motion of a photograph that was moved
 _SHORTEST, _LONGEST = 1.05 * _LENGTHS[0], 0.9 * _LENGTHS[-1]
 
 
@@ -49,7 +52,8 @@ class Motion(NamedTuple):
     """The most likely motion: length (pixels), angle (radians, from rows towards lower ones), and its gains.
 
     `gain` is that in log-likelihood over other blurs of soft scenes, `over_blurs` that over other blurs alone. A
-    photograph is `steep` if it has larger steps along the motion than that leaves.
+    photograph is `steep` if it has larger steps along the motion than that leaves. `second` is the gain of another
+    motion beside this one.
     """
 
     length: float
@@ -57,6 +61,7 @@ class Motion(NamedTuple):
     gain: float
     over_blurs: float
     steep: bool = False
+    second: float = 0.0
 
     @property
     def words(self) -> str:
@@ -81,7 +86,8 @@ class Motion(NamedTuple):
     def likely(self) -> bool:
         """True if the photograph agrees better with motion than with any other blur."""
         gains = self.gain > _MIN_GAIN or self.over_blurs > _MIN_OVER
-        return gains and _SHORTEST < self.length < _LONGEST and not self.steep
+        alone = not self.steep and self.second <= _MOST_SECOND
+        return gains and _SHORTEST < self.length < _LONGEST and alone
 
     @property
     def possible(self) -> bool:
@@ -113,23 +119,8 @@ def likeliest_motion(curves: Array, plane: Array, variance: Array) -> Motion:
     shapes = np.concatenate([curves[None], curves * falls])
     others, scatter = BlurSpectrum.of_parts(sectors, shapes.reshape(-1, len(FREQUENCIES)))
     others = others.reshape(_SECTORS, len(shapes), -1)
-    lengths, coarse = _lengths(plane), _turned(sectors, _lengths(plane))
-    at, turn = np.unravel_index(int(coarse.argmax()), coarse.shape)
-    length, angles = lengths[at] * _FINER, (turn + 0.5 + _TURNS) * _WIDTH
-    few = falls[:_SOFT_MOVED, 0]
-    fine, scatters = zip(
-        *(
-            BlurSpectrum.of_parts(
-                [x],
-                np.concatenate(
-                    [c := _curves(length[:, None], (j + 0.5) * _WIDTH - angles), *(c * fall for fall in few)]
-                ),
-            )
-            for j, x in enumerate(sectors)
-        ),
-        strict=True,
-    )
-    moved = np.concatenate(fine)
+    few = [1.0, *falls[:_SOFT_MOVED, 0]]
+    moved, scatters, length, angles = _searched(sectors, _lengths(plane), few, [1.0] * _SECTORS)
     total = moved.sum(axis=0).reshape(-1, len(length), len(angles))
     best = int(total.argmax())
     soft, *place = np.unravel_index(best, total.shape)
@@ -138,12 +129,45 @@ def likeliest_motion(curves: Array, plane: Array, variance: Array) -> Motion:
         float(np.interp(i + _vertex(side, int(i)), np.arange(len(x)), x))
         for i, side, x in zip(place, sides, (length, angles), strict=True)
     )
-    scale = np.maximum(np.minimum(scatter, np.concatenate(scatters)), 1.0)
+    scale = np.maximum(np.minimum(scatter, scatters), 1.0)
     gains = []
     for rival in (_directed(others), others[:, 0]):
         each = (moved[:, best] - rival[:, int(rival.sum(axis=0).argmax())]) / scale
         gains.append(float(np.sort(each)[: _SECTORS - _UNCOUNTED].sum()))
-    return Motion(moved_by, turned % math.pi, gains[0], gains[1], _steep(plane, variance, moved_by, turned))
+    motion = Motion(moved_by, turned % math.pi, *gains, _steep(plane, variance, moved_by, turned))
+    if not motion.likely:
+        return motion
+    first = [
+        few[soft] * _curves(length[place[0]], np.array([(j + 0.5) * _WIDTH - angles[place[1]]]))
+        for j in range(_SECTORS)
+    ]
+    found, _, length, angles = _searched(sectors, _lengths(plane), [1.0], first)
+    both = found.sum(axis=0).reshape(len(length), -1)
+    at, turn = np.unravel_index(int(both.argmax()), both.shape)
+    if _steep(plane, variance, float(length[at]), float(angles[turn])):
+        return motion
+    return motion._replace(second=float((both.max() - total.max()) / scale.mean()))
+
+
+def _searched(
+    sectors: list[BlurSpectrum], lengths: Array, falls: Sequence[Array | float], first: Sequence[Array | float]
+) -> tuple[Array, Array, Array, Array]:
+    """Return the log-likelihood of motions around the likeliest one in each sector, which has a `first` blur besides.
+
+    Its axis of motions has each of the `falls`, lengths and angles. Dispersions, lengths and angles follow.
+    """
+    coarse = _turned(sectors, lengths, first=first)
+    at, turn = np.unravel_index(int(coarse.argmax()), coarse.shape)
+    length, angles = lengths[at] * _FINER, (turn + 0.5 + _TURNS) * _WIDTH
+    found, scatters = zip(
+        *(
+            BlurSpectrum.of_parts([x], np.concatenate([fall * h * c for fall in falls]))
+            for j, (x, h) in enumerate(zip(sectors, first, strict=True))
+            for c in [_curves(length[:, None], (j + 0.5) * _WIDTH - angles)]
+        ),
+        strict=True,
+    )
+    return np.concatenate(found), np.concatenate(scatters), length, angles
 
 
 def _steep(plane: Array, variance: Array, length: float, angle: float) -> bool:
@@ -159,11 +183,21 @@ def _lengths(plane: Array) -> Array:
     return _LENGTHS[: max(int(np.count_nonzero(_LARGEST * min(plane.shape) >= _LENGTHS)), 1)]
 
 
-def _turned(sectors: list[BlurSpectrum], lengths: Array, every: int = 1) -> Array:
-    """Return the log-likelihood of motions along the middle of each sector, (lengths, sectors)."""
+def _turned(
+    sectors: list[BlurSpectrum], lengths: Array, every: int = 1, first: Sequence[Array | float] = (1.0,)
+) -> Array:
+    """Return the log-likelihood of motions along the middle of each sector, (lengths, sectors).
+
+    With `first` each sector has a blur of its own besides.
+    """
     number = len(sectors)
     turns = math.pi / number * np.arange(number // 2 + 1, dtype=np.float64)
-    found, _ = BlurSpectrum.of_parts(sectors, _curves(lengths[:, None], turns, math.pi / number), every)
+    curves = _curves(lengths[:, None], turns, math.pi / number)
+    if np.ndim(first[0]):
+        pairs = zip(sectors, first, strict=True)
+        found = np.concatenate([BlurSpectrum.of_parts([x], h * curves, every)[0] for x, h in pairs])
+    else:
+        found, _ = BlurSpectrum.of_parts(sectors, curves, every)
     k = np.arange(number)
     apart = np.abs((k[:, None] - k + number // 2) % number - number // 2)
     return np.asarray(np.sum([x.reshape(-1, len(turns))[:, apart[j]] for j, x in enumerate(found)], axis=0))

@@ -85,6 +85,22 @@ def test_equal_rectangles_are_no_motion_unless_their_edges_were_moved(moved, lik
     assert motion.likely == likely
 
 
+def test_motion_of_equal_rectangles_at_an_angle_is_not_told():
+    """Panes of 8 pixels have the zeros of a motion along rows, beside those of the true one."""
+    draw, side = np.random.default_rng(5), 2 * SIDE
+    wall = np.full((side, side), 0.6)
+    for row, column in itertools.product(range(8, side - 30, 48), range(8, side - 20, 38)):
+        for pane in (column, column + 11):
+            wall[row : row + 30, pane : pane + 8] = draw.uniform(0.02, 0.15)
+    fy, fx = np.fft.fftfreq(side)[:, None], np.fft.rfftfreq(side)
+    moved = np.sinc(10.0 * (fx * np.cos(np.radians(25.0)) - fy * np.sin(np.radians(25.0))))
+    seen = np.fft.irfft2(np.fft.rfft2(wall) * moved, (side, side))[:SIDE, :SIDE]
+    light = (draw.poisson(WHITE * np.maximum(seen, 0.0)) + draw.normal(0.0, READ, seen.shape)) / WHITE
+    motion = likeliest_motion(DISCS, light, light.clip(0.01) / WHITE)
+    assert motion._replace(second=0.0).likely
+    assert not motion.likely
+
+
 @pytest.mark.parametrize("depth", ["unknown", 2.1])
 def test_a_photograph_that_was_moved_is_a_doubt_and_is_restored_by_its_motion_if_that_is_accepted(depth):
     photo, scene = photograph("motion", 8.0)

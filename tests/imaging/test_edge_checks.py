@@ -68,7 +68,7 @@ FAULTS = {
     "shaded across": (noisy(LIGHT * (1.0 + 0.4 * ACROSS)), "uneven_light"),
     "shaded along": (noisy(LIGHT * (1.0 + 0.2 * ACROSS[:, None])), "uneven_light"),
     "curved": (noisy(BENT), "curved_edge"),
-    "rounded noise": (bytes_of(0.97 * noisy(LIGHT, 1e7)), "untested"),
+    "rounded noise": (bytes_of(0.97 * noisy(LIGHT, 1e7)), "too_quiet"),
 }
 
 

@@ -280,7 +280,8 @@ def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
             worst = [found for r in several for one in r for found in one.findings if found.code == code]
             bad: list[Severity] = [f.severity for f in worst if f.severity != "note"]
             severity: Severity = "note" if 2 * len(bad) <= len(edges) else "error" if "error" in bad else "doubt"
-            text = f"{len(several)} of {len(edges)} edges: {first.text}" if len(edges) > 1 else first.text
+            several_named = len(edges) > 1 and code != "untested"
+            text = f"{len(several)} of {len(edges)} edges: {first.text}" if several_named else first.text
             numbers = {**first.numbers, "edges": len(several), "of": len(edges)}
             findings.append(Finding(code, severity, text, numbers))
     return Findings(findings)

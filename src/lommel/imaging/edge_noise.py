@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
+from scipy import ndimage
 
 from lommel.base.arrays import Array
 from lommel.fit.findings import Finding, untested_finding
@@ -31,7 +32,7 @@ _CLIPPED = 4.0  # standard deviations
 _CORRELATED = 3.5  # standard errors from which noise is correlated
 _LEAST_POWER = 0.02  # of noise at a frequency, relative to its mean
 _HINTS = 1.5, 2.0  # standard errors of noise and of overshoot that count together
-_NARROW = 1.0  # largest radius of sharpening that noise shows; wider ones overshoot
+_NARROW = 1.0  # largest radius of a filter whose effect noise limits; wider sharpening overshoots
 _UNEVEN = 0.002  # least noise beside an edge that is told, fraction of the step
 _BESIDE, _FLAT = 2.0, 0.2  # ratio of the squares of noise beside an edge; where the slope is this part of its largest
 _EFFECT = 0.02  # change of the response that is told
@@ -85,10 +86,9 @@ def evidence_of(
     areas = next((one for one in shared if np.array_equal(one.used, edge.used)), None)
     if areas is None:
         shared.append(areas := Areas.of(edge, spacing))
-    noise = areas.products(stored, spacing, rounded=rounded)
-    products, pairs = (np.zeros(len(_LAGS)),) * 2 if noise is None else (noise, areas.pairs)
+    products, pairs = areas.products(stored, spacing, rounded=rounded)
     excess, weights = _excess(edge)
-    untested = rounded and noise is None
+    untested = rounded and not pairs.any()
     return Evidence(
         products, pairs, excess, weights, _beside(edge), encoding, above, response, normal, spacing, untested
     )
@@ -121,43 +121,53 @@ def processing_findings(edges: Sequence[Evidence]) -> list[Finding]:
         )
         return [Finding("correlated_noise", "doubt", text, {"ratio": ratio})]
     items = []
-    rounded = all(edge.untested for edge in edges)
+    if all(edge.untested for edge in edges):
+        text = (
+            "the noise is below the rounding of the values, as of pictures that were denoised, averaged or drawn: "
+            "filters that change the response are not tested"
+        )
+        return [Finding("too_quiet", "doubt", text)]
     change = float(np.median([edge.encoding[1] for edge in edges]))
-    if sum(edge.encoding[0] for edge in edges) < UNTESTED and change > _EFFECT and (rounded or tested.pairs):
+    if sum(edge.encoding[0] for edge in edges) < UNTESTED and change > _EFFECT and tested.pairs:
         items.append(f"encoding (changes up to {change:.1g})")
-    if rounded:
-        items.append("denoising and sharpening (noise below the rounding)")
-    elif tested.hidden > _EFFECT:
-        items.append(f"sharpening and denoising (changes below {tested.hidden:.1g})")
+    if tested.hidden > _EFFECT:
+        items.append(f"sharpening or denoising by a pixel (below {tested.hidden:.1g})")
     return [untested_finding(items, {"encoding": change, "filter": tested.hidden})] if items else []
+
+
+class _Area(NamedTuple):
+    """One side of an edge: its pixels in a box, an orthonormal basis of their light, polynomials, and sums at lags.
+
+    The halo of the edge is no noise: it is in the polynomials. `pairs` are the numbers of pixels at each lag, and
+    `fitted` the sums of the covariance that the fit takes from white noise: Q Q^T.
+    """
+
+    box: tuple[slice, slice]
+    pixels: Mask
+    basis: Array
+    pairs: Array
+    fitted: Array
 
 
 @dataclass(frozen=True, eq=False)
 class Areas:
-    """The areas beside an edge in which noise is tested, by `used` pixels; colours of one edge share them.
-
-    `sides` have the pixels and an orthonormal basis of their light, polynomials, so that the halo of the edge is no
-    noise. Of pixels at lags, `pairs` are the numbers, and `fitted` the sums of the covariance of white noise that is
-    fitted: the fit Q Q^T leaves residuals of the covariance 1 - Q Q^T.
-    """
+    """The areas beside an edge in which noise is tested, by `used` pixels; colours of one edge share them."""
 
     used: Mask
-    sides: list[tuple[Mask, Array]]
-    pairs: Array
-    fitted: Array
+    sides: list[_Area]
 
     @classmethod
     def of(cls, edge: Edge, spacing: int) -> Areas:
-        """Return the areas beside an edge; without sides if they are small."""
-        height, width = edge.used.shape
+        """Return the areas beside an edge, of sides that are large enough."""
         far = max(0.5 * edge.reach, min(edge.width, 0.7 * edge.reach))
-        images = np.zeros((1 + (_DEGREE + 1) * (_DEGREE + 2) // 2, height + _PADDING, width + _PADDING), np.float32)
-        v = np.broadcast_to(np.linspace(-1.0, 1.0, height)[:, None], edge.used.shape)
+        v = np.broadcast_to(np.linspace(-1.0, 1.0, len(edge.used))[:, None], edge.used.shape)
         sides = []
         for sign in (-1.0, 1.0):
-            side: Mask = edge.used & (sign * edge.distance > far)
+            side = edge.used & (sign * edge.distance > far)
             if side.sum() < _FEW:
-                return cls(edge.used, [], np.zeros(len(_LAGS)), np.zeros(len(_LAGS)))
+                continue
+            box = ndimage.find_objects(side.astype(np.int8))[0]
+            pixels = side[box]
             d = sign * edge.distance[side]
             u = 2.0 * (d - d.min()) / max(float(np.ptp(d)), 1e-12) - 1.0
             powers = legendre.legvander(u, _DEGREE).T, legendre.legvander(v[side], _DEGREE).T
@@ -166,23 +176,31 @@ class Areas:
             normal = design @ design.T
             normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12
             basis = np.linalg.inv(np.linalg.cholesky(normal)) @ design
-            images[0, :height, :width][side] = 1.0
-            images[1:, :height, :width][:, side] = basis  # zeros between both sides, the rows and the images
-            sides.append((side, basis))
-        return cls(edge.used, sides, _at_lags(images[0], spacing), _at_lags(images[1:], spacing))
+            pairs, fitted = (
+                _at_lags(_spread(part, pixels), spacing) for part in (np.ones((1, len(d))), basis)
+            )
+            sides.append(_Area(box, pixels, basis, pairs, fitted))
+        return cls(edge.used, sides)
 
-    def products(self, stored: Array, spacing: int, *, rounded: bool) -> Array | None:
-        """Return sums of products of the noise, 1 rms, at each lag, 0 for white noise; None without noise."""
-        height, width = stored.shape
-        noise = np.zeros((height + _PADDING, width + _PADDING), np.float32)
-        for side, basis in self.sides:
-            values = stored[side]
-            part = values - (basis @ values) @ basis
-            sigma = math.sqrt(float(part @ part) / (values.size - len(basis)))
-            if sigma <= (_ROUNDING if rounded else 1e-4 * abs(float(values.mean()))):
-                return None
-            noise[:height, :width][side] = np.clip(part / sigma, -_CLIPPED, _CLIPPED)
-        return _at_lags(noise, spacing) + self.fitted if self.sides else None
+    def products(self, stored: Array, spacing: int, *, rounded: bool) -> tuple[Array, Array]:
+        """Return sums of products of noise, 1 rms, at lags, 0 for white noise, and their numbers, 0 without noise."""
+        sums = np.zeros((2, len(_LAGS)))
+        for area in self.sides:
+            values = stored[area.box][area.pixels]
+            part = values - (area.basis @ values) @ area.basis
+            sigma = math.sqrt(float(part @ part) / (values.size - len(area.basis)))
+            if sigma > (_ROUNDING if rounded else 1e-4 * abs(float(values.mean()))):
+                noise = np.clip(part / sigma, -_CLIPPED, _CLIPPED)
+                sums += _at_lags(_spread(noise[None], area.pixels), spacing) + area.fitted, area.pairs
+        return sums[0], sums[1]
+
+
+def _spread(values: Array, pixels: Mask) -> NDArray[np.float32]:
+    """Return images of values at pixels, parted by zeros."""
+    height, width = pixels.shape
+    images = np.zeros((len(values), height + _PADDING, width + _PADDING), np.float32)
+    images[:, :height, :width][:, pixels] = values
+    return images
 
 
 def _at_lags(images: NDArray[np.float32], spacing: int) -> Array:

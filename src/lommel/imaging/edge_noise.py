@@ -176,9 +176,7 @@ class Areas:
             normal = design @ design.T
             normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12
             basis = np.linalg.inv(np.linalg.cholesky(normal)) @ design
-            pairs, fitted = (
-                _at_lags(_spread(part, pixels), spacing) for part in (np.ones((1, len(d))), basis)
-            )
+            pairs, fitted = (_at_lags(_spread(part, pixels), spacing) for part in (np.ones((1, len(d))), basis))
             sides.append(_Area(box, pixels, basis, pairs, fitted))
         return cls(edge.used, sides)
 

@@ -58,6 +58,7 @@ ACROSS = (np.arange(80) - 40.0) / 80.0
 BENT = 0.25 + 0.5 * picture(5.0, SIGMA, (80, 80), 8, curvature=1.0 / 1600)
 FAULTS = {
     "clipped": (np.minimum(noisy(2.0 * LIGHT), 1.0), "flat_top"),
+    "clipped by a few levels": (np.minimum(bytes_of(noisy(LIGHT, 2000.0)), 160), "flat_top"),
     "clipped without noise": (np.minimum(2.0 * LIGHT, 1.0), "asymmetric"),
     "dark with light": (noisy(np.sqrt(picture(5.0, 1.2, (80, 80), 8)), 20000.0), "asymmetric"),
     "sharpened": (unsharp(PHOTO), "sharpened"),

@@ -22,6 +22,7 @@ UNTESTED = 4.5
 _LOSS = 2.0  # largest loss of it by an encoding that the noise of both sides shows
 _LEVEL = 0.005  # uncertainty of the levels of both sides by uneven light, fraction of the step
 _GAMMA = 2.2  # of that encoding
+_FLAT = 0.9  # fraction of equal pixels of a bright side that is clipped, beside a dark one with noise
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
 
 
@@ -141,25 +142,27 @@ def _of_symmetry(
     common = _GAMMA if encoding == "linear" else 1.0 / _GAMMA
     gain = 0.5 * (chi2(common) - stated)
     evidence = gain, change_by(common) if gain < UNTESTED else 0.0
-    if power == 1.0 or (change := change_by(power)) < _EFFECT:
-        return [], evidence
-    side = int(edge.levels[1] > edge.levels[0])
-    equal = [
-        float(np.mean(part == np.median(part))) if (part := stored[edge.used & mask]).size else 0.0
-        for mask in (edge.distance < -0.5 * edge.reach, edge.distance > 0.5 * edge.reach)
-    ]
-    if equal[side] > 0.5 > equal[1 - side]:
-        top = float(stored[edge.used].max())
-        text = (
-            f"the profile is not symmetric, and the bright side has one value, {top:.6g}: it is clipped; expose less"
-        )
+    change = 0.0 if power == 1.0 else change_by(power)
+    dark, bright_side = _equal(edge, stored)
+    if (bright_side > _FLAT or (change >= _EFFECT and bright_side > 0.5)) and dark < 0.5:
+        text = f"the bright side has one value, {float(stored[edge.used].max()):.6g}: it is clipped; expose less"
         return [Finding("flat_top", "error", text, {"change": change})], evidence
+    if change < _EFFECT:
+        return [], evidence
     text = (
         f"the profile is not symmetric{' and the dark side is noisier' if noisier else ''}: values are not "
         f"{named(encoding)} (light = value ** {power:.2g} would be), are clipped, or the lens has coma; "
         f"the response changes by {change:.2g}"
     )
     return [Finding("asymmetric", "doubt", text, {"power": power, "change": change})], evidence
+
+
+def _equal(edge: Edge, stored: Array) -> list[float]:
+    """Return the fractions of pixels of the dark and of the bright side that have its median value."""
+    far = edge.used & (np.abs(edge.distance) > 0.5 * edge.reach)
+    sides = [stored[far & (edge.distance * sign > 0.0)] for sign in (-1.0, 1.0)]
+    equal = [float(np.mean(part == np.median(part))) if part.size else 0.0 for part in sides]
+    return equal if edge.levels[1] > edge.levels[0] else equal[::-1]
 
 
 def _noise_ratios(edge: Edge) -> tuple[bool, bool]:

@@ -71,7 +71,7 @@ def edge_findings(
             Finding("outliers", "doubt" if many else "note", text, {"pixels": edge.outliers, "of": total})
         )
     if edge.trend > MIN_TREND:
-        text = f"the light is uneven, by {100 * edge.trend:.0f} % across the picture: a linear trend was divided out"
+        text = f"the light is uneven, by {100 * edge.trend:.0f} % across the picture: its trend was divided out"
         findings.append(Finding("uneven_light", "note", text, {"trend": edge.trend}))
     if edge.tail:
         text = (

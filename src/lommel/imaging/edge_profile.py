@@ -363,7 +363,7 @@ def _evened(
         common_error = 0.5 * math.sqrt(float(dark_errors[1] + bright_errors[1]))
     tail = common * 2.0 * reach / step
     is_common = abs(common) > SIGMA * common_error and abs(rest) > _REST * rest_error
-    tail *= float(is_common and abs(tail) > MIN_TREND)
+    tail *= float(is_common)
     square, along_square = 0.0, 1.5 * bend / (0.5 * height) ** 2
     if tail and along_square and min(dark[0], bright[0]) > 0.0:
         slopes = float(dark[1] / dark[0]), float(bright[1] / bright[0])
@@ -372,6 +372,7 @@ def _evened(
             across, tail = 0.5 * (slopes[0] + slopes[1]), 0.0
         else:
             square = 0.0
+    tail *= float(abs(tail) > MIN_TREND)
     if not (across or along or bend or square or tail < 0.0):
         return image, 0.0, tail, *levels
     rows = (np.arange(height) - 0.5 * (height - 1))[:, None]

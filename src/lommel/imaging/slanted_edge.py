@@ -144,7 +144,8 @@ def sfr(
     column), the centroid of the differences between neighbouring pixels estimates the position of the edge. A line
     or, if the edge is curved, a polynomial of degree 3 defines the signed distance of each pixel from the edge.
     Differences between pixels in the order of this distance sample the line spread function, whose Fourier transform
-    is the response. A linear trend of the light is divided out, and pixels far from the profile are left out.
+    is the response. Linear trends of the light, and a fall-off alike along and across the edge, are divided out, and
+    pixels far from the profile are left out.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -24,6 +24,7 @@ Row: TypeAlias = dict[str, Any]
 _AXES = "zyx"  # of a stack
 _STEP = 1e-4  # relative step of differences of the Jacobian of a Gaussian
 _LEAST = 6  # smallest number of points of a profile to which a Gaussian is fitted
+_LEAST_SHARE = 1e-3  # smallest probability of a rival of the brightest voxel
 _PAIR = 1e-6  # metres: largest distance of the images of a bead in two channels
 MEASURES: Mapping[str, tuple[str, str, float]] = {
     "fwhm_x": ("FWHM x, PSF", "nm", 1e9), "fwhm_y": ("FWHM y, PSF", "nm", 1e9), "fwhm_z": ("FWHM z, PSF", "nm", 1e9),
@@ -94,14 +95,24 @@ class Widths(NamedTuple):
 def gaussian_widths(bead: FittedBead, noise: Noise) -> Widths:
     """Return the Gaussians of a bead along z, y and x, in planes and pixels, NaN where there is none.
 
-    Lines run through the brightest voxel of the fitted model, which noise moves less than that of the images.
+    Lines run through the brightest voxel of the fitted model, which noise moves less than that of the images. Where a
+    neighbouring voxel may be the brightest, errors include the difference to the lines through it.
     """
     place = np.unravel_index(int(np.argmax(bead.model)), bead.model.shape)
-    scale = math.sqrt(8.0 * math.log(2.0))
-    found = np.full((4, 3), math.nan)
+    light = noise.electrons(bead.model)
+    variance = noise.variance(np.maximum(light, 0.0))
     electrons = np.where(np.isfinite(bead.images), bead.images, bead.model)
-    variance = noise.variance(np.maximum(noise.electrons(bead.model), 0.0))
     values = np.where(np.isfinite(bead.images), noise.electrons(electrons), np.nan)
+    found = _lines(values, variance, place)
+    for rival, share in _rivals(light, variance, place):
+        change = _lines(values, variance, rival)[::2] - found[::2]
+        found[1::2] = np.hypot(found[1::2], math.sqrt(share * (1.0 - share)) * np.nan_to_num(change))
+    return Widths(*found)
+
+
+def _lines(values: Array, variance: Array, place: Sequence[Any]) -> Array:
+    """Return widths, their errors, centres and their errors of Gaussians along three lines, (4, 3)."""
+    scale, found = math.sqrt(8.0 * math.log(2.0)), np.full((4, 3), math.nan)
     for axis in range(3):
         line = tuple(slice(None) if k == axis else index for k, index in enumerate(place))
         try:
@@ -109,7 +120,27 @@ def gaussian_widths(bead: FittedBead, noise: Noise) -> Widths:
         except ValueError:
             continue
         found[:, axis] = scale * p[3], scale * math.sqrt(covariance[3, 3]), p[2], math.sqrt(covariance[2, 2])
-    return Widths(*found)
+    return found
+
+
+def _rivals(light: Array, variance: Array, place: Sequence[Any]) -> Iterator[tuple[Sequence[Any], float]]:
+    """Yield neighbours of the brightest voxel that may be as bright, and the probabilities that they are brighter.
+
+    Noise moves the image along each axis by the inverse root of its Fisher information.
+    """
+    slopes = np.array(np.gradient(light))
+    moves = np.sum(slopes**2 / variance, axis=(1, 2, 3)) ** -0.5
+    for axis in range(3):
+        for side in (-1, 1):
+            near = tuple(int(index) + side * (k == axis) for k, index in enumerate(place))
+            if not 0 <= near[axis] < light.shape[axis]:
+                continue
+            change = (slopes[(slice(None), *near)] - slopes[(slice(None), *place)]) * moves
+            share = 0.5 * math.erfc(
+                float(light[tuple(place)] - light[near]) / (math.sqrt(2.0) * np.linalg.norm(change))
+            )
+            if share > _LEAST_SHARE:
+                yield near, share
 
 
 def heights(covariance: Array, z: Array, groups: Sequence[object]) -> tuple[Array, Array]:

@@ -754,7 +754,6 @@ def _build_bead_fit(
     jacobian = _height_jacobian(all_beads.with_beads(kept.tolist()), whole_fit.state)
     z_covariance = np.full((len(is_used),) * 2, math.nan)
     z_covariance[np.ix_(kept, kept)] = jacobian @ whole_covariance @ jacobian.T
-    beads = _beads(all_beads, whole_fit, whole_covariance, np.diag(z_covariance), is_used, recorded, noise)
     image_error = bead_checks.model_error(model, state)
     if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
@@ -799,9 +798,10 @@ def _build_bead_fit(
         if is_error == {"misfit"} and causes and fit.settled and part_missed(*parts) < MAX_MISSED:
             findings = with_errors_of_model(findings, *parts, causes)
             covariance = larger(covariance, bead_checks.plane_jackknife(model, fit)[:common_count, :common_count])
-        if "reversed_z" not in Findings(findings).codes:
-            planes = sum(len(s.z) for s in all_beads.stacks)
-            findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)
+    beads = _beads(all_beads, whole_fit, whole_covariance, np.diag(z_covariance), is_used, recorded, noise)
+    if has_light and "reversed_z" not in Findings(findings).codes:
+        planes = sum(len(s.z) for s in all_beads.stacks)
+        findings += bead_checks.moved_findings([bead.moved for bead in beads if bead.used], planes)
     if has_light and not fit.settled:
         text = "the steps have not settled: estimate fewer `terms`, or state constants that were measured"
         findings.append(Finding("not_settled", "error", text))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -24,7 +24,7 @@ Row: TypeAlias = dict[str, Any]
 _AXES = "zyx"  # of a stack
 _STEP = 1e-4  # relative step of differences of the Jacobian of a Gaussian
 _LEAST = 6  # smallest number of points of a profile to which a Gaussian is fitted
-_LEAST_SHARE = 1e-3  # smallest probability of a rival of the brightest voxel
+_RIVAL_SIGMAS, _MOST_RIVALS = 2.5, 12  # voxels that may be the brightest: largest distance, and number
 _PAIR = 1e-6  # metres: largest distance of the images of a bead in two channels
 MEASURES: Mapping[str, tuple[str, str, float]] = {
     "fwhm_x": ("FWHM x, PSF", "nm", 1e9), "fwhm_y": ("FWHM y, PSF", "nm", 1e9), "fwhm_z": ("FWHM z, PSF", "nm", 1e9),
@@ -95,8 +95,8 @@ class Widths(NamedTuple):
 def gaussian_widths(bead: FittedBead, noise: Noise) -> Widths:
     """Return the Gaussians of a bead along z, y and x, in planes and pixels, NaN where there is none.
 
-    Lines run through the brightest voxel of the fitted model, which noise moves less than that of the images. Where a
-    neighbouring voxel may be the brightest, errors include the difference to the lines through it.
+    Lines run through the brightest voxel of the fitted model, which noise moves less than that of the images.
+    Where other voxels may be the brightest, errors include the differences between lines of the model.
     """
     place = np.unravel_index(int(np.argmax(bead.model)), bead.model.shape)
     light = noise.electrons(bead.model)
@@ -104,9 +104,10 @@ def gaussian_widths(bead: FittedBead, noise: Noise) -> Widths:
     electrons = np.where(np.isfinite(bead.images), bead.images, bead.model)
     values = np.where(np.isfinite(bead.images), noise.electrons(electrons), np.nan)
     found = _lines(values, variance, place)
-    for rival, share in _rivals(light, variance, place):
-        change = _lines(values, variance, rival)[::2] - found[::2]
-        found[1::2] = np.hypot(found[1::2], math.sqrt(share * (1.0 - share)) * np.nan_to_num(change))
+    of_model = _lines(light, variance, place)[::2]
+    for rival, share in _rivals(light, variance, bead.flux_errors / bead.flux, place):
+        change = _lines(light, variance, rival)[::2] - of_model
+        found[1::2] = np.hypot(found[1::2], math.sqrt(share) * np.nan_to_num(change))
     return Widths(*found)
 
 
@@ -123,24 +124,31 @@ def _lines(values: Array, variance: Array, place: Sequence[Any]) -> Array:
     return found
 
 
-def _rivals(light: Array, variance: Array, place: Sequence[Any]) -> Iterator[tuple[Sequence[Any], float]]:
-    """Yield neighbours of the brightest voxel that may be as bright, and the probabilities that they are brighter.
+def _rivals(
+    light: Array, variance: Array, flux_errors: Array, place: Sequence[Any]
+) -> list[tuple[tuple[int, ...], float]]:
+    """Return voxels other than the brightest of the model that may be the brightest, and their probabilities.
 
-    Noise moves the image along each axis by the inverse root of its Fisher information.
+    Noise moves the image along each axis by the inverse root of its Fisher information, and changes the flux of each
+    plane by `flux_errors`, relative.
     """
     slopes = np.array(np.gradient(light))
     moves = np.sum(slopes**2 / variance, axis=(1, 2, 3)) ** -0.5
-    for axis in range(3):
-        for side in (-1, 1):
-            near = tuple(int(index) + side * (k == axis) for k, index in enumerate(place))
-            if not 0 <= near[axis] < light.shape[axis]:
-                continue
-            change = (slopes[(slice(None), *near)] - slopes[(slice(None), *place)]) * moves
-            share = 0.5 * math.erfc(
-                float(light[tuple(place)] - light[near]) / (math.sqrt(2.0) * np.linalg.norm(change))
-            )
-            if share > _LEAST_SHARE:
-                yield near, share
+    here = tuple(int(index) for index in place)
+    changes = (slopes - slopes[(slice(None), *here)][:, None, None, None]) * moves[:, None, None, None]
+    planes = np.nan_to_num(flux_errors)[:, None, None] * light
+    apart = np.where(np.arange(len(light)) == here[0], 0.0, 1.0)[:, None, None]
+    errors = np.sqrt((changes**2).sum(axis=0) + apart * (planes**2 + planes[here] ** 2))
+    ratios = (light[here] - light) / np.maximum(errors, 1e-12 * light[here])
+    near = np.argwhere(ratios < _RIVAL_SIGMAS)
+    shares = scipy.special.ndtr(-ratios[tuple(near.T)])
+    odds = {tuple(voxel): share / (1.0 - share) for voxel, share in zip(near.tolist(), shares.tolist(), strict=True)}
+    odds[here] = 1.0
+    total = sum(odds.values())
+    likely = sorted(
+        ((voxel, weight / total) for voxel, weight in odds.items() if voxel != here), key=lambda one: -one[1]
+    )
+    return likely[:_MOST_RIVALS]
 
 
 def heights(covariance: Array, z: Array, groups: Sequence[object]) -> tuple[Array, Array]:

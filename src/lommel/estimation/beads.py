@@ -798,6 +798,7 @@ def _build_bead_fit(
         if is_error == {"misfit"} and causes and fit.settled and part_missed(*parts) < MAX_MISSED:
             findings = with_errors_of_model(findings, *parts, causes)
             covariance = larger(covariance, bead_checks.plane_jackknife(model, fit)[:common_count, :common_count])
+        del residual, windows, variance, expected_images, parts, level  # as large as all beads
     beads = _beads(all_beads, whole_fit, whole_covariance, np.diag(z_covariance), is_used, recorded, noise)
     if has_light and "reversed_z" not in Findings(findings).codes:
         planes = sum(len(s.z) for s in all_beads.stacks)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -476,6 +477,24 @@ def test_the_maximum_of_a_quadratic_function_with_cross_terms_is_found_in_one_st
     grid = np.stack(np.meshgrid(*3 * (np.arange(-2.0, 3.0),), indexing="ij"), axis=-1) - place
     values = 10.0 + 0.5 * np.einsum("...i,ij,...j->...", grid, curvature, grid)
     np.testing.assert_allclose(beads._to_maximum(values, (2, 2, 2)), place, atol=1e-12)
+
+
+def test_the_error_of_the_strehl_ratio_is_that_of_all_coefficients():
+    found = fitted(
+        recorded(3, waves(3, 0.1))[0], OIL, **GIVEN, terms=[(2, 2), (3, 1), (4, 0)], priors={"coverslip": 5e-6}
+    )
+    scales, slopes = np.sqrt(np.diag(found.covariance)), []
+    for k, scale in enumerate(scales):
+        step = 0.3 * scale * np.eye(len(scales))[k]
+        pair = []
+        for sign in (-1.0, 1.0):
+            state = replace(found._state, waves=found._state.waves + sign * step[:3])
+            setup = state.setup.with_constant("coverslip", state.setup.value("coverslip") + sign * step[3])
+            changed = replace(found, _state=replace(state, setup=setup), objective=setup.objective)
+            pair.append(changed.strehl(depth=50e-9)[0])
+        slopes.append((pair[1] - pair[0]) / (0.6 * scale))
+    expected = math.sqrt(np.array(slopes) @ found.covariance @ np.array(slopes))
+    assert found.strehl(depth=50e-9)[1] == pytest.approx(expected, rel=0.1)
 
 
 def test_widths_and_strehl_ratio_share_one_stack(monkeypatch):

@@ -135,7 +135,7 @@ def _rivals(
     slopes = np.array(np.gradient(light))
     moves = np.sum(slopes**2 / variance, axis=(1, 2, 3)) ** -0.5
     here = tuple(int(index) for index in place)
-    changes = (slopes - slopes[(slice(None), *here)][:, None, None, None]) * moves[:, None, None, None]
+    changes = (slopes - slopes[:, here[0], here[1], here[2]][:, None, None, None]) * moves[:, None, None, None]
     planes = np.nan_to_num(flux_errors)[:, None, None] * light
     apart = np.where(np.arange(len(light)) == here[0], 0.0, 1.0)[:, None, None]
     errors = np.sqrt((changes**2).sum(axis=0) + apart * (planes**2 + planes[here] ** 2))

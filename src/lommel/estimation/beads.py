@@ -321,7 +321,7 @@ class BeadFit(FitReport):
             Largest value of the PSF through focus, divided by that without Zernike terms: through the same objective,
             media and depth, whose own spherical aberration is in both.
         error : float
-            Standard error, from the covariance of the Zernike terms.
+            Standard error, from the covariance of the fit.
 
         Raises
         ------
@@ -349,9 +349,15 @@ class BeadFit(FitReport):
         slopes = gains / (2.0 * sigmas[:, None])
         errors = np.sqrt(np.einsum("ik,ij,jk->k", slopes, self.covariance, slopes))
         units = np.array([float(stack.z[1] - stack.z[0]), *2 * (setup.pixel / self.objective.magnification,)])
-        peak = float(self._focus(depth, BeadImages((), {}, images.threads), np.zeros(0))[3].max())
-        slope, common = rows[(slice(count), *top)] / peak, self.covariance[:count, :count]
-        strehl = float(values.max()) / peak, math.sqrt(max(float(slope @ common @ slope), 0.0))
+        # Errors of constants change both maxima: that of a cover glass, which terms compensate, cancels in the upper.
+        flat = BeadImages((), {}, images.threads), np.zeros(0)
+        _, flat_place, flat_stack, flat_values = self._focus(depth, *flat)
+        peak, point = float(flat_values.max()), _point_stack(flat_stack.z[[len(flat_stack.z) // 2]], (1, 1))
+        slope, ratio = rows[(slice(None), *top)] / peak, float(values.max()) / peak
+        if len(self.coefficients) > count:
+            of_flat = self._jacobian(setup, flat_place, point, ("pixel", *_NOT_OF_POINTS), *flat)
+            slope[count:] -= ratio / peak * of_flat[:, 0, 0, 0]
+        strehl = ratio, math.sqrt(max(float(slope @ self.covariance @ slope), 0.0))
         self._measures[depth] = (_widths(values, top) * units)[::-1], (errors * units)[::-1], strehl
         return self._measures[depth]
 
@@ -376,15 +382,15 @@ class BeadFit(FitReport):
         return setup, place, stack, images.values(setup, waves, place, stack)
 
     def _jacobian(
-        self, setup: Setup, place: Place, stack: Stack, unaffected: Sequence[str] = _NOT_OF_POINTS
-    ) -> Array:
+        self, setup: Setup, place: Place, stack: Stack, unaffected: Sequence[str] = _NOT_OF_POINTS,
+        images: BeadImages | None = None, waves: Array | None = None,
+    ) -> Array:  # fmt: skip
         """Return derivatives of the PSF by all coefficients, 0 for constants `unaffected`, (k, planes, ...)."""
-        waves, images = self._state.waves, self._images
-        count = len(images.estimated_terms)
-        jacobian = [*images.derivatives(setup, waves, place, stack)[:count]]
-        for name in [*self.coefficients][count:]:
+        images, waves = images or self._images, self._state.waves if waves is None else waves
+        jacobian = [*images.derivatives(setup, waves, place, stack)[: len(images.estimated_terms)]]
+        for name in [*self.coefficients][len(self._images.estimated_terms) :]:
             if name in unaffected:
-                jacobian.append(np.zeros_like(jacobian[0]))
+                jacobian.append(np.zeros((len(stack.z), *stack.shape)))
             else:
                 values = setup.adjacent_values(name)
                 setups = (setup.with_constant(name, value) for value in values)
@@ -755,10 +761,10 @@ def _build_bead_fit(
     z_covariance = np.full((len(is_used),) * 2, math.nan)
     z_covariance[np.ix_(kept, kept)] = jacobian @ whole_covariance @ jacobian.T
     image_error = bead_checks.model_error(model, state)
+    differ = has_light and bead_checks.beads_differ(tests)
     if not has_light:
         findings = [Finding("no_light", "error", "the light of all planes is within the noise")]
     else:
-        differ = bead_checks.beads_differ(tests)
         causes = _DIFFER if differ else causes_of_misfit(_CAUSES, chi2, deviation, tests)
         findings = goodness_of_fit.chi2_findings(chi2, deviation, causes, freed=bool(estimated_names))
         expected_images = np.stack([expected(*pair) for pair in zip(state.light, fit.values, strict=True)])
@@ -828,7 +834,7 @@ def _build_bead_fit(
     errors |= dict.fromkeys(held & {*errors}, math.nan)
     coefficients = dict(zip(model.names, values, strict=True))
     named = [*estimated_names, *(contradicted.numbers if contradicted else ())]
-    if Findings(findings).converged:
+    if Findings(findings).converged and not differ:  # otherwise constants stand for what differs
         findings += bead_checks.stated_findings(search.setup, coefficients, errors, named)
     return BeadFit(
         findings=Findings(findings),
@@ -878,7 +884,7 @@ def _with_other_beads(
     if not found:
         return fit, covariance, is_used
     kept, joint = np.flatnonzero(is_used).tolist(), iter(range(len(fit.values)))
-    places, light, values, parts = [], [], [], list[Part]()
+    places, light, values, parts = list[Place](), list[Array](), list[Array](), list[Part]()
     # Parameters of all beads: linear functions of those of the joint fit, and noise of their own.
     chain, own = np.zeros((k + q * len(kept), len(covariance))), np.zeros((k + q * len(kept),) * 2)
     chain[:k, :k] = np.eye(k)
@@ -891,10 +897,10 @@ def _with_other_beads(
         else:
             one, at = fit, next(joint)
             chain[rows, k + q * at : k + q * (at + 1)] = np.eye(q)
-        for whole, part in zip(
-            (places, light, values, parts), (one.state.places, one.state.light, one.values, one.parts), strict=True
-        ):
-            whole.append(part[at])
+        places.append(one.state.places[at])
+        light.append(one.state.light[at])
+        values.append(one.values[at])
+        parts.append(one.parts[at])
     state = replace(fit.state, places=tuple(places), light=tuple(light))
     return replace(fit, state=state, values=values, parts=parts), chain @ covariance @ chain.T + own, is_used
 

@@ -111,19 +111,35 @@ def test_widths_of_a_gaussian_and_their_errors_are_those_of_its_deviations(monke
     def gaussian(sigma):
         return np.exp(-0.5 * ((x / sigma[0]) ** 2 + (y / sigma[1]) ** 2 + (z / sigma[2]) ** 2))
 
+    step = 0.1 * float(OIL.focus(1e-6, wavelength=WAVE).axial_fwhm)
+
+    def images(_, __, place, stack):
+        """Return a Gaussian whose maximum is off the middle, of steps of 1."""
+        planes, rows, columns = (
+            (stack.z / step - 0.3)[:, None, None],
+            (np.arange(stack.shape[0]) - stack.shape[0] // 2 - place.row - 0.4)[:, None],
+            np.arange(stack.shape[1]) - stack.shape[1] // 2 - place.column + 0.2,
+        )
+        return np.exp(-0.5 * ((columns / sigma[0]) ** 2 + (rows / sigma[1]) ** 2 + (planes / sigma[2]) ** 2))
+
+    def jacobian(*given, **_):
+        asked.append(given)
+        return rows if len(given) == 3 else np.zeros((2, 1, 1, 1))  # of the PSF without terms, a point
+
     asked, rows = [], np.array([(gaussian(sigma + h) - gaussian(sigma - h)) / 2e-3 for h in 1e-3 * np.eye(3)])
     fit = Made(objective=OIL, wavelength=WAVE, pupil=lambda **_: None, _state=Made(setup=SETUP, waves=None),
-        _images=Made(values=lambda *_: gaussian(sigma)), _jacobian=lambda *given, **__: asked.append(given) or rows,
+        _images=Made(values=images, estimated_terms=[(2, 2)], threads=1), _jacobian=jacobian, _measures={},
         status="", chi2=1.0, covariance=covariance, coefficients={(2, 2): 0.3, "NA": 1.3}, errors={(2, 2): 0.1,
         "NA": 0.02}, beads=[Made(images=np.zeros((5, 3, 3)), model=np.zeros((5, 3, 3)), residual=np.zeros((5, 3,
         3)))])  # fmt: skip
     changes = np.sqrt(np.einsum("kpyx,k->pyx", rows**2, np.diag(covariance)))
     np.testing.assert_allclose(BeadFit.psf_errors(fit, depth=1e-7), changes, rtol=1e-9)
     assert (asked[0][2].shape, asked[0][2].z.tolist()) == ((31, 31), [0.0])
-    fit._focus, fit._fine_pixel = lambda depth: BeadFit._focus(fit, depth), lambda: BeadFit._fine_pixel(fit)
+    fit._focus = lambda *given: BeadFit._focus(fit, *given)
+    fit._focal_measures = lambda depth: BeadFit._focal_measures(fit, depth)
     widths, errors = BeadFit.fwhm(fit, depth=1e-6)
     pixel = 0.25 * OIL.nyquist(wavelength=WAVE).pixel / OIL.magnification
-    units = np.array([pixel, pixel, 0.1 * float(OIL.focus(1e-6, wavelength=WAVE).axial_fwhm)])
+    units = np.array([pixel, pixel, step])
     full = math.sqrt(8.0 * math.log(2.0))
     assert widths == pytest.approx(full * units * sigma, rel=1e-2)
     assert errors == pytest.approx(full * units * [0.1, 0.2, 0.3], rel=5e-2)
@@ -218,7 +234,7 @@ def test_light_is_told_from_noise_and_a_held_out_bead_from_others_at_the_limit_o
     for name, made in (("climb", lambda *_: next(ends)), ("replace", lambda one, **_: one), ("_restricted", len)):
         monkeypatch.setattr(bead_checks, name, made if name != "_restricted" else lambda *_: None)
     model = Made(stacks=[0] * 3, with_beads=lambda _: None, images=Made(without_terms=lambda _: None))
-    fit = Made(state=Made(places=[None], light=[None]), fits=lambda _: True)
+    fit = Made(state=Made(places=[None], light=[None]), fits=lambda _: True, settled=False)
     chi2, found = bead_checks.held_out(model, fit, None)
     assert (chi2, [one.code for one in found]) == (LIMIT * side, ["held_out"] * (side == 1.0))
 

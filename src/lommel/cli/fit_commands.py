@@ -746,15 +746,16 @@ class _BeadReport(NamedTuple):
             )
         same = {(row["file"], row["wavelength"], row["date"]) for row in rows}
         kept = [row for row in earlier if (row["file"], row["wavelength"], row["date"]) not in same]
+        waves = sorted({row["wavelength"] for row in (*kept, *rows)})
         facts = [
             ("objective", name),
             ("NA, immersion", f"{microscope.objective.NA:.4g}, {microscope.objective.immersion:.4g}"),
-            ("emission", format_length(microscope.wavelength, digits=4)),
+            ("emission", ", ".join(format_length(wave, digits=4) for wave in waves)),
             ("pixel in the sample", format_length(pixel, digits=4)),
             ("step between planes", format_length(abs(self.step), digits=4)),
-            ("diameter of beads", format_length(result.diameter, digits=3)),
-            ("files", ", ".join(dict.fromkeys(window.file for window in self.windows))),
-            ("dates", ", ".join(sorted({row["date"] for row in rows}))),
+            ("diameter of beads, estimated", format_length(result.diameter, digits=3)),
+            ("files of the last run", ", ".join(dict.fromkeys(window.file for window in self.windows))),
+            ("dates of the last run", ", ".join(sorted({row["date"] for row in rows}))),
         ]
         title, notes = f"Beads: {name}", [f"{one.severity}: {one.text}" for one in result.findings]
         folder.mkdir(exist_ok=True)

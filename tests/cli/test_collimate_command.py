@@ -18,6 +18,8 @@ from lommel.cli.collimate_command import Telescope, _hour, _pictures, _read, _ve
 from lommel.cli.instruments import Sensor
 from lommel.estimation import collimation
 from lommel.estimation.collimation import Vector
+from lommel.fit.findings import Finding
+from lommel.imaging import write_photo
 
 OPTIONS = ["--aperture", "200mm", "--focal-length", "2m", "--pixel", "7.6um"]
 
@@ -40,7 +42,7 @@ def test_pictures_of_a_folder_and_their_mean_say_where_the_coma_points(folder, c
     result = call_lommel("collimate", ".", *OPTIONS, "--obscuration", 0.35, "--plot", "coma.pdf", folder=folder)
     assert result.returncode == 3  # of the empty picture
     lines = result.stdout.replace("\n  ", " ").splitlines()  # without wrapping
-    sky, first, _, mean, tail, cassegrain, newtonian, _, wrote = lines
+    sky, first, _, mean, tail, cassegrain, newtonian, _, stated, wrote = lines
     assert sky == "sky.png: not measured: the picture must show a star, got none above the noise"
     assert first.startswith("star-1.png: coma 0.")
     assert mean.startswith("mean of 2: coma 0.")
@@ -49,6 +51,7 @@ def test_pictures_of_a_folder_and_their_mean_say_where_the_coma_points(folder, c
     assert "bright at 7 o'clock" in tail
     assert "towards 1 o'clock by the screws of the secondary" in cassegrain
     assert "towards 7 o'clock by the screws of the primary" in newtonian
+    assert "pixel 7.6 um, aperture 200 mm, focal length 2 m, wavelength 550 nm, which are not tested" in stated
     assert wrote == "wrote coma.pdf"
     result = call_lommel("collimate", "star-1.png", *OPTIONS, "--json", folder=folder)
     facts = json.loads(result.stdout)
@@ -87,11 +90,24 @@ def test_fits_files_are_shown_from_the_bottom_unless_they_say_otherwise(tmp_path
     assert header["format"] == "FITS"
 
 
-def test_colours_are_averaged_in_linear_light(tmp_path):
-    Image.fromarray(np.full((6, 6, 3), (0, 128, 255), np.uint8)).save(tmp_path / "a.png")
-    Image.fromarray(np.full((6, 6, 3), (0, 128, 128), np.uint8)).save(tmp_path / "b.png")
+def test_colours_and_encodings_are_linear_light(tmp_path):
+    for name, colour in (("a", (0, 128, 255)), ("b", (0, 128, 128))):
+        Image.fromarray(np.full((6, 6, 3), colour, np.uint8)).save(tmp_path / f"{name}.png")
     assert np.isnan(_read(tmp_path / "a.png")[0]).all()
-    assert _read(tmp_path / "b.png")[0] == pytest.approx(2.0 / 3.0 * 0.2159, abs=1e-3)
+    values, header, down = _read(tmp_path / "b.png")
+    assert values == pytest.approx(2.0 / 3.0 * 128.0 / 255.0, abs=1e-6)
+    assert (header["notes"], down) == (["values linear, mean of colours"], True)
+    assert _read(tmp_path / "b.png", "srgb")[0] == pytest.approx(2.0 / 3.0 * 0.2159, abs=1e-3)
+    # JPEG is sRGB; other files are linear unless they state another encoding.
+    Image.fromarray(np.full((6, 6), 128, np.uint8)).save(tmp_path / "c.jpg")
+    Image.fromarray(np.full((6, 6), 128, np.uint8)).save(tmp_path / "c.png")
+    write_photo(tmp_path / "d.png", np.full((6, 6), 0.2), encoding=2.2)
+    assert _read(tmp_path / "c.jpg")[0] == pytest.approx(0.2159, abs=2e-3)
+    assert _read(tmp_path / "c.png")[0] == pytest.approx(128.0)
+    assert _read(tmp_path / "d.png")[0] == pytest.approx(0.2, abs=2e-3)
+    np.save(tmp_path / "e.npy", np.ones((6, 6)))
+    with pytest.raises(ValueError, match="--encoding is of PNG"):
+        _read(tmp_path / "e.npy", "srgb")
 
 
 def test_angles_are_those_of_the_picture_as_shown():
@@ -126,8 +142,13 @@ def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_p
 
     def measured(image, *_, **__):
         coma = next(comas)
-        fit = type("Fit", (), {"converged": fits_well, "message": "misfit: chi2 9; noise; wrong"})()
-        fields = {"components": coma, "spherical": (0.0, 0.1), "waves": 5.0, "reliable": True, "fit": fit}
+        told = [
+            Finding("hot_pixels", "note", "2 hot pixels left out"),
+            Finding("untested", "note", "not tested: all"),
+        ]
+        verdict = {"converged": fits_well, "reliable": True, "message": "misfit: chi2 9; noise; wrong"}
+        fit = type("Fit", (), verdict | {"findings": told})()
+        fields = {"components": coma, "spherical": (0.0, 0.1), "waves": 5.0, "fit": fit, "drift": (7.4, -0.2)}
         fields |= {"coma": Vector.of(coma, 0.01), "astigmatism": Vector.of(0.0j, 0.01, 2)}
         return type("One", (), fields | {"star": collimation.Star(10.0, 12.0, 7.0)})()
 
@@ -143,14 +164,18 @@ def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_p
     assert facts["coma"]["waves"] == pytest.approx(abs(0.1 + 0.2j))
     # Misfits have no errors but those of the scatter.
     fits_well, comas = False, iter([0.1 + 0.2j])
-    line, advice = (part.text for part in collimate_command.collimate.function([tmp_path / "b.fits"], **job).parts)
+    line, advice, _ = (part.text for part in collimate_command.collimate.function([tmp_path / "b.fits"], **job).parts)
     assert advice.startswith("The direction may be wrong")
-    assert line == "b.fits: coma about 0.22 waves towards 5 o'clock, errors unknown: misfit: chi2 9; noise"
+    assert line.startswith("b.fits: coma about 0.22 waves towards 5 o'clock, errors unknown: misfit: chi2 9; noise;")
+    assert line.endswith("; 2 hot pixels left out")
     comas = iter([0.1 + 0.2j, 0.12 + 0.2j, 0.11 + 0.2j])
     report = collimate_command.collimate.function([tmp_path / "a.fits"] * 3, **job)
     assert not report.succeeded
     assert report.facts["coma"]["error"] == pytest.approx(0.01 / math.sqrt(6.0))
     fits_well = True
+    comas = iter([0.3])
+    report = collimate_command.collimate.function([tmp_path / "b.fits"], **job)
+    assert "; the star drifted by 7 pixels along 11 degrees; 2 hot pixels left out" in report.parts[0].text
     comas = iter([0.3, 0.1 + 0.2j])
     monkeypatch.setattr(
         collimate_command, "_pictures", lambda *_, **__: iter([tmp_path / "b.fits", tmp_path / "a.fits"])

@@ -9,7 +9,7 @@ import pytest
 import scipy
 
 import lommel as lm
-from lommel.estimation.collimation import Vector, find_star, mean_coma, measure_collimation
+from lommel.estimation.collimation import Vector, _binned, find_star, mean_coma, measure_collimation
 
 TELESCOPE = lm.Lens(focal_length=2.0, aperture_diameter=0.2, obscuration=0.35, wavelength=550e-9)
 PIXEL = 7.6e-6
@@ -77,6 +77,29 @@ def test_an_outline_includes_the_dim_side_and_the_hole():
     assert (row, column, radius) == pytest.approx((50.0, 70.0, 31.0), abs=1.5)
     saturated = np.where(picture > 1500.0, np.nan, picture)
     assert find_star(saturated).radius == pytest.approx(radius, abs=1.0)
+    picture[5, 140] = picture[40, 70] = 1e6  # hot pixels
+    assert find_star(picture) == pytest.approx((row, column, radius), abs=0.1)
+
+
+def test_pixels_that_are_wrong_are_left_out_and_told():
+    picture = donut(6.0, 0.12, -0.16)
+    bad = np.minimum(picture, np.sort(picture.ravel())[-60])
+    counts, step, found = _binned(bad, 18.0)
+    assert step == 1
+    assert (~counts.known).sum() == 60
+    assert [finding.code for finding in found] == ["left_out"]
+    assert (found[0].severity, "expose shorter" in found[0].text) == ("doubt", True)
+    picture[::12, ::13] = 9e4 + np.arange(36).reshape(6, 6)
+    counts, _, (hot,) = _binned(picture, 18.0)
+    assert (hot.code, hot.numbers["pixels"]) == ("hot_pixels", 36)
+    assert not counts.known[::12, ::13].any()
+
+
+def test_a_stretched_picture_is_in_doubt():
+    picture = donut(6.0)
+    stretched = (np.maximum(picture - 200.0, 0.0) / np.ptp(picture)) ** (1.0 / 2.2)
+    assert "values are stretched" in _binned(255.0 * stretched, 18.0)[2][0].text
+    assert not _binned(picture, 18.0)[2]
 
 
 @pytest.mark.parametrize(
@@ -85,6 +108,8 @@ def test_an_outline_includes_the_dim_side_and_the_hole():
         (np.random.default_rng(0).normal(size=(60, 60)), "none above the noise"),
         (np.pad(np.full((40, 40), 9.0), ((0, 60), (30, 30))), "at an edge"),
         (np.pad(np.full((3, 3), 9.0), 40), "defocus more"),
+        (np.zeros((40, 40)), "none above the noise"),
+        (np.pad(np.hypot(*(np.indices((40, 80)) % 40 - 19.5)[:, :, :]) < 20.0, 30) * 99.0, "another star touches it"),
     ],
 )
 def test_pictures_without_a_defocused_star_are_refused(picture, words):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 import time
-from collections.abc import Iterator
+import warnings
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
@@ -14,14 +15,17 @@ import numpy as np
 
 from lommel import show
 from lommel.base.arrays import Array
+from lommel.base.encoding import Encoding, named
 from lommel.base.options import In, Options, Shown
+from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.command import PLOT, command
 from lommel.cli.instruments import Sensor, instrument_of
 from lommel.cli.interrupts import Stop
 from lommel.cli.messages import with_options
 from lommel.cli.output import progress, save_figure, written
-from lommel.io.photos import read_photo
+from lommel.cli.photo_commands import ENCODING
+from lommel.io.photos import optics_of, read_photo
 from lommel.optics.lens import Lens
 from lommel.report import Facts, Report, Wrapped
 
@@ -29,7 +33,10 @@ if TYPE_CHECKING:
     from lommel.estimation.collimation import Collimation, Vector
     from lommel.recorded.headers import Metadata
 
-_SUFFIXES = {".fits", ".fit", ".fts", ".png", ".tif", ".tiff", ".npy", ".jpg", ".jpeg"}
+_JPEG = {".jpg", ".jpeg"}
+_PHOTOS = {*_JPEG, ".png", ".tif", ".tiff"}
+_SUFFIXES = {*_PHOTOS, ".fits", ".fit", ".fts", ".npy"}
+_NOTES = "left_out", "hot_pixels"  # findings that are shown with a result that is reliable
 _POLL = 0.5  # seconds between looks into a folder
 _OBSCURATION = 0.33  # where it is not stated
 _UNKNOWN = 0.1  # relative error of coma then: 0.2 instead of 0.35 changes it by 12 %, 0.45 by 4 %
@@ -95,23 +102,26 @@ def collimate(
     telescope: Telescope = Telescope(),
     outside: bool = False,
     watch: bool = False,
+    encoding: Annotated[Encoding | None, ENCODING] = None,
     figure: Annotated[Path | None, PLOT] = None,
     sensor: Sensor = Sensor(),
 ) -> Report:
     """Measure coma from defocused stars and say in which direction to collimate.
 
     IMAGES are pictures of a defocused star ("donut"), 3 to 15 waves out of focus, near the middle of the field: FITS,
-    TIFF, PNG or NPY files, linear in the light, or folders of them. The brightest star of each picture is fitted with
-    seeing. Expose for a second or more.
+    TIFF, PNG, NPY or JPEG files, or folders of them. Values are linear in the light, unless the file states another
+    encoding, or is a JPEG (sRGB); of colours the mean is used. The brightest star of each picture is fitted with
+    seeing and, if it drifted, its trail. Saturated and hot pixels are left out. Expose for a second or more.
 
     Coma is stated with the direction in which the tail of the sharp star points, in the picture as it is shown: FITS
     files with the first row at the bottom, unless their header states ROWORDER = TOP-DOWN, other files with the first
     row at the top. The donut is narrow and bright on the opposite side. Both are the same on either side of focus.
     The screws of a secondary mirror (Cassegrain, Schmidt-Cassegrain) must move the star in the direction of the tail,
     those of the primary mirror of a Newtonian against it. Bring the star back to the middle with the mount, and
-    repeat. Sizes are in waves rms, angles in degrees counterclockwise from the right. If the model does not fit a
-    picture, errors are unknown; the mean of three or more pictures then has the error of their scatter. The exit code
-    is 3 for a misfit, and 4 for a result in doubt.
+    repeat. Angles are in degrees counterclockwise from the right. Sizes are in waves rms, proportional to pixel and
+    aperture, inversely to focal length and wavelength, which the pictures do not test; directions do not depend on
+    them. If the model does not fit a picture, errors are unknown; the mean of three or more pictures then has the
+    error of their scatter. The exit code is 3 for a misfit, and 4 for a result in doubt.
 
     Parameters
     ----------
@@ -120,6 +130,9 @@ def collimate(
         spherical aberration depends on it.
     watch
         Measure the pictures of one folder, and each new one as it is written, until Ctrl-C.
+    encoding
+        Encoding of the values of PNG, TIFF and JPEG files, if not as stated above: srgb, linear, or a number, as 2.2
+        for light = value ** 2.2.
     figure
         Figure of the last picture with the direction of coma: .png, .pdf or .svg.
 
@@ -143,9 +156,10 @@ def collimate(
             status(f"measuring {path.name}")
             record: Facts = {"picture": path.name, "converged": False}
             try:
-                values, header, down = _read(path)
-                one = measure_collimation(values, *telescope.instrument(header, sensor), outside=outside)
-                record |= _facts(one, down=down, unstated=unstated)
+                values, header, down = _read(path, encoding)
+                lens, pixel = telescope.instrument(header, sensor)
+                one = measure_collimation(values, lens, pixel, outside=outside)
+                record |= _facts(one, down=down, unstated=unstated, notes=header.get("notes", ()))
             except (ValueError, OSError) as error:
                 if len(images) == 1 and not images[0].is_dir():
                     raise
@@ -174,6 +188,10 @@ def collimate(
             name = "last picture" if watch else f"mean of {len(components)}"
             parts.append(Wrapped(f"{name}: {title}", "bold"))
         parts += [Wrapped(text) for text in _advice(facts["coma"])]
+        facts["telescope"] = _telescope(lens, pixel)
+        lengths = {name: format_length(value) for name, value in facts["telescope"].items()}
+        words = ", ".join(f"{name.replace('_', ' ')} {length}" for name, length in lengths.items())
+        parts.append(Wrapped(f"Sizes in waves are those of {words}, which are not tested."))
         if unstated:
             parts.append("Neither --obscuration nor --telescope is stated: 0.33 was assumed.")
         save_figure(lambda: show.estimates.collimation(picture, star, coma.angle, title), figure)
@@ -203,27 +221,53 @@ def _is_picture(path: Path) -> bool:
     return path.suffix.lower() in _SUFFIXES and not path.name.startswith(".") and path.is_file()
 
 
-def _read(path: Path) -> tuple[Array, Metadata, bool]:
+def _read(path: Path, encoding: Encoding | None = None) -> tuple[Array, Metadata, bool]:
     """Return a picture with NaN at saturated pixels, its header, and whether its first row is shown at the top."""
     from lommel.recorded.counts import Counts
     from lommel.recorded.frames import read_images
     from lommel.recorded.noise import Noise
 
-    try:
-        read = read_images([path])
-    except ValueError:  # colours
-        if path.suffix.lower() not in {".png", ".jpg", ".jpeg", ".tif", ".tiff"}:
-            raise
-        light = np.asarray(read_photo(path).light(), np.float64)
-        values, header = np.where(light < 1.0, light, np.nan).mean(axis=-1)[None], {}
-    else:
-        values, header = read[...], read.metadata
-        counts = Counts.of(values, noise=Noise(read=0.0))
-        values = np.where(counts.known, counts.values, np.nan)
-    if len(values) != 1:
-        raise ValueError(f"{line(path)} must be one picture, got {len(values)}")
-    is_up = header.get("format") == "FITS" and str(header.get("rows", "")).strip().upper() != "TOP-DOWN"
-    return np.asarray(values[0], np.float64), header, not is_up
+    if path.suffix.lower() in _PHOTOS and (found := _light(path, encoding)) is not None:
+        return found
+    if encoding is not None:
+        raise ValueError(f"--encoding is of PNG, TIFF and JPEG files of 8 or 16 bits, got {line(path)}")
+    read = read_images([path])
+    counts = Counts.of(read[...], noise=Noise(read=0.0))
+    if len(counts) != 1:
+        raise ValueError(f"{line(path)} must be one picture, got {len(counts)}")
+    values = np.where(counts.known, counts.values, np.nan)[0]
+    is_up = read.metadata.get("format") == "FITS" and str(read.metadata.get("rows", "")).strip().upper() != "TOP-DOWN"
+    return np.asarray(values, np.float64), read.metadata, not is_up
+
+
+def _light(path: Path, encoding: Encoding | None) -> tuple[Array, Metadata, bool] | None:
+    """Return `_read` of a photograph in colours or of values that are not linear; None for others."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of an encoding that is not the stated one
+        try:
+            photo = read_photo(path)
+        except ValueError:
+            return None  # stacks, and types of counts
+        is_encoded = photo.stated or path.suffix.lower() in _JPEG
+        used = encoding or (photo.encoding if is_encoded else "linear")
+        colours, is_float = photo.values.ndim == 3, photo.values.dtype.kind == "f"
+        if not colours and (is_float or used == "linear"):
+            return None
+        light = np.asarray(read_photo(path, used).light(), np.float64)
+    light = np.where((light < 1.0) | is_float, light, np.nan)
+    notes = [f"values {named(used)}" + ", mean of colours" * colours]
+    metadata = optics_of(photo.exif) | {"notes": notes}
+    return light.mean(axis=-1) if colours else light, metadata, True
+
+
+def _telescope(lens: Lens, pixel: float) -> Facts:
+    """Return the lengths to which waves are proportional, metres."""
+    return {
+        "pixel": pixel,
+        "aperture": lens.focal_length / lens.f_number,
+        "focal_length": lens.focal_length,
+        "wavelength": lens.wavelength,
+    }
 
 
 def _mean(components: list[complex], errors: list[float | None]) -> Vector:
@@ -254,16 +298,24 @@ def _vector(vector: Vector, *, down: bool, unstated: bool = False, folds: int = 
     return found
 
 
-def _facts(one: Collimation, *, down: bool, unstated: bool) -> Facts:
+def _facts(one: Collimation, *, down: bool, unstated: bool, notes: Sequence[str]) -> Facts:
     """Return the result of a picture as data; of a misfit only coma, without an error."""
-    facts = {"converged": one.fit.converged, "reliable": one.reliable, "message": one.fit.message}
-    if not one.fit.converged:
+    fit = one.fit
+    facts: Facts = {name: getattr(fit, name) for name in ("converged", "reliable", "message")}
+    told = dict.fromkeys(f.text for f in fit.findings if f.code in _NOTES and f.severity == "note")
+    facts["notes"] = [*notes, *told]
+    if not fit.converged:
         return facts | {"coma": _vector(_mean([one.components], [None]), down=down)}
+    drift = one.drift and {
+        "pixels": one.drift[0],
+        "degrees": math.degrees(-one.drift[1] if down else one.drift[1]) % 180.0,
+    }
     return facts | {
         "coma": _vector(one.coma, down=down, unstated=unstated),
         "astigmatism": _vector(one.astigmatism, down=down, unstated=unstated, folds=2),
         "spherical": None if unstated else dict(zip(("waves", "error"), one.spherical, strict=True)),
         "defocus": one.waves,
+        "drift": drift,
     }
 
 
@@ -286,14 +338,17 @@ def _with_direction(name: str, part: Facts) -> str:
 def _in_words(record: Facts) -> str:
     """Return the result of a picture in a line."""
     message = with_options(record["message"])
+    notes = record.get("notes", ())
     if not record["converged"]:
         found = f"{_with_direction('coma', record['coma'])}: " if "coma" in record else "not measured: "
-        return found + "; ".join(message.split("; ")[:2])
+        return found + "; ".join([*message.split("; ")[:2], *notes])
     texts = [_with_direction(name, record[name]) for name in ("coma", "astigmatism")]
     if (sphere := record["spherical"]) is not None:
         texts.append(f"spherical {sphere['waves']:+.3f} +- {sphere['error']:.3f} waves")
     texts.append(f"{abs(record['defocus']):.1f} waves {'in' if record['defocus'] > 0.0 else 'out'}side focus")
-    return "; ".join(texts if record["reliable"] else [*texts, *message.split("; ")[:2]])
+    if (drift := record["drift"]) is not None:
+        texts.append(f"the star drifted by {drift['pixels']:.0f} pixels along {drift['degrees']:.0f} degrees")
+    return "; ".join([*texts, *notes] if record["reliable"] else [*texts, *message.split("; ")[:2], *notes])
 
 
 def _advice(coma: Facts) -> list[str]:

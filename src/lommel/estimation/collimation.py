@@ -5,31 +5,41 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 import scipy
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
+from lommel.blur.blurs import Motion
 from lommel.estimation import EFFORT
 from lommel.estimation.options import RetrieveOptions
 from lommel.estimation.phase_retrieval import Retrieval, fit_stars
+from lommel.fit.findings import Finding, Findings, Severity
 from lommel.optics.lens import Lens
-from lommel.recorded.camera_noise import image_noise, measured_noise
-from lommel.recorded.counts import Counts
+from lommel.recorded.camera_noise import hot_voxels, image_noise, measured_noise
+from lommel.recorded.counts import Counts, flat_top
 from lommel.recorded.noise import Noise
 
-_LEVEL = 0.08  # brightness of the outline of a star, relative to its brightest part
-_MIN_HEIGHT = 8.0  # least brightness of the outline, standard deviations of the smoothed background
+_LEVEL = 0.05  # brightness of the outline of a star, relative to its brightest part
+# Least brightness of a star, and of its outline, standard deviations of the smoothed background.
+_MIN_HEIGHT, _MIN_OUTLINE = 8.0, 4.0
 _MIN_RADIUS = 6.0  # pixels: least radius of a star
 _MIN_WAVES = 1.5  # least defocus, waves between centre and edge
 _BINNED_RADIUS = 14.0  # pixels: least radius of a star after binning; errors of 20 simulated stars hardly grow
 _ROOM = 1.5  # half a side of the window, radii of the star
 _READ = 1.6  # electrons rms: read noise, which one picture does not separate from the offset
+_SHARPEST = 1.0  # brightest pixel of a donut, relative to its brightest neighbour
+_MOST_SPREAD = 1.19  # largest moment of inertia of an outline, relative to a disc of its area: two in touch have 1.24
+_MOST_SATURATED = 0.05  # largest part of the outline that may be saturated without a doubt
+_TOLD = 5.0  # brightness, standard deviations of the noise, from which photon noise must be seen
 _SIGNIFICANT = 3.0  # standard errors from which an aberration has a direction
-# Doubts whose size the standard errors contain.
+# Doubts whose size the standard errors contain: they are notes.
 _CONTAINED = {"missed_light", "other_explanation", "rare_chi2", "sign_open"}
 _WAVE = 2.0 * math.pi  # radians
+_RING = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]])
 
 
 class Star(NamedTuple):
@@ -72,7 +82,10 @@ class Collimation(NamedTuple):
     waves : float
         Defocus, waves between centre and edge, positive inside focus.
     star : Star
+    drift : (float, float) or None
+        Length of the trail of the star, pixels, and its angle from columns to rows, radians; None if none is seen.
     fit : Retrieval
+        The fit, with findings on the picture; doubts that the standard errors contain are notes.
     """
 
     coma: Vector
@@ -81,35 +94,47 @@ class Collimation(NamedTuple):
     spherical: tuple[float, float]
     waves: float
     star: Star
+    drift: tuple[float, float] | None
     fit: Retrieval
-
-    @property
-    def reliable(self) -> bool:
-        """Whether the fit converged, and standard errors contain its doubts."""
-        doubts = {finding.code for finding in self.fit.findings if finding.severity == "doubt"}
-        return self.fit.converged and doubts <= _CONTAINED
 
 
 def find_star(image: Array) -> Star:
     """Return the outline of the brightest star of a picture, NaN at saturated pixels; ValueError without one."""
     border = np.concatenate([image[0], image[-1], image[:, 0], image[:, -1]])
     light = np.where(np.isfinite(image), image, np.nanmax(image)) - np.nanmedian(border)
+    light = np.minimum(light, scipy.ndimage.maximum_filter(light, footprint=_RING))  # without single hot pixels
     smooth = scipy.ndimage.gaussian_filter(light, 1.5)
     noise = 1.5 * float(np.median(np.abs(smooth - np.median(smooth))))
-    labels, count = scipy.ndimage.label(smooth > max(_LEVEL * float(smooth.max()), _MIN_HEIGHT * noise))
-    if not count:
+    labels, count = scipy.ndimage.label(smooth > max(_LEVEL * float(smooth.max()), _MIN_OUTLINE * noise))
+    if not count or smooth.max() < _MIN_HEIGHT * noise:
         raise ValueError("the picture must show a star, got none above the noise")
     brightest = 1 + int(np.argmax(scipy.ndimage.sum_labels(smooth, labels, np.arange(1, count + 1))))
-    disc = scipy.ndimage.binary_fill_holes(labels == brightest)
+    disc = labels == brightest
     if any(edge.any() for edge in (disc[0], disc[-1], disc[:, 0], disc[:, -1])):
         raise ValueError("the star must be inside the picture, got one at an edge: move it, or defocus less")
-    row, column = (float(place) for place in scipy.ndimage.center_of_mass(disc))
-    radius = math.sqrt(disc.sum() / math.pi)
+    places = _convex(np.argwhere(disc))  # the dim side of a ring may be open
+    radius = math.sqrt(len(places) / math.pi)
     if radius < _MIN_RADIUS:
         raise ValueError(
             f"the star must have a radius of {_MIN_RADIUS:g} pixels or more, got {radius:.1f}: defocus more"
         )
+    if 2.0 * places.var(axis=0).sum() > _MOST_SPREAD * radius**2:
+        raise ValueError(
+            "the star must be alone and round, got a long outline: another star touches it, or it drifts"
+        )
+    row, column = places.mean(axis=0).tolist()
     return Star(row, column, radius)
+
+
+def _convex(places: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Return rows and columns (n, 2) of all pixels between pixels of a blob."""
+    low, high = places.min(axis=0), places.max(axis=0) + 1
+    if (high - low).min() < 3:
+        return places
+    grid = np.argwhere(np.ones(high - low, bool)) + low
+    hull = places[scipy.spatial.ConvexHull(places).vertices]
+    inside: NDArray[np.bool_] = scipy.spatial.Delaunay(hull).find_simplex(grid) >= 0
+    return np.asarray(grid[inside])
 
 
 def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool = False) -> Collimation:
@@ -125,11 +150,17 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
         raise ValueError(f"the star must be {_MIN_WAVES:g} waves or more out of focus, got {waves:.2g}: defocus more")
     reach = math.ceil(_ROOM * star.radius + 4.0)
     rows, columns = (slice(max(round(p) - reach, 0), round(p) + reach + 1) for p in (star.row, star.column))
-    counts, step = _binned(image[rows, columns], star.radius)
+    counts, step, findings = _binned(image[rows, columns], star.radius)
     side = -1.0 if outside else 1.0
     options = RetrieveOptions(terms=8, defocus=(side * math.pi * waves,), blur=True)  # Noll 4 to 11
     effort = EFFORT._replace(starts=1, tol=1e-4)
     fit = fit_stars(counts, lens.pupil(), pixel=step * pixel, noise=None, options=options, effort=effort)
+    for found in fit.findings:
+        is_contained = found.code in _CONTAINED and found.severity == "doubt"
+        if found.code != "left_out":  # of bins
+            findings.append(replace(found, severity="note") if is_contained else found)
+    fit = replace(fit, findings=Findings(findings))
+    trail = next((blur for blur in fit.blurs[0] if isinstance(blur, Motion)), None)
     value, error = ({n: part[n] / _WAVE for n in fit.coefficients} for part in (fit.coefficients, fit.errors))
     coma = complex(value[3, 1], value[3, -1])
     # Inside focus, rays go outwards where the phase increases outwards: the star is longer there.
@@ -141,24 +172,52 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
         spherical=(value[4, 0], error[4, 0]),
         waves=side * waves + math.sqrt(12.0) * value[2, 0],
         star=star,
+        drift=None if trail is None else (trail.length / pixel, trail.angle),
         fit=fit,
     )
 
 
-def _binned(window: Array, radius: float) -> tuple[Counts, int]:
-    """Return a window in electrons, in square bins while the star has many pixels, and the side of a bin."""
+def _binned(window: Array, radius: float) -> tuple[Counts, int, list[Finding]]:
+    """Return a window in electrons, in square bins if the star has many pixels; the side of a bin; findings."""
+    findings, window = list[Finding](), window.copy()
+    # Of the noise by medians, which hot pixels leave.
+    offset, bright = np.nanquantile(window, (0.05, 0.9)).tolist()
+    differences = np.diff(window, 2, axis=1)
+    sigma = max(
+        float(np.nanmedian(np.abs(differences))) / (0.6745 * math.sqrt(6.0)), 1e-9 * (bright - offset), 1e-300
+    )
+    white = (bright - offset) / sigma**2 or 1.0
+    hot = hot_voxels(window[None], Noise(white=white, read=white * sigma, offset=offset), _SHARPEST)
+    if len(hot):
+        window[hot[:, 1], hot[:, 2]] = np.nan
+        findings.append(Finding("hot_pixels", "note", f"{len(hot)} hot pixels left out", {"pixels": len(hot)}))
+    known = np.isfinite(window)
     try:
         noise, _ = measured_noise(window[None], _READ)
     except ValueError:  # no photon noise is seen
         offset = float(np.nanmin(window))
         light, variance, _ = image_noise(window - offset)
         noise = Noise(white=light / variance, read=_READ, offset=offset)
+        if np.nanquantile(window, 0.9) - np.nanquantile(window, 0.1) > _TOLD * math.sqrt(variance):
+            text = (
+                "noise does not grow with the light, as it does in counts: values are stretched (sRGB, a gamma), "
+                "filtered or of many exposures"
+            )
+            findings.append(Finding("contradiction", "doubt", text))
     assert noise.white is not None
+    top, _ = flat_top(window, known, noise)
+    window = np.where(window >= top, np.nan, window)  # no pixel if top is NaN
+    if saturated := int(np.isnan(window).sum()) - len(hot):
+        share = saturated / (math.pi * radius**2)
+        text = f"{saturated} saturated pixels ({100.0 * share:.2g} % of the star) left out"
+        text += ": expose shorter" * (share > _MOST_SATURATED)
+        severity: Severity = "doubt" if share > _MOST_SATURATED else "note"
+        findings.append(Finding("left_out", severity, text, {"pixels": saturated, "share": share}))
     step = max(1, int(radius / _BINNED_RADIUS))
     rows, columns = (side // step for side in window.shape)
     parts = ((window - noise.offset) * noise.white)[: rows * step, : columns * step]
     binned = parts.reshape(rows, step, columns, step).sum(axis=(1, 3))
-    return Counts.of(binned, noise=Noise(read=step * _READ)), step
+    return Counts.of(binned, noise=Noise(read=step * _READ)), step, findings
 
 
 def mean_coma(components: Sequence[complex], errors: Sequence[float]) -> Vector:

@@ -138,11 +138,12 @@ def _found(first: Array, other: Array, blur: float, name: str) -> tuple[_Move, f
     """Return the move of a frame relative to the first, its standard error and its misfit, pixels, rms."""
     shape, radius = first.shape, math.hypot(*first.shape) / math.sqrt(12.0)
     shift, turn, error, misfit = 0j, 1.0 + 0j, math.inf, math.inf
+    splines = scipy.ndimage.spline_filter(other, order=3, mode="mirror")
     for parts in (1, *[min(3, min(shape) // _WINDOW)] * _STEPS):
         places, inside = _places(shape, (shift, turn))
         if inside.mean() < _MIN_OVERLAP:
             break
-        moved = scipy.ndimage.map_coordinates(other, places, order=3, mode="nearest").reshape(shape)
+        moved = scipy.ndimage.map_coordinates(splines, places, order=3, mode="mirror", prefilter=False)
         step, covariance, misfit = motion(first, moved, inside, blur, parts)
         if parts == 1:
             shift += complex(step[1], step[0])

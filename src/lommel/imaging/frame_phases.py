@@ -20,6 +20,7 @@ _COHERENT = 4.0  # standard deviations of the mean cosine of phases of noise, ab
 _FREQUENCY, _SIDE = 0.12, 1024  # cycles per pixel, up to which phases are used, and side of the square for shifts
 _LOWEST, _FIRST = 2.5, 8.0  # periods in a window: least, and most in the first step
 _STEPS, _LEAST_SHARE = 4, 0.05
+_ALIKE = 0.5  # pixels^2: difference of the variances of blur that is left
 _UNKNOWN = 1e3  # pixels: standard error of displacements of noise
 _MIN_WINDOW = 96  # pixels: least side of the four windows of a frame, from which its magnification follows
 
@@ -72,7 +73,8 @@ def motion(
     windows = [
         tuple(slice(start, start + side) for start, side in zip(corner, size, strict=True)) for corner in corners
     ]
-    moved = [_displacement(first[window], other[window], valid[window], tops) for window in windows]
+    pairs = [_alike(first, other, valid, window) if turns else (first[window], other[window]) for window in windows]
+    moved = [_displacement(*pair, valid[window], tops) for pair, window in zip(pairs, windows, strict=True)]
     # Places of the windows' centres relative to the middle, and weighted least squares.
     places = np.array(corners) + 0.5 * (size - shape)
     columns = [[*np.eye(2), place, (place[1], -place[0])][: 2 if parts == 1 else 3 + turns] for place in places]
@@ -86,9 +88,48 @@ def motion(
     return fit, covariance, math.sqrt(np.average(left**2, weights=np.diag(weight)))
 
 
+def _alike(
+    first: Values, other: Values, valid: NDArray[np.bool_], window: tuple[slice, ...]
+) -> tuple[Values, Values]:
+    """Return a window of two frames, of which the sharper one is blurred by a Gaussian until they are alike."""
+    frames = first, other
+    f = _frequencies(valid[window].shape)
+    used = (np.hypot(*f) < _FREQUENCY) & (np.hypot(*f) * min(valid[window].shape) > _LOWEST)
+    spectra = [_spectrum(frame[window], valid[window])[used] for frame in frames]
+    weights = np.abs(spectra[0] * spectra[1])
+    ratio = np.log(np.abs(spectra[1]) / np.maximum(np.abs(spectra[0]), 1e-300) + 1e-300)
+    square = (f**2).sum(axis=0)[used]
+    slope = np.cov(square, ratio, aweights=weights) if weights.any() else np.ones((2, 2))
+    variance = (
+        -slope[0, 1] / slope[0, 0] / (2.0 * math.pi**2)
+    )  # how much wider the blur of the other frame is, pixels^2
+    if abs(variance) < _ALIKE:
+        return first[window], other[window]
+    sigma = math.sqrt(abs(variance))
+    margin = math.ceil(3.0 * sigma)
+    lows = [max(0, side.start - margin) for side in window]
+    wider = tuple(slice(low, side.stop + margin) for low, side in zip(lows, window, strict=True))
+    inner = tuple(slice(side.start - low, side.stop - low) for low, side in zip(lows, window, strict=True))
+    sharper = 0 if variance > 0.0 else 1
+    blurred = scipy.ndimage.gaussian_filter(frames[sharper][wider], sigma, truncate=3.0)[inner]
+    return (blurred, other[window]) if sharper == 0 else (first[window], blurred)
+
+
 def _edge_shift(size: tuple[int, ...] | Array, blur: float) -> float:
     """Return the displacement of a blurred edge by a window, pixels."""
     return float(2.0 * math.pi / min(size) * (0.25 * blur) ** 2)
+
+
+def _spectrum(values: Values, inside: NDArray[np.bool_]) -> NDArray[np.complex128]:
+    """Return the spectrum of values less their mean, 0 where they are not `inside`, in a window."""
+    window = np.outer(*(np.hanning(side) for side in inside.shape)) * inside
+    known = np.where(inside, values, 0.0)
+    return np.asarray(scipy.fft.rfft2((known - np.average(known, weights=inside)) * window))
+
+
+def _frequencies(shape: tuple[int, ...]) -> Array:
+    """Return the frequencies of `_spectrum` along rows and columns, cycles per pixel, (2, height, width)."""
+    return np.array(np.broadcast_arrays(scipy.fft.fftfreq(shape[0])[:, None], scipy.fft.rfftfreq(shape[1])))
 
 
 def _displacement(
@@ -99,13 +140,7 @@ def _displacement(
     Phases of frequencies up to `tops` are used, one after the other, each less those of the displacement before.
     Phases of noise ask for none: a step is divided by the share of the others, and `_STEPS` more follow by the last.
     """
-    window = np.outer(*(np.hanning(side) for side in inside.shape)) * inside
-    spectra = [
-        scipy.fft.rfft2((one - np.average(one, weights=inside)) * window)
-        for one in (np.where(inside, first, 0.0), np.where(inside, other, 0.0))
-    ]
-    height, width = inside.shape
-    f = np.array(np.broadcast_arrays(scipy.fft.fftfreq(height)[:, None], scipy.fft.rfftfreq(width)))
+    spectra, f = [_spectrum(one, inside) for one in (first, other)], _frequencies(inside.shape)
     radii, shift, covariance = np.hypot(*f), np.zeros(2), np.zeros((2, 2))
     for top in [*tops, *tops[-1:] * _STEPS]:
         used = (radii < top) & (radii * min(inside.shape) > _LOWEST)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import scipy
 
 import lommel as lm
+from lommel.estimation import collimation
 from lommel.estimation.collimation import Vector, _binned, find_star, mean_coma, measure_collimation
+from lommel.fit.findings import Finding, Findings
 
 TELESCOPE = lm.Lens(focal_length=2.0, aperture_diameter=0.2, obscuration=0.35, wavelength=550e-9)
 PIXEL = 7.6e-6
@@ -66,6 +69,28 @@ def test_a_star_that_drifts_has_no_more_coma_or_astigmatism():
     assert abs(math.sin(motion.angle)) < 0.05
     assert found.coma.size == pytest.approx(0.2, abs=max(3.0 * found.coma.error, 0.01))  # 0.24 without the trail
     assert abs(math.sin(found.astigmatism.angle)) < 0.3
+
+
+def test_a_misfit_names_its_causes_and_large_errors_are_in_doubt(monkeypatch):
+    picture = donut(6.0, 0.12, -0.16)
+    whole = collimation.fit_stars
+
+    def changed(missed, *findings):
+        def fit_stars(*args, **options):
+            fit = fits[0] if fits else fits.append(whole(*args, **options)) or fits[0]
+            errors = {name: missed * fit.errors[name] / 0.01 for name in fit.coefficients}
+            return replace(fit, findings=Findings(findings), errors=fit.errors | errors)
+
+        monkeypatch.setattr(collimation, "fit_stars", fit_stars)
+        return measure_collimation(picture, TELESCOPE, PIXEL).fit
+
+    fits = []
+    doubt = Finding("missed_light", "doubt", "the model misses 9 % of the light")
+    assert changed(0.01, doubt).reliable  # errors contain it
+    assert not changed(9.0, doubt).reliable  # of phases in which images are not linear
+    misfit = changed(0.01, Finding("misfit", "error", "chi2 99"))
+    assert not misfit.converged
+    assert "turbulence that is not averaged" in misfit.message
 
 
 def test_an_outline_includes_the_dim_side_and_the_hole():

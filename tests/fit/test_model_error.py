@@ -7,6 +7,7 @@ from scipy import ndimage
 from lommel.fit.findings import Finding
 from lommel.fit.model_error import (
     MIN_GAIN,
+    ModelError,
     covered,
     is_correlated,
     jackknife,
@@ -135,6 +136,18 @@ def test_the_larger_variance_is_kept_with_its_correlations():
     covariance = np.array([[4.0, 1.0], [1.0, 1.0]])
     np.testing.assert_allclose(larger(covariance, np.diag([1.0, 9.0])), [[4.0, 3.0], [3.0, 9.0]])
     np.testing.assert_array_equal(larger(covariance, np.diag([np.nan, np.inf]))[0, 0], 4.0)
+
+
+def test_errors_hold_in_the_linear_range_and_near_the_maximum():
+    error = ModelError(np.array([0.3, -0.3]), np.diag([0.36, 0.36]), 0.1, 0.1, 1.0, 99.0)
+
+    def rms(steps):
+        return np.sqrt((steps**2).sum(axis=1))
+
+    assert not error.holds(rms, np.zeros(2))  # 0.85 radians
+    assert error.holds(rms, np.zeros(2), 1.0)
+    assert not error.holds(rms, np.array([0.0, 0.7]), 1.0)
+    assert not error._replace(missed=0.4).holds(rms, np.zeros(2), 1.0)
 
 
 def test_where_the_model_misses_light_is_told():

@@ -18,6 +18,7 @@ from lommel.estimation import EFFORT
 from lommel.estimation.options import RetrieveOptions
 from lommel.estimation.phase_retrieval import Retrieval, fit_stars
 from lommel.fit.findings import Finding, Findings, Severity
+from lommel.fit.model_error import MAX_PHASE_ERROR
 from lommel.optics.lens import Lens
 from lommel.recorded.camera_noise import hot_voxels, image_noise, measured_noise
 from lommel.recorded.counts import Counts, flat_top
@@ -155,13 +156,24 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
     options = RetrieveOptions(terms=8, defocus=(side * math.pi * waves,), blur=True)  # Noll 4 to 11
     effort = EFFORT._replace(starts=1, tol=1e-4)
     fit = fit_stars(counts, lens.pupil(), pixel=step * pixel, noise=None, options=options, effort=effort)
+    value, error = ({n: part[n] / _WAVE for n in fit.coefficients} for part in (fit.coefficients, fit.errors))
+    # Larger errors are those of phases in which images are not linear.
+    contained = _CONTAINED if math.hypot(*error.values()) < MAX_PHASE_ERROR / _WAVE else _CONTAINED - {"missed_light"}
     for found in fit.findings:
-        is_contained = found.code in _CONTAINED and found.severity == "doubt"
+        is_contained = found.code in contained and found.severity == "doubt"
         if found.code != "left_out":  # of bins
             findings.append(replace(found, severity="note") if is_contained else found)
+    if not fit.converged:
+        left = np.nan_to_num(fit.images - fit.model)
+        light = fit.model - fit.background[:, None, None]
+        missed = math.sqrt(float((left**2).sum() / (light**2).sum()))
+        text = (
+            f"the model misses {100.0 * missed:.2g} % of the light: turbulence that is not averaged, another star, "
+            "or vanes and an obscuration that are not as stated"
+        )
+        findings.append(Finding("missed_light", "note", text, {"missed": missed}))
     fit = replace(fit, findings=Findings(findings))
     trail = next((blur for blur in fit.blurs[0] if isinstance(blur, Motion)), None)
-    value, error = ({n: part[n] / _WAVE for n in fit.coefficients} for part in (fit.coefficients, fit.errors))
     coma = complex(value[3, 1], value[3, -1])
     # Inside focus, rays go outwards where the phase increases outwards: the star is longer there.
     longer = side * complex(value[2, 2], value[2, -2])
@@ -190,7 +202,8 @@ def _binned(window: Array, radius: float) -> tuple[Counts, int, list[Finding]]:
     hot = hot_voxels(window[None], Noise(white=white, read=white * sigma, offset=offset), _SHARPEST)
     if len(hot):
         window[hot[:, 1], hot[:, 2]] = np.nan
-        findings.append(Finding("hot_pixels", "note", f"{len(hot)} hot pixels left out", {"pixels": len(hot)}))
+        text = f"{len(hot)} hot pixel{'s' * (len(hot) > 1)} left out"
+        findings.append(Finding("hot_pixels", "note", text, {"pixels": len(hot)}))
     known = np.isfinite(window)
     try:
         noise, _ = measured_noise(window[None], _READ)

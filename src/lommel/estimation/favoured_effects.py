@@ -21,7 +21,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.core.answers import Declined, ToleranceError
 from lommel.fit.findings import Finding, Severity
-from lommel.fit.model_error import MIN_GAIN, ModelError, is_correlated, model_error
+from lommel.fit.model_error import MAX_PHASE_ERROR, MIN_GAIN, ModelError, is_correlated, model_error
 from lommel.fit.score_tests import CLOSED, RIVAL, ScoreTest, seen
 from lommel.fit.scoring import RowModel, Scores
 
@@ -75,6 +75,11 @@ class Fit(ABC, Generic[M]):
     def residual_parts(self) -> tuple[Array, Array, Array]:
         """Residual (NaN where unknown), variance of noise, and light without background, each (n, h, w)."""
 
+    @property
+    def linear_range(self) -> float:
+        """Phase, radians rms, within which images are linear."""
+        return MAX_PHASE_ERROR
+
     @cached_property
     def model_error(self) -> ModelError | None:
         """The model error, whether significant or not; None if there are too few pixels."""
@@ -89,7 +94,7 @@ class Fit(ABC, Generic[M]):
         if not is_misfit and (not is_correlated(*self.residual_parts) or self.stands_out(seen(tests))):
             return None
         error, (step,) = self.model_error, self.model.steps(self.scores, np.full(1, 1e-9))[0]
-        return error if error is not None and error.holds(self.model.rms, step) else None
+        return error if error is not None and error.holds(self.model.rms, step, self.linear_range) else None
 
     def stands_out(self, favoured: Sequence[ScoreTest]) -> bool:
         """Return whether the first of the effects explains the images far better than a model error."""

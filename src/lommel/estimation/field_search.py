@@ -53,6 +53,7 @@ _NARROW = 0.06  # squared width of blur, pixels^2, below which its profile does 
 _SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # trial offsets of a term, radians rms
 _RANKING_STARS, _FITTED_SHIFTS = 20, 2  # number of stars whose chi2 ranks the offsets; number of best offsets fitted
 _GOOD_CHI2 = 1.08  # largest median chi2 of stars at which a candidate is accepted
+_LINEAR = 0.05  # part of the known C_d of a donut, radians, within which images are linear in phases, radians rms
 _TRAIL_SHARE = (
     0.3  # least log Bayes factor of a trail, divided by that of the likeliest effect, to be estimated first
 )
@@ -95,6 +96,11 @@ class Solution(Fit[WholeField]):
         mean = stars.expected(values, nuisance).reshape(values.shape)
         residual, light = np.where(valid > 0.0, counted - mean, np.nan), nuisance[:, 2].reshape(-1, 1, 1) * values
         return residual, np.maximum(mean + read, 0.25 * read), light
+
+    @property
+    def linear_range(self) -> float:
+        """Phase, radians rms, within which images are linear: a part of a large defocus, which moves rays little."""
+        return max(super().linear_range, _LINEAR * float(np.abs(self.model.stars.defocus).min()))
 
     @cached_property
     def model_error(self) -> ModelError | None:

@@ -357,10 +357,11 @@ def retrieve(
     size and correlation length are determined by restricted maximum likelihood, and `coefficients` and `errors` are
     those of generalized least squares, increased to the scatter of fits without one of eight sectors of each image
     or, if more than 5 % of the light is missed, to errors of the fit without this step. The misfit is then the doubt
-    "missed_light". It remains an error if more than 30 % of the light is missed, if errors exceed 0.5 radians rms, or
-    below ten pixels per parameter. It is a note, and so is "other_explanation", if less than 3 % of the light is
-    missed, in proportion to the light (not as of a ghost beside the star). An error of the model that resembles a
-    term is in no residual: the errors hold for changes between exposures of one instrument.
+    "missed_light". It remains an error if more than 30 % of the light is missed, if errors exceed 0.5 radians rms
+    (with `blur`, 5 % of a known C_d above 10), or below ten pixels per parameter. It is a note, and so is
+    "other_explanation", if less than 3 % of the light is missed, in proportion to the light (not as of a ghost beside
+    the star). An error of the model that resembles a term is in no residual: the errors hold for changes between
+    exposures of one instrument.
 
     Examples
     --------

@@ -36,9 +36,10 @@ MIN_GAIN = 10.0
 """Increase of the restricted ln(likelihood) above which a model error is significant although chi2 is plausible."""
 MAX_MISSED = 0.3
 """Part of the light above which a model that misses it does not describe the images at all."""
+MAX_PHASE_ERROR = 0.5
+"""Largest step and standard error of a wavefront, radians rms, within which images near focus are linear enough."""
 _FEW = 0.01  # part of the light below which light that is missed where images are faint is told in electrons
 _MOST_COVERED = 0.03  # part of the light up to which errors that include the model error are reliable
-_MAX_PHASE_ERROR = 0.5  # largest step and standard error of a wavefront, radians rms
 _MIN_PIXELS = 10.0  # smallest number of pixels for each parameter
 _MAX_SIDE = 18  # largest side of a binned image: V of an image has at most this number to the fourth elements
 _LENGTHS = 0.1, 0.7, 1.4  # correlation lengths l, bins
@@ -69,14 +70,16 @@ class ModelError(NamedTuple):
     length: float
     gain: float
 
-    def holds(self, rms: Callable[[Array], Array], step: Array) -> bool:
+    def holds(self, rms: Callable[[Array], Array], step: Array, most: float = MAX_PHASE_ERROR) -> bool:
         """Return whether the errors describe the fit; `rms` returns the rms phase of steps (1, p), radians.
+
+        Images are linear within a phase of `most` radians rms.
 
         The further `step` (p,) of the fit must be within the errors: a misfit gains likelihood until the last digit.
         """
         errors = np.sqrt(np.diag(self.covariance))
         sizes = np.concatenate([rms(row[None]) for row in (self.shift, errors)])
-        return self.missed <= MAX_MISSED and bool(sizes.max() <= _MAX_PHASE_ERROR and (np.abs(step) <= errors).all())
+        return self.missed <= MAX_MISSED and bool(sizes.max() <= most and (np.abs(step) <= errors).all())
 
 
 def part_missed(residual: Array, variance: Array, light: Array) -> float:

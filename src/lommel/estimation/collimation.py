@@ -30,7 +30,7 @@ _MIN_HEIGHT, _MIN_OUTLINE = 8.0, 4.0
 _MIN_RADIUS = 6.0  # pixels: least radius of a star
 _MIN_WAVES = 1.5  # least defocus, waves between centre and edge
 _BINNED_RADIUS = 14.0  # pixels: least radius of a star after binning; errors of 20 simulated stars hardly grow
-_ROOM = 1.5  # half a side of the window, radii of the star
+_ROOM = 1.4  # half a side of the window, radii of the star
 _READ = 1.6  # electrons rms: read noise, which one picture does not separate from the offset
 _SHARPEST = 1.0  # brightest pixel of a donut, relative to its brightest neighbour
 _MOST_SPREAD = 1.19  # largest moment of inertia of an outline, relative to a disc of its area: two in touch have 1.24
@@ -106,7 +106,8 @@ def find_star(image: Array) -> Star:
     light = np.minimum(light, scipy.ndimage.maximum_filter(light, footprint=_RING))  # without single hot pixels
     smooth = scipy.ndimage.gaussian_filter(light, 1.5)
     noise = 1.5 * float(np.median(np.abs(smooth - np.median(smooth))))
-    labels, count = scipy.ndimage.label(smooth > max(_LEVEL * float(smooth.max()), _MIN_OUTLINE * noise))
+    level, least = _LEVEL * float(smooth.max()), _MIN_OUTLINE * noise
+    labels, count = scipy.ndimage.label(smooth > max(level, least))
     if not count or smooth.max() < _MIN_HEIGHT * noise:
         raise ValueError("the picture must show a star, got none above the noise")
     brightest = 1 + int(np.argmax(scipy.ndimage.sum_labels(smooth, labels, np.arange(1, count + 1))))
@@ -119,7 +120,8 @@ def find_star(image: Array) -> Star:
         raise ValueError(
             f"the star must have a radius of {_MIN_RADIUS:g} pixels or more, got {radius:.1f}: defocus more"
         )
-    if 2.0 * places.var(axis=0).sum() > _MOST_SPREAD * radius**2:
+    # Of a dim star, only the bright side may be above the noise.
+    if level > least and 2.0 * places.var(axis=0).sum() > _MOST_SPREAD * radius**2:
         raise ValueError(
             "the star must be alone and round, got a long outline: another star touches it, or it drifts"
         )

@@ -476,10 +476,11 @@ class Search:
     def lowest_minimum(self, fit: Solution) -> Solution:
         """Repeat a fit from starts with other signs of even terms; return the most likely fit.
 
-        With a single focus there are several minima, which differ in the signs of even terms.
+        With a single focus there are several minima, which differ in the signs of even terms, but not of one donut.
         """
         self.rival = None
-        if not self.stars.first_star.one_focus or self.stars.has_corners:
+        is_donut = self.stars.count == 1 and self.stars.is_donut
+        if not self.stars.first_star.one_focus or self.stars.has_corners or is_donut:
             return fit
         self.report.begin(*_PHASES["signs"])
         for _ in range(2):

@@ -224,6 +224,12 @@ def missing_tests(model: BeadModel, fit: Evaluation) -> tuple[tuple[ScoreTest, .
     marginal = None
     if favoured_candidates:
         marginal = marginalized(information, gradient, unknowns, missing_candidates, len(model.names))
+        # Of n candidates, one has a Bayes factor of n by chance: models with and without the effects are averaged.
+        chosen, count = {candidate.name for candidate in favoured_candidates}, len(model.names)
+        odds = sum(math.exp(min(test.log_bayes, 20.0)) for test in tests if test.name in chosen) / len(tests)
+        without, weight = covariance(fit.scores.information[0])[:count, :count], odds / (1.0 + odds)
+        spread = weight * (marginal.covariance + (1.0 - weight) * np.outer(marginal.shift, marginal.shift))
+        marginal = marginal._replace(shift=weight * marginal.shift, covariance=(1.0 - weight) * without + spread)
     columns_of_terms = {label(name): index for index, name in enumerate(images.estimated_terms)}
     effects = untested(information, unknowns, columns_of_terms, constant_candidates, tests)
     errors = {test.name: float(test.errors.max()) for test in tests}

@@ -576,9 +576,9 @@ def fit_beads(
     parameters eliminated; the effects are ranked by Bayes factor. If an effect is significant, a new fit estimates
     it. In at most two rounds, this fit becomes the result (finding "estimated"), if it is good, and if constants are
     plausible: within six times their expected errors. Effects that are favoured but not significant (Bayes factors
-    above 1) are allowed for in `coefficients`, `errors` and `aberrations` with the weight of their posterior odds. The finding "untested" lists
-    fixed constants that the beads do not determine, if an error of the constant would change a term by more than a
-    standard error, and constants determined more by the prior than by the beads.
+    above 1) are allowed for in `coefficients`, `errors` and `aberrations` with the weight of their posterior odds.
+    The finding "untested" lists fixed constants that the beads do not determine, if an error of the constant would
+    change a term by more than a standard error, and constants determined more by the prior than by the beads.
     Two other doubts are "pattern" (stripes, or offsets of rows or columns, that noise alone causes in fewer than one
     of 1000 fits) and "too_dim" (a standard error of the wavefront above 0.22 radians rms).
 

@@ -45,7 +45,7 @@ class Immediate(Executor):
     def submit(self, function, *task):
         future = Future()
         self.futures.append(future)
-        if fates := self.fates.get(f"task{task[0]}"):
+        if task and (fates := self.fates.get(f"task{task[0]}")):
             future.set_exception(fates.pop(0))
         else:
             future.set_result(function(*task))
@@ -114,6 +114,32 @@ def test_shared_values_are_pickled_and_unpickled_once():
     assert (Counted.pickled, Counted.unpickled) == (1, 1)
     assert isinstance(copies[0].value, Counted)
     assert pickle.loads(pickle.dumps(copies[0])) is not None
+
+
+def test_the_arguments_of_a_task_are_not_hashed():
+    """As dask does for the name of a task, which would read a movie."""
+    tokenize = pytest.importorskip("dask.tokenize").tokenize
+    names = []
+
+    class Movie:
+        def __reduce__(self):
+            raise AssertionError("read")
+
+    class Client(Immediate):
+        status = "running"
+
+        def get_executor(self):
+            return self
+
+        def nthreads(self):
+            return {"worker": 2}
+
+        def submit(self, function, *task):
+            names.append(tokenize(function, *task))
+            return super().submit(function, *task)
+
+    assert [result for _, result in Workers.of(Client()).run(lambda movie: 3, [(Movie(),)] * 2)] == [3, 3]
+    assert len(set(names)) == 2
 
 
 def test_clients_are_checked():

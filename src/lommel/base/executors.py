@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import os
 import pickle
+import secrets
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent import futures
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from importlib import import_module
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -40,6 +42,20 @@ class _Submitted(Generic[_Task, _Result]):
     task: _Task
     future: futures.Future[_Result]
     losses: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class _Call(Generic[_Result]):
+    """A call of a function, which dask names by a random number."""
+
+    function: Callable[..., _Result]
+    task: tuple[Any, ...]
+
+    def __call__(self) -> _Result:
+        return self.function(*self.task)
+
+    def __dask_tokenize__(self) -> str:
+        return secrets.token_hex(16)
 
 
 @dataclass(frozen=True)
@@ -102,7 +118,8 @@ class Workers:
         self, executor: futures.Executor, function: Callable[..., _Result], task: _Task
     ) -> futures.Future[_Result]:
         try:
-            return executor.submit(function, *task)
+            # distributed would read and hash all arguments, such as a movie, for the name of a task.
+            return executor.submit(*((_Call(function, task),) if self.client is not None else (function, *task)))
         except futures.BrokenExecutor:
             raise ExecutorError(_ENDED) from None
         except Exception:
@@ -161,10 +178,10 @@ class Shared(Generic[_Value]):
     @cached_property
     def _pickled(self) -> bytes:
         try:
-            from cloudpickle import dumps  # of dask: also for functions of scripts
+            pickler: Any = import_module("cloudpickle")  # of dask: also for functions of scripts
         except ImportError:
-            dumps = pickle.dumps
-        data: bytes = dumps(self.value)
+            pickler = pickle
+        data: bytes = pickler.dumps(self.value)
         return data
 
     def __reduce__(self) -> tuple[Callable[[bytes], Shared[Any]], tuple[bytes]]:

@@ -409,7 +409,7 @@ def _render_missing(folder: Path, job: _Job, pairs: list[tuple[Path, Path]]) -> 
         else:
             if client is not None:
                 found, job = Workers.of(client), job._replace(threads=1)
-                tasks = ((number, *(file.absolute() for file in files)) for number, *files in tasks)
+                tasks = ((number, photo.absolute(), depth.absolute()) for number, photo, depth in tasks)
             else:
                 # Processes are spawned, not forked: a fork would copy locks that other threads hold.
                 spawn = multiprocessing.get_context("spawn")

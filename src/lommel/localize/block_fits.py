@@ -10,7 +10,7 @@ from __future__ import annotations
 import io
 import json
 import math
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, fields, replace
 from functools import partial
@@ -192,7 +192,7 @@ class BlockFits:
             yield fitted._replace(checksum=checksum)
 
 
-def _reduced(fits: Shared[BlockFits], *task: Any) -> list[Fitted | None]:
+def _reduced(fits: Shared[BlockFits], *task: Any) -> Iterable[Fitted | None]:
     """Return the fits of the blocks of a part, with the images that checks need."""
     found = fits.value.of_part(*task)
     return [None if fitted is None else fitted.reduced(fits.value.table) for fitted in found]
@@ -258,6 +258,7 @@ class MovieBlocks:
 
     def fitted(self, first: int) -> Generator[Fitted]:
         """Yield the fits of the blocks from the frame `first` on, with all images that checks need."""
+        results: Generator[tuple[tuple[Any, ...], Iterable[Fitted | None]]]
         if self._workers is None:
             results = ((task, self._fits.of_part(*task)) for task in self._tasks(first))
         else:
@@ -269,7 +270,10 @@ class MovieBlocks:
                 for block, fitted in zip(blocks, found, strict=True):
                     name = f"{block.start} {saturation} {background}"
                     if fitted is None:
-                        fitted = self._kept(name)
+                        if (fitted := self._kept(name)) is None:
+                            raise ValueError(
+                                f"what was kept of the frames from {block.start} on changed: repeat the call"
+                            )
                     elif self._unfinished is not None:
                         fitted = self._keep(name, fitted)
                     yield fitted if fitted.kept is None else fitted.restored()

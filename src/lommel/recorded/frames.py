@@ -10,6 +10,7 @@ Metadata describe the recording: voxel sizes, channels, objective, camera. Each 
 from __future__ import annotations
 
 import math
+import mmap
 import re
 import threading
 from collections.abc import Iterator, Mapping, Sequence
@@ -246,6 +247,9 @@ class Planes:
     def block(self, part: tuple[slice, ...]) -> Values:
         """Return a part of the array, by a slice along each of its axes."""
         raise NotImplementedError
+
+    def release(self) -> None:
+        """Let the system drop the pages of a mapped file from the memory of this process."""
 
     def close(self) -> None:
         """Close the file."""
@@ -587,6 +591,12 @@ class _ArrayPlanes(Planes):
         """Return a part of the array."""
         # Refuses masks, which dask shows only here.
         return validation.array(self._name, self._values[part], "counts").astype(self.dtype, copy=False)
+
+    def release(self) -> None:
+        """Let the system drop the pages of a mapped file, which otherwise count as memory of a worker."""
+        mapping = getattr(self._values, "_mmap", None)
+        if mapping is not None and hasattr(mmap, "MADV_DONTNEED"):
+            mapping.madvise(mmap.MADV_DONTNEED)
 
 
 class _LibraryPlanes(_ArrayPlanes):

@@ -34,6 +34,7 @@ class Part:
         """Return the images, with a mask if the array has one."""
         images = self.images[self._within]
         if isinstance(self.images, Frames):
+            self.images.planes.release()
             return np.asarray(images)
         if self.at_worker and _is_dask(images):
             images = images.compute(scheduler="synchronous")  # not by the cluster, which waits for this worker

@@ -134,7 +134,7 @@ def likeliest_motion(curves: Array, plane: Array, variance: Array) -> Motion:
     for rival in (_directed(others), others[:, 0]):
         each = (moved[:, best] - rival[:, int(rival.sum(axis=0).argmax())]) / scale
         gains.append(float(np.sort(each)[: _SECTORS - _UNCOUNTED].sum()))
-    motion = Motion(moved_by, turned % math.pi, *gains, _steep(plane, variance, moved_by, turned))
+    motion = Motion(moved_by, turned % math.pi, gains[0], gains[1], _steep(plane, variance, moved_by, turned))
     if not motion.likely:
         return motion
     first = [

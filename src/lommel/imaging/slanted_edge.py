@@ -188,8 +188,8 @@ def sfr(
     Findings name sharpening (overshoot on both sides, or noise of neighbours of opposite sign), denoising,
     demosaicing or resizing (correlated noise), the blocks of JPEG, and profiles that another encoding would make
     symmetric. One crop shows less of mild sharpening than the edges of a chart together
-    (:func:`lommel.imaging.sfr_chart`): unsharp masks of an amount of 0.15, which raised MTF50 by 7 %, were named in a
-    chart of 68 edges and not in one crop.
+    (:func:`lommel.imaging.sfr_chart`). The note "untested" has the changes of the response that a picture does not
+    exclude, by filters with a radius of a pixel ("filter") and by the other one of linear and sRGB ("encoding").
 
     Examples
     --------

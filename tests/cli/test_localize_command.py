@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 
 import h5py
@@ -119,3 +121,20 @@ def test_a_movie_without_spots_is_told(folder, call_lommel):
     assert "no spot is six standard deviations above the noise: check --offset, --gain and --read" in " ".join(
         result.stdout.split()
     )
+
+
+def test_a_cluster_gives_the_same_table(folder, monkeypatch, call_lommel):
+    pytest.importorskip("distributed")
+
+    @contextmanager
+    def connected(address):
+        with nullcontext() if address is None else ThreadPoolExecutor(2) as client:
+            yield client
+
+    monkeypatch.setattr("lommel.cli.localize_command.connected", connected)
+    words = ["localize", "movie.tif", "objective.toml", *NOISE]
+    for more in (["-o", "a.csv"], ["-o", "b.csv", "--client", "tcp://scheduler:8786"]):
+        result = call_lommel(*words, *more, folder=folder)
+        assert (result.returncode, result.stderr) == (0, "")
+    assert (folder / "a.csv").read_bytes() == (folder / "b.csv").read_bytes()
+    assert not list(folder.glob(".*"))

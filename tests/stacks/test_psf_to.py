@@ -356,3 +356,14 @@ def test_pupils_that_are_no_stack_and_other_suffixes_are_told(tmp_path):
     ):
         with pytest.raises((TypeError, ValueError), match=fault):
             lm.psf_to(tmp_path / path, pupils, SIDE, PIXEL)
+
+
+def test_a_store_that_a_worker_does_not_see_is_told(tmp_path):
+    class Elsewhere(ThreadPoolExecutor):
+        def submit(self, *_):
+            future = Future()
+            future.set_exception(stacks.replaced_error(tmp_path / "a.zarr"))
+            return future
+
+    with Elsewhere(1) as client, pytest.raises(FileError, match=r"a worker does not see .*a\.zarr: choose a folder"):
+        run(tmp_path / "a.zarr", client=client)

@@ -109,6 +109,8 @@ def localize_movie(
         RecordingError, which is a ValueError.
     OSError
         If a file cannot be read.
+    RuntimeError
+        If the client cancels blocks, as when the scheduler of its cluster ends. The same call continues with `keep`.
 
     Examples
     --------

@@ -25,8 +25,9 @@ _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are comp
 # restoration has more fine detail than scenes.
 _FLAT, _FLAT_GAIN, _WHITE = 1.75, 3.0, 1.25
 _WEAK_GAIN = 2.0  # gain of a wider blur from which a weak one is no doubt
-# Variation is compared in windows (pixels) with more of it than this share of them; gain from which edges ring.
-_EDGE_WINDOW, _EDGES, _RINGS = 7, 0.9, 0.75
+# Variation is compared in windows (pixels) with more of it than this share of them; gain from which edges ring, and
+# from which they agree with a likelier blur that a weak one is stated too wide.
+_EDGE_WINDOW, _EDGES, _RINGS, _SHARPER = 7, 0.9, 0.75, 0.4
 _SHARPENED = 3.0  # gain in log-likelihood from which a photograph counts as sharpened
 _MIN_GAIN = 6.0  # gain in log-likelihood from which another blur is preferred
 _NYQUIST = 0.5  # cycles per pixel
@@ -87,10 +88,13 @@ class BlurVerdict(NamedTuple):
     def doubtful(self) -> bool:
         """True if the photograph is sharper than stated: its restoration may be farther from the scene than it is.
 
-        Or if it was moved.
+        Or if it was moved. The fall of a texture looks like a blur without zeros: of a weak blur edges must agree.
         """
-        if self.motion is not None:
-            return True
+        return self.motion is not None or (self.sharper and not (self.weak and self.edges <= _SHARPER))
+
+    @property
+    def sharper(self) -> bool:
+        """True if the texture agrees better with a sharper blur."""
         return self.gain > (_FLAT_GAIN if self.slope < _FLAT else _MIN_GAIN) and self.sharpness > 1.0
 
     @property
@@ -109,8 +113,10 @@ class BlurVerdict(NamedTuple):
 
     @property
     def implausible(self) -> bool:
-        """True if the stated blur leaves more fine detail than scenes have: any share of its result may harm."""
-        return self.motion is None and self.doubtful and (self.slope < _WHITE or self.gain <= _MIN_GAIN)
+        """True if any share of the result may harm: of weak blurs, or with more fine detail than scenes have."""
+        if self.motion is not None or not self.doubtful:
+            return False
+        return self.weak or self.slope < _WHITE or self.gain <= _MIN_GAIN
 
     @property
     def softer(self) -> bool:

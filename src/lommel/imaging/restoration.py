@@ -354,9 +354,10 @@ def restore(
             fits = [likelier.mean(likelier.discrepancies_of(image)) for image in images]
             if share > _MOST_PHOTOGRAPH or fits[0] > fits[1] or verdict.implausible:
                 share, stopped = 1.0, MISFIT
-    if verdict is not None and verdict.weak and not (verdict.doubtful or verdict.noisier):
+    if verdict is not None and verdict.weak:
         fit = observed.mean(observed.discrepancies_of(result.light)) - observed.slack
-        if verdict.ringing or fit > _MAX_DISCREPANCY:
+        misfit = fit > _MAX_DISCREPANCY and not (verdict.doubtful or verdict.noisier)
+        if verdict.ringing or verdict.flat or misfit:
             share, stopped = 1.0, MISFIT
     restored = blend(observed, result.light, share)
     after = observed.discrepancies_of(restored)
@@ -590,4 +591,10 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
             "restored by the stated blur, also with accept=True"
         )
         return [Finding("blur_compared", "note", text, numbers)]
-    return [Finding("blur_compared", "note", "other blurs were compared: none of them agrees better", numbers)]
+    text = "other blurs were compared: none of them agrees better"
+    if verdict.sharper:
+        text = (
+            f"the texture agrees better with a blur of {better} {gain}, as a steeper one may; edges are as soft as "
+            "stated"
+        )
+    return [Finding("blur_compared", "note", text, numbers)]

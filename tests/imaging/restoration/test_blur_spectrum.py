@@ -73,7 +73,7 @@ def test_light_beyond_the_first_zero_tells_a_disc_from_a_steep_soft_scene(seed, 
     [(1.75, 0.0, 1.0, True), (2.0, 0.0, 1.0, False), (1.5, 2.5, 0.9, False), (1.5, 5.0, 1.1, False)],
 )
 def test_a_weak_blur_of_a_flat_texture_is_told(slope, gain, sharpness, expected):
-    verdict = BlurVerdict(1.0, 0.0, gain, sharpness, 0.0, 1.0, 0.0, slope, weak=True)
+    verdict = BlurVerdict(1.0, 0.0, gain, sharpness, 0.0, 1.0, 0.0, slope, weak=True, edges=0.5)
     assert verdict.flat == expected
     assert not verdict._replace(weak=False).flat
 
@@ -91,6 +91,14 @@ def test_edges_that_restoration_makes_ring_are_told(slope, edges, expected):
     assert verdict.ringing == expected
     assert not verdict._replace(weak=False).ringing
     assert not verdict._replace(gain=10.0, sharpness=1.2).ringing  # is told by the likelier blur
+
+
+@pytest.mark.parametrize(("weak", "edges", "expected"), [(True, 0.3, False), (True, 0.5, True), (False, 0.0, True)])
+def test_of_a_weak_blur_edges_must_agree_that_it_is_stated_too_wide(weak, edges, expected):
+    verdict = BlurVerdict(0.6, 0.0, 20.0, 1.2, 0.0, 1.0, 0.0, 2.5, weak=weak, edges=edges)
+    assert verdict.sharper
+    assert verdict.doubtful == expected
+    assert verdict.implausible == (weak and expected)
 
 
 def test_total_variation_rises_by_restoration_of_a_sharp_photograph():

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import functools
 import sys
-from typing import TYPE_CHECKING, Any, TypeVar
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 if TYPE_CHECKING or sys.version_info >= (3, 12):
     cached_property = functools.cached_property
@@ -39,6 +40,21 @@ def changed(original: _Object, **parts: object) -> _Object:
     copy = _new(type(original))
     _set(copy, "__dict__", original.__dict__ | parts)
     return copy
+
+
+class Kept(Generic[_Object]):
+    """A function whose latest `size` results are kept; copies and pickles compute them again."""
+
+    def __init__(self, function: Callable[..., _Object], size: int) -> None:
+        self._given = function, size
+        self._call = functools.lru_cache(size)(function)
+
+    def __call__(self, *given: Any) -> _Object:
+        """Return the result for arguments."""
+        return self._call(*given)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Kept, self._given
 
 
 class EqualByContent:

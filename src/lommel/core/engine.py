@@ -24,8 +24,6 @@ from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Intensities, Pixels, Samples, Slopes, Wanted, not_met
 
 # Functions and classes of the core that need no conversion of arguments or results.
-FocalScale = _core.FocalScale
-FocalStream = _core.FocalStream
 MoleculeFitter = _core.MoleculeFitter
 MoleculeTable = _core.MoleculeTable
 average_samples = _core.average_samples
@@ -50,6 +48,28 @@ product = _core.product
 scatter = _core.scatter
 spread = _core.spread
 transfer_rule = _core.transfer_rule
+
+
+class FocalScale(_core.FocalScale):
+    """Frames enlarged about their middle; pickled as its arguments."""
+
+    def __init__(self, *given: Any) -> None:
+        super().__init__(*given)
+        self._given = given
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FocalScale, self._given
+
+
+class FocalStream(_core.FocalStream):
+    """Depth and sharp images of frames that differ in focus; pickled as its arguments, without the frames."""
+
+    def __init__(self, *given: Any) -> None:
+        super().__init__(*given)
+        self._given = given
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FocalStream, self._given
 
 
 class RadialStack(NamedTuple):

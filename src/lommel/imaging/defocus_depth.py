@@ -330,22 +330,38 @@ def depth_from_defocus(
         depth, distances = 1.0 / estimate, 1.0 / vergence
         # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
         sigma = np.where(np.isfinite(errors), errors * depth**2, np.inf)
-
-    def sharpen(metres: Array) -> Values:
-        positions = np.asarray((1.0 / metres - vergence[0]) / step, dtype=np.float32)
-        planes = _compute_sharp(engine, images, valid, positions) / white[:, None, None]
-        light = np.moveaxis(stated.image(planes), 0, 2)
-        light = np.broadcast_to(light, (*valid.shape, *scene.shape[2:])) if scene.ndim == 3 else light[..., 0]
-        if scene.dtype.kind != "f":
-            light = np.clip(light, 0.0, 1.0)
-        elif encoding != "linear":
-            light = np.maximum(light, 0.0)
-        return from_light(light, encoding, scene.dtype)
-
     sources = "noise and lens" if any(lens_errors) else "noise"
     maps = images, valid, step * index_errors, misfit, estimate
+    form = encoding, scene.shape, scene.dtype
+    sharpen = partial(_sharpened, engine, images, valid, (float(vergence[0]), step), white, stated, form)
     judge = partial(judge_frames, engine, *maps, lens_errors, noise, excess=excess, rounding=rounding)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
+
+
+def _sharpened(
+    engine: FocalEngine,
+    images: Values,
+    valid: NDArray[np.bool_],
+    candidates: tuple[float, float],
+    white: Array,
+    stated: Noise,
+    form: tuple[Encoding, tuple[int, ...], np.dtype[Any]],
+    metres: Array,
+) -> Values:
+    """Return the all-in-focus image for a depth map, in the encoding, shape and type of the photographs.
+
+    `candidates` are the first vergence and the step between them.
+    """
+    (first, step), (encoding, shape, dtype) = candidates, form
+    positions = np.asarray((1.0 / metres - first) / step, dtype=np.float32)
+    planes = _compute_sharp(engine, images, valid, positions) / white[:, None, None]
+    light = np.moveaxis(stated.image(planes), 0, 2)
+    light = np.broadcast_to(light, (*valid.shape, *shape[2:])) if len(shape) == 3 else light[..., 0]
+    if dtype.kind != "f":
+        light = np.clip(light, 0.0, 1.0)
+    elif encoding != "linear":
+        light = np.maximum(light, 0.0)
+    return from_light(light, encoding, dtype)
 
 
 def list_photographs(photographs: object, lenses: Sequence[Lens]) -> list[object]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import partial
 from typing import Annotated, ClassVar, Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.cached import cached_property
+from lommel.base.cached import Kept, cached_property
 from lommel.base.options import Options, Shown
 from lommel.core.answers import DType
 from lommel.core.engine import FocalScale, FocalStream
@@ -344,7 +344,7 @@ class FocalEngine:
                 f"than {_MAX_RANK}; choose a smaller range, stop down, or bin pixels"
             )
         self._low, self._high = ((1.0 / distance - first.vergence[0]) / first.step for distance in task.between[::-1])
-        self._factors = lru_cache(maxsize=16)(self._factors_of)
+        self._factors = Kept(self._factors_of, 16)
         self.images: list[SharpTables] = []
 
     @property

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -360,6 +361,14 @@ class LiveDepth:
         )
         self._refocus = o.refocus
         self._last: _Call | None = None
+
+    def __getstate__(self) -> dict[str, object]:
+        """Return the attributes without frames, which copies and pickles have none of."""
+        return vars(self) | {"_last": None}
+
+    def __copy__(self) -> Self:
+        # Every object has its own arrays, which calls overwrite.
+        return copy.deepcopy(self)
 
     def _prepare(self, noise: Noise, light: tuple[float, ...] = ()) -> None:
         """Compute the tables for a noise, for mean electrons per pixel by default as in the options."""

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.base.cached import Kept
 from lommel.base.encoding import Encoding, ToneCurves, clipped_fraction, from_light, scene_light, to_light
 from lommel.base.options import HIDDEN, In, listed
 from lommel.deconvolve.linear import folded, tiles_of
@@ -240,7 +241,7 @@ class FocusPlan:
     ) -> None:
         self._occlusion, self.lens = validation.truth("occlusion", occlusion), lens
         self._scene = Scene(image, depth, lens, pixel, encoding, BlurOptions())
-        self._blur = lru_cache(maxsize=_KEPT)(self._scene.blur)
+        self._blur = Kept(self._scene.blur, _KEPT)
         self._blur(lens)  # checks the depth, and whether windows are too large
 
     def __call__(

@@ -17,7 +17,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from statistics import median
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Self, TypeAlias
 
 import numpy as np
 
@@ -130,6 +130,11 @@ class _ClosingIterator:
 
     def __iter__(self) -> Self:
         return self
+
+    def __reduce_ex__(self, _: object) -> NoReturn:
+        raise TypeError(
+            f"{type(self).__name__} cannot be copied or pickled, since they are read once: open the source again"
+        )
 
     def close(self) -> None:
         """Close the source or the sources."""

@@ -19,7 +19,7 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self, SupportsIndex, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -239,6 +239,10 @@ class Planes:
     names: tuple[str, ...] = ()  # of each image, if they are of several files
     source: Source | None = None  # file from which another process can read the images
     together: int = 1  # number of images that are read together
+
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
+        """Return the images of a file as its name, for a copy, pickle or another process that opens it again."""
+        return super().__reduce_ex__(protocol) if self.source is None else (_planes_of, (self.source,))
 
     def plane(self, number: int) -> Values:
         """Return one image, of type `dtype` and shape `sides`."""
@@ -537,11 +541,14 @@ class Source(NamedTuple):
         status = file.stat()
         return cls(path.absolute(), None if file.is_dir() else (status.st_size, status.st_mtime_ns))
 
-    def opened(self) -> Frames:
-        """Return the images, as this process sees them; RecordingError if it does not, or sees another file."""
+    def opened(self, *, anew: bool = False) -> Frames:
+        """Return the images, of a file that a process keeps open unless `anew`.
+
+        RecordingError if this process does not see the file, or sees another one.
+        """
         try:
             if Source.of(self.path) == self:
-                return _opened(self)
+                return _opened.__wrapped__(self) if anew else _opened(self)
         except FileNotFoundError:
             raise RecordingError(executors.unseen(self.path)) from None
         raise RecordingError(
@@ -549,9 +556,15 @@ class Source(NamedTuple):
         )
 
 
+def _planes_of(source: Source) -> Planes:
+    return source.opened(anew=True).planes
+
+
 @lru_cache(maxsize=2)
 def _opened(source: Source) -> Frames:
-    return _file_frames(source.path)
+    frames = _file_frames(source.path)
+    frames.planes.source = source
+    return frames
 
 
 class ArrayLikeImages(Protocol):

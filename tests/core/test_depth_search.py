@@ -105,11 +105,12 @@ def test_valleys_of_few_frequencies_are_told_apart_by_more_than_leak(blocks):
     # The first variance is by_noise t^2 + shifting t, t = 1 / curvature; shifting: energy that shifts the minimum.
     known &= error > 0.0
     excess = np.clip(concentration - USUAL, 0.0, 0.95)
-    odds, remains, chance = 1.5 * excess / (1.0 - excess), np.maximum(here, 0.0), NOISE * np.sqrt(2.0 / PIXELS)
-    shifting, by_noise = odds * np.maximum(remains - chance, 0.0), (worse * NOISE) ** 2 / PIXELS
+    odds, chance = excess / (1.0 - excess), NOISE * np.sqrt(2.0 / PIXELS)
+    remains = 0.5 * (here + np.sqrt(here**2 + 2.546 * chance**2))
+    shifting, by_noise = odds * np.maximum(here - chance, 0.0), (worse * NOISE) ** 2 / PIXELS
     square = np.where(known, error, np.nan) ** 2
     t = 2.0 * square / (shifting + np.sqrt(shifting**2 + 4.0 * by_noise * square))
-    shifting_more = np.minimum(np.maximum(few * LEAK * strength, shifting), odds * (remains + chance))
+    shifting_more = np.minimum(np.maximum(few * LEAK * strength, shifting), odds * remains)
     variance = square + (shifting_more - shifting) * t
     away = np.abs(ROUGH - position[..., None]) - 2.0
     alike = energies[..., ROUGH] - here[..., None] < ((1.3 + 10.0 * few) * LEAK * strength)[..., None]

@@ -192,6 +192,8 @@ class ChordalRenderer {
             inner.include(other.inner);
         }
     };
+    // Largest factor on the number of nodes for tables that are shared; bytes of tables that single images share.
+    static constexpr double most_more = 1.12, large_table = 4e6;
     // Give neighbouring groups the same quadrature and tables, unless a group would then get more than `more` times as many nodes
     // as it needs.
     static void share(std::vector<Group>& groups, double more) {
@@ -228,9 +230,14 @@ class ChordalRenderer {
                 next.outer.include(states_[pending[i]].outer.count);
                 next.inner.include(states_[pending[i]].inner.count);
             }
+            // Single images of similar phases share large tables, which take longer than their sums.
+            if (lone && KernelTable<Real>::bytes(next.outer.size(), rows_.at.size()) > large_table) {
+                next.outer = next.outer.rounded(most_more);
+                next.inner = next.inner.rounded(most_more);
+            }
             groups.push_back(next);
         }
-        share(groups, 1.12);
+        share(groups, most_more);
         // If `alike`, or if the tables exceed the caches, all groups share one table: then all or none of them must be `lone`.
         if (alike || !kept<Real>(groups)) {
             if (groups.front().lone != groups.back().lone) {
@@ -265,7 +272,7 @@ class ChordalRenderer {
     bool kept(const std::vector<Group>& groups) const {
         const double nodes = 2.5 * nodes_of(groups);
         return nodes * 2.0 * static_cast<double>(stack_.terms.size()) < static_cast<double>(TermTable::most_bytes) &&
-               KernelTable<Real>::bytes(nodes, rows_.at.size()) < static_cast<double>(KernelTable<Real>::most_bytes);
+               KernelTable<Real>::bytes(nodes, rows_.at.size()) < static_cast<double>(KernelTable<Real>::of_stack);
     }
 
     // Batch of pupils pending[first] .. pending[first + here - 1]. disks: tables of the full disk, tables of the obscuration.

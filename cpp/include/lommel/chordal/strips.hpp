@@ -438,7 +438,7 @@ struct LoneStripTable {
         }
         return values * sizeof(Real);
     }
-    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
 // Sum the values g at the points of a node: to sums[sum over +-s][p re, im, m re, im], where p and m are even and odd in t. With

@@ -39,6 +39,11 @@ struct ChordCount {
         chords = std::max(chords, other.chords);
         nodes = std::max(nodes, other.nodes);
     }
+    // Both numbers rounded up to multiples of 16, unless this multiplies their product by more than `most`.
+    ChordCount rounded(double most) const {
+        const ChordCount up{(chords + 15) / 16 * 16, (nodes + 15) / 16 * 16};
+        return up.size() <= most * size() ? up : *this;
+    }
 };
 
 // Nodes, in the quadrant x, y > 0, of a quadrature with N chords of the whole disk: x_i = cos(i pi / (N+1)), i = 1 .. N/2, stored
@@ -242,7 +247,7 @@ struct KernelTable {
     }
     std::size_t vectors() const { return lanes.vectors(count.half_chords()); }
     std::size_t bytes() const { return 2 * (row_cos.size() + column_cos.size()) * sizeof(Real); }
-    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20, of_stack = most_bytes / 3;  // limit for one stack
     static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 331f07617bad9442bb4d6bb4af25b56b174515950a0808dd384c0fdbf7f81f4b
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: fd297bfd3033fc0a4c1cb839fac62e3b8b5cb29545b00da903f0543844b96505
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

@@ -120,6 +120,41 @@ def test_the_choice_behind_vanes_is_that_of_the_times_that_were_measured():
     assert max(ratios) <= 2.5
 
 
+@pytest.mark.parametrize(("widths", "side", "pixel", "pupils", "declines"), [
+    ((0.02, 0.035, 0.05), 33, 2.0, (), True), ((0.02, 0.035, 0.05), 33, 4.0, (), True),
+    ((0.02, 0.035, 0.05), 33, 5.0, (), False), ((0.02, 0.035, 0.05), 33, 1.0, (), False),
+    ((0.02, 0.035, 0.05), 128, 0.5, (), False), ((0.02, 0.035, 0.05), 33, 4.0, (2,), False),
+    ((0.02, 0.02, 0.02), 33, 4.0, (), False), ((0.05, 0.05, 0.05, 0.05), 33, 4.0, (), False),
+])  # fmt: skip
+def test_averages_of_one_image_behind_wide_vanes_on_one_side_are_at_nodes_of_the_aperture(
+    widths, side, pixel, pupils, declines
+):
+    stop = lm.Disc()
+    for k, width in enumerate(widths):
+        angle = 2.0 * math.pi * k / len(widths)
+        stop = stop - lm.Polygon.strip((0.0, 0.0), (2.0 * math.cos(angle), 2.0 * math.sin(angle)), width)
+    if len(widths) == 4:  # pairs of vanes are one strip
+        pupil = lm.Pupil(lm.Wavefront(1.0), obscuration=0.3, spider=lm.Spider.equal(4, widths[0]))
+    else:
+        pupil = lm.Pupil(lm.Wavefront(np.ones(pupils)), obscuration=0.3, stop=stop)
+    grid = Grid(side, pixel, integrate=True)
+    if declines:
+        with pytest.raises(Declined, match="nodes of the aperture"):
+            ChordalIfCheaper(1e-4)._filters(pupil, grid, Wanted())
+    else:
+        assert ChordalIfCheaper(1e-4)._filters(pupil, grid, Wanted())
+    assert ChordalGauss(1e-4)._filters(pupil, grid, Wanted())
+
+
+def test_single_images_of_similar_phases_share_large_tables():
+    plan = lm.Plan(301, 0.5, method="chordal-gauss", tol=1e-4, threads=1)
+    kept = []
+    for coma in (2.0, 3.0, 3.5, 4.0):
+        plan(lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): coma})))
+        kept.append(_core.cached_bytes()[0])
+    assert kept[-1] - kept[0] < 1e6
+
+
 def test_more_of_anything_costs_no_less():
     def costs(pupil: lm.Pupil, side: int, pixel: float = 0.5, tol: float = 1e-6) -> np.ndarray:
         return np.array(disk_costs(disk_stack(pupil), window_of(pupil, Grid(side, pixel)), tol))

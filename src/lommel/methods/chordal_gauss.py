@@ -122,14 +122,14 @@ class ChordalGauss(Method[Pupil]):
     def _filters(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> bool:
         """Return whether averages behind vanes are filtered samples."""
         assert pupil.strips is not None
-        strips = pupil.strips[1]
-        count, split, one_sided = math.prod(pupil.shape), bool(strips[:, 7].any()), not strips[:, 5:7].all()
-        wide = np.ptp(strips[:, 2:4], axis=1).max() > _NARROW
+        strips, count, pitch = pupil.strips[1], math.prod(pupil.shape), grid.step(pupil)
+        split, one_sided = bool(strips[:, 7].any()), not strips[:, 5:7].all()
         # Up to a vector of pupils take the time of one at nodes, which are half as many as samples.
-        nodes = _NODES_PER_V * grid.step(pupil) * max(grid.shape)
+        nodes = _NODES_PER_V * pitch * max(grid.shape)
         filters = split or (not wanted.terms and count <= _FEW and nodes > _NODES_PER_PUPIL * count - _FEWEST_NODES)
-        # The moment rule has nodes of windows up to a size; without filters, disk_averages() makes the choice.
-        shared = one_sided and wide and _FEWEST_ONE_SIDED < nodes < _NODES_PER_V * _LARGEST_WINDOW
+        # The moment rule is fast for one pupil in windows that have nodes; without filters disk_averages() chooses.
+        large = pitch > _LEAST_PITCH and np.ptp(strips[:, 2:4], axis=1).max() > _NARROW
+        shared = one_sided and large and count == 1 and _FEWEST_ONE_SIDED < nodes < _NODES_PER_V * _LARGEST_WINDOW
         if self._if_cheaper and filters and (shared or (split and (count > _FEW or wanted.terms))):
             raise Declined("nodes of the aperture are likely to take less time than filters")
         return filters
@@ -172,8 +172,8 @@ _NODES_PER_V = 0.64  # nodes of a window per v, approximately
 # Filters are faster from this number of nodes per pupil, less the second.
 _NODES_PER_PUPIL, _FEWEST_NODES = 80.0, 60.0
 # Behind vanes on one side of the axis, one of them wider than _NARROW, nodes of the aperture are faster than filters
-# from this number of nodes of a window, and up to this width of it in v.
-_NARROW, _FEWEST_ONE_SIDED, _LARGEST_WINDOW = 0.035, 100.0, 450.0
+# for pixels larger than this (v), from this number of nodes of a window, and up to this width of it (v).
+_NARROW, _LEAST_PITCH, _FEWEST_ONE_SIDED, _LARGEST_WINDOW = 0.035, 2.5, 100.0, 450.0
 _MAX_SAMPLED_V = 90.0  # largest estimated v at which far pixels start; beyond it NijboerZernike is faster
 
 

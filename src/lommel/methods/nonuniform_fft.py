@@ -46,6 +46,7 @@ _SAMPLES_SHARE = 0.25  # fraction of the time of sums for sampling the growth of
 _USUAL_GROWTH = 0.4  # typical logarithm of the mean growth over the bound by the maxima of all terms
 _STEPS = 24  # assumed number of stacks or steps of a fit with the same rule
 _SINGLE_ERROR = 3e-7  # likely least error of sums in single precision
+_LONE_VECTOR = 0.4  # time of averages of a single image over that of a vector of pupils
 _RULE_COST = 1.0  # factor of the time of a rule
 _DEGREE_STEP = 8  # degrees are rounded up to multiples of this
 _MOMENT_STEP = 32  # the same for degrees up to which moments are computed
@@ -112,7 +113,8 @@ class _Times(NamedTuple):
     def averages(self, height: int, width: int, rows: int, columns: int) -> float:
         """Time of averages over ``height x width`` pixels from samples at nodes."""
         filters = 8e-4 * rows * height * (columns + width)
-        return 450.0 + self.vectors * ((0.05 + 6e-4 * columns) * self.rows * rows + filters)
+        vectors = _LONE_VECTOR if self.images == 1 else self.vectors
+        return 450.0 + vectors * ((0.05 + 6e-4 * columns) * self.rows * rows + filters)
 
 
 class MomentRule(NamedTuple):

@@ -54,6 +54,7 @@ _WEIGHT_STEPS = 10  # steps of the weights from 0 to 1
 _VARIANCE_RMS = 2.0  # rms width (pixels) of the Gaussian that smooths the light of which the noise is computed
 _BORDER = 3.0  # width of the border that does not test the blur, whose light comes from beyond / radius of the blur
 _TILE, _OVERLAP = 512, 128  # stride and overlap (pixels) of the tiles of large images
+_CORE, _CORE_MARGIN = 192, 16  # side of the part of a large tile that chooses weights, and what is not counted of it
 _FIELD_TILE, _FIELD_MARGIN = 64, 24  # stride of tiles with one PSF; smallest margin around them (pixels)
 
 _Real = np.float32
@@ -147,39 +148,41 @@ class Blend:
         `tell` is called after each tile.
         """
         blur, photo = observed.blur, _Photo.of(observed)
-        parts: list[tuple[Tile, Callable[[], _Problem]]]
+        parts: list[tuple[Tile, Callable[[Tile], _Problem]]]
         if isinstance(blur, UniformBlur | TiledBlur):
             blurs = (
                 blur.parts
                 if isinstance(blur, TiledBlur)
                 else [(tile, blur) for tile in tiles_of(blur.shape, _TILE, _OVERLAP)]
             )
-            parts = [(tile, partial(_Problem.uniform, photo, part, tile)) for tile, part in blurs]
+            parts = [(tile, partial(_Problem.uniform, photo, part)) for tile, part in blurs]
         elif uniform_over_field(blur):
             stride, overlap = (_TILE, _OVERLAP) if isinstance(blur, MeasuredBlur) else (_FIELD_TILE, _FIELD_TILE)
             tiles = tiles_of(blur.shape, stride, overlap, beyond=_FIELD_TILE // 2)
-            parts = [(tile, partial(_FieldProblem.at_centre, photo, blur, tile)) for tile in tiles]
+            parts = [(tile, partial(_FieldProblem.at_centre, photo, blur)) for tile in tiles]
         else:
             raise ValueError(
                 "method=Blend() needs a lens and one distance of the whole scene, got the blur "
                 f"{type(blur).__name__}; use RichardsonLucy() for this blur"
             )
-        light, change = np.zeros_like(photo.light), np.zeros_like(photo.light)
+        light, product = np.zeros_like(photo.light), 0.0
         fits, start = [], time.perf_counter()
         signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0], _Real), photo.light.shape)
         for k, (tile, problem_of) in enumerate(parts):
-            problem = problem_of()
-            step = _PROBE * problem.taken(signs) * np.sqrt(problem.variances)
-            sharp, probed = problem.blended(step)
+            problem, core = problem_of(tile), _core(tile)
+            estimates = problem.estimates(problem.light)
+            if core is None:
+                weights, change = problem.weighed(signs, estimates)
+            else:
+                probed = problem_of(core)
+                weights, change = probed.weighed(signs, probed.estimates(probed.light))
+            sharp = np.tensordot(weights, estimates, 1)
             fits.append(problem.fit(sharp))
-            # The derivative times the variance, by Stein's lemma.
-            for image, values in ((light, sharp), (change, step * (probed - sharp - step) / _PROBE**2)):
-                image[:, tile.rows, tile.columns] += tile.share * values[:, *problem.inside]
+            light[:, tile.rows, tile.columns] += tile.share * sharp[:, *problem.inside]
+            product += change * float((tile.share * problem.certain[:, *problem.inside]).sum(dtype=np.float64))
             tell(k + 1, math.nan, (time.perf_counter() - start) * (len(parts) / (k + 1) - 1.0))
-        certain = observed.certain
         # Light is not negative, but the output of a linear filter can be negative.
-        result = _image(np.maximum(light, 0.0), certain.shape)
-        product = float(_image(change, certain.shape)[certain].sum(dtype=np.float64))
+        result = _image(np.maximum(light, 0.0), observed.certain.shape)
         chi2, count = np.sum(fits, axis=0)
         return Solution(
             result, 1, ONE_PASS, lambda other: self.solve(other, silent).light,
@@ -249,6 +252,16 @@ def tiles_of(shape: tuple[int, int], stride: int, overlap: int, beyond: int = 0)
     ]
 
 
+def _core(tile: Tile) -> Tile | None:
+    """Return the middle of a tile, which stands for it in the choice of weights; None if it saves little time."""
+    if min(stop - start for start, stop in zip(tile.first, tile.last, strict=True)) < 2 * _CORE:
+        return None
+    first = tuple((start + stop - _CORE) // 2 for start, stop in zip(tile.first, tile.last, strict=True))
+    rows, columns = (slice(start + _CORE_MARGIN, start + _CORE - _CORE_MARGIN) for start in first)
+    share = np.ones((rows.stop - rows.start, columns.stop - columns.start), _Real)
+    return Tile(rows, columns, share, (first[0], first[1]), (first[0] + _CORE, first[1] + _CORE))
+
+
 class _Photo(NamedTuple):
     """Planes (channels, height, width): light, stated noise variance, unknown pixels, saturated pixels."""
 
@@ -305,11 +318,11 @@ class _Problem:
         )
         self.h, self._curve, self._part = transfer(self.shape), curve, part
         self._squared = np.square(self.h.real) + np.square(self.h.imag)
-        self._certain = ~(part.unknown | part.full)
+        self.certain = ~(part.unknown | part.full)
         self.border = margin
         self._stated = np.maximum(part.variances.mean((1, 2), keepdims=True), 1e-30)
         self._describe(part.light)
-        if not self._certain.all():
+        if not self.certain.all():
             self._fill()
 
     @classmethod
@@ -367,11 +380,18 @@ class _Problem:
         self._variation(spectrum, self._inverted(self._wiener() * spectrum), _FILLING_STEPS, raised)
         self._describe(filled)
 
-    def blended(self, step: Values) -> tuple[Values, Values]:
-        """Return the blend of the estimates for the light, and with the same weights for the light plus `step`."""
-        estimates, probed = self._estimates(self.light), self._estimates(self.light + step)
+    def weighed(self, signs: Values, estimates: Values) -> tuple[Values, float]:
+        """Return the weights of the estimates for the light, and the mean product of noise and change by the blend.
+
+        `signs` of the whole photograph are those of a random direction.
+        """
+        step = _PROBE * self.taken(signs) * np.sqrt(self.variances)
+        probed = self.estimates(self.light + step)
         weights = self._weights(estimates, probed, step)
-        return np.tensordot(weights, estimates, 1), np.tensordot(weights, probed, 1)
+        # The derivative times the variance, by Stein's lemma.
+        product = step * (np.tensordot(weights, probed - estimates, 1) - step) / _PROBE**2
+        certain = self.certain[:, *self.inside]
+        return weights, float(product[:, *self.inside][certain].sum(dtype=np.float64) / max(certain.sum(), 1))
 
     def fit(self, light: Values) -> tuple[float, float]:
         """Return the sum of chi-squared of the pixels inside the border, and their number, where `light` fits best.
@@ -383,13 +403,13 @@ class _Problem:
         residual = self.light - self._blurred(light)
         widths = (min(self.border, side // 4) for side in self.shape)
         inside = tuple(slice(width, side - width) for width, side in zip(widths, self.shape, strict=True))
-        terms = np.where(self._certain, np.square(residual) / self._part.variances, 0.0)[:, *inside]
+        terms = np.where(self.certain, np.square(residual) / self._part.variances, 0.0)[:, *inside]
         return float(terms.sum(dtype=np.float64)), float(np.count_nonzero(terms))
 
     def _weights(self, estimates: Values, probed: Values, step: Values) -> Values:
         """Return the weights of the smallest risk, averaged with equal weights."""
-        certain = np.zeros_like(self._certain)
-        certain[:, *self.inside] = self._certain[:, *self.inside]
+        certain = np.zeros_like(self.certain)
+        certain[:, *self.inside] = self.certain[:, *self.inside]
         scale = np.broadcast_to(1.0 / np.sqrt(self.mean), certain.shape)[certain]
 
         def blurred(images: Values) -> Array:
@@ -404,7 +424,7 @@ class _Problem:
         risk = np.einsum("vi,ij,vj->v", weights, squares, weights) - 2.0 * weights @ product
         return np.asarray(0.5 * weights[np.argmin(risk)] + 0.5 / len(q), dtype=_Real)
 
-    def _estimates(self, light: Values) -> Values:
+    def estimates(self, light: Values) -> Values:
         """Return the estimates, (number, channels, height, width)."""
         spectrum = self._transformed(self._tapered(light))
         wiener = self._inverted(self._wiener() * spectrum)

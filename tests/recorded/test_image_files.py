@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+
 import dask.array
 import numpy as np
 import pytest
@@ -152,6 +154,18 @@ def test_a_card_that_is_not_standard_does_no_harm_and_a_file_that_is_cut_off_is_
 
 
 MANY = np.arange(2 * 3 * 4 * 6 * 7, dtype=np.uint16).reshape(2, 3, 4, 6, 7)
+
+
+def test_copies_of_frames_close_the_file_that_they_opened(tmp_path):
+    path = tmp_path / "many.ome.tif"
+    tifffile.imwrite(path, MANY, metadata={"axes": "TCZYX"}, compression="zlib")
+    with open_frames(path) as frames:
+        copied = copy.deepcopy(frames)
+        handle = copied.planes._file.filehandle
+        assert not handle.closed
+        del copied
+        assert handle.closed
+        np.testing.assert_array_equal(frames[0], MANY[0])
 
 
 @pytest.mark.parametrize("suffix", ["ome.tif", "ome.zarr", "array"])

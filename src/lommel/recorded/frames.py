@@ -239,6 +239,7 @@ class Planes:
     names: tuple[str, ...] = ()  # of each image, if they are of several files
     source: Source | None = None  # file from which another process can read the images
     together: int = 1  # number of images that are read together
+    is_copy: bool = False  # made by copying or pickling: nobody else closes its file
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
         """Return the images of a file as its name, for a copy, pickle or another process that opens it again."""
@@ -257,6 +258,10 @@ class Planes:
 
     def close(self) -> None:
         """Close the file."""
+
+    def __del__(self) -> None:
+        if self.is_copy:
+            self.close()
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -557,7 +562,9 @@ class Source(NamedTuple):
 
 
 def _planes_of(source: Source) -> Planes:
-    return source.opened(anew=True).planes
+    planes = source.opened(anew=True).planes
+    planes.is_copy = True
+    return planes
 
 
 @lru_cache(maxsize=2)

@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import ONE_PASS, ProgressCallback, silent
 from lommel.deconvolve.iterations import Solution
-from lommel.deconvolve.likelihood import PhotographLikelihood
+from lommel.deconvolve.likelihood import PhotographLikelihood, at_least
 from lommel.deconvolve.linear import LinearBlur, copies
 from lommel.estimation.focal_model import Spectrum, pupil_curve
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum, cosine_axes
@@ -474,7 +474,7 @@ class _Problem:
         data = weighted * spectrum
         light, penalty, target = start, _Real(0.0), len(start) * _STRENGTH
         gradient = self._gradient(light)
-        dual = np.zeros_like(gradient)
+        dual, field, norm = np.zeros_like(gradient), np.empty_like(gradient), np.empty_like(light[0])
         for k in range(steps):
             if k % _RENEWED == 0:
                 mean = max(float(np.sqrt(np.square(gradient).sum((0, 1))).mean(dtype=np.float64)), 1e-9)
@@ -485,18 +485,24 @@ class _Problem:
                     inverse = 1.0 / (precision + penalty * laplacian + _Real(1e-12))
                 if renewed is not None and k:
                     data = weighted * renewed(self._transformed(light))
-            # Shrinkage of the gradient by lambda / penalty, for all channels together.
+            # Shrinkage of the gradient by lambda / penalty, for all channels together; in place, which is faster.
             dual += gradient
-            norm = np.sqrt(np.square(dual).sum((0, 1)))
-            split = dual * np.maximum(1.0 - _Real(strength / penalty) / np.maximum(norm, 1e-12), 0.0)
-            dual -= split
-            light = self._inverted((data + penalty * self._transformed(_divergence(split - dual))) * inverse)
-            gradient = self._gradient(light)
+            np.sqrt(np.einsum("gcyx,gcyx->yx", dual, dual, out=norm), out=norm)
+            kept = np.divide(_Real(strength / penalty), at_least(norm, 1e-12), out=norm)
+            np.minimum(kept, np.ones_like(kept[0]), out=kept)
+            np.multiply(dual, _Real(1.0) - _Real(2.0) * kept, out=field)
+            dual *= kept
+            spectrum = self._transformed(_divergence(field))
+            spectrum *= penalty
+            spectrum += data
+            spectrum *= inverse
+            light = self._inverted(spectrum)
+            self._gradient(light, gradient)
         return light
 
-    def _gradient(self, planes: Values) -> Values:
+    def _gradient(self, planes: Values, out: Values | None = None) -> Values:
         """Return the differences to the next row and column; at the last ones they are 0 unless periodic."""
-        gradient = np.zeros((2, *planes.shape), planes.dtype)
+        gradient = np.zeros((2, *planes.shape), planes.dtype) if out is None else out
         np.subtract(planes[:, 1:], planes[:, :-1], out=gradient[0, :, :-1])
         np.subtract(planes[:, :, 1:], planes[:, :, :-1], out=gradient[1, :, :, :-1])
         if self._periodic:
@@ -507,7 +513,8 @@ class _Problem:
 
 def _divergence(field: Values) -> Values:
     """Return the transpose of the gradient."""
-    planes = -field[0] - field[1]
+    planes = np.add(field[0], field[1])
+    np.negative(planes, out=planes)
     planes[:, 1:] += field[0, :, :-1]
     planes[:, :, 1:] += field[1, :, :, :-1]
     # 0 unless periodic

@@ -11,7 +11,7 @@ import scipy
 from lommel import Noise
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import Blend, DepthBlur, RichardsonLucy, restore
-from lommel.imaging.blended import TiledBlur, UniformBlur, _frame, tiles_of
+from lommel.imaging.blended import TiledBlur, UniformBlur, _core, _frame, tiles_of
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
 from scenes import ThinLens, averaged, lommel_lens, plane, texture
 
@@ -146,6 +146,22 @@ def test_tiles_agree_with_the_whole(monkeypatch):
     tiled = restored(photo)
     assert decibels(tiled.light, truth) == pytest.approx(decibels(whole.light, truth), abs=0.3)
     assert not np.array_equal(tiled.light, whole.light)
+    # The middle of a large tile chooses weights, and the share of the photograph.
+    monkeypatch.undo()
+    monkeypatch.setattr("lommel.imaging.blended._CORE", 48)
+    middle = restored(photo)
+    assert decibels(middle.light, truth) == pytest.approx(decibels(whole.light, truth), abs=0.1)
+    assert middle.photograph == pytest.approx(whole.photograph, abs=0.02)
+
+
+def test_weights_of_a_large_tile_are_chosen_by_its_middle():
+    assert _core(tiles_of((383, 900), 900, 128)[0]) is None
+    tile = tiles_of((1500, 1100), 512, 128)[3]
+    middle = _core(tile)
+    assert np.subtract(middle.last, middle.first).tolist() == [192, 192]
+    np.testing.assert_allclose(np.add(middle.first, middle.last), np.add(tile.first, tile.last), atol=1)
+    assert [s.stop - s.start for s in (middle.rows, middle.columns)] == [160, 160]
+    assert middle.rows.start == middle.first[0] + 16
 
 
 def test_blurs_of_tiles_are_added_by_their_shares():

@@ -7,6 +7,7 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 import lommel as lm
+from lommel.imaging import edge_noise
 from slanted_edges import across, picture, squares
 
 CHART = squares((160, 320), [(-80.0, 0.0), (80.0, 0.0)], 70.0, 0.8)
@@ -69,6 +70,14 @@ def test_a_crop_says_which_filters_and_encodings_it_does_not_exclude():
     # The profile of a Gaussian blur to the power of 2.2 is nearly as symmetric.
     dim = noisy(0.25 + 0.5 * picture(5.0, 0.5, (80, 80), 8), 2000.0)
     assert lm.sfr(dim).findings.get("untested").numbers["encoding"] > 0.05
+
+
+@pytest.mark.parametrize(("size", "code"), [(0.008, None), (0.03, "correlated_noise"), (-0.008, "sharpened")])
+def test_a_small_correlation_that_light_may_leave_is_no_denoising(size, code, monkeypatch):
+    found = edge_noise._Correlation(size, 5.0 if size > 0.0 else -5.0, 2.0, 0.01, 1e5)
+    monkeypatch.setattr(edge_noise, "_correlation", lambda edges: found)
+    codes = lm.sfr(noisy(EDGE)).findings.codes
+    assert {"correlated_noise", "sharpened"} & {*codes} == ({code} if code else set())
 
 
 def test_areas_that_were_denoised_beside_an_edge_that_was_not_are_told():

@@ -30,6 +30,7 @@ _FEW = 120  # pixels of a side from which noise is tested
 _ROUNDING = 0.3  # smallest noise in units of integers that is tested
 _CLIPPED = 4.0  # standard deviations
 _CORRELATED = 3.5  # standard errors from which noise is correlated
+_OF_LIGHT = 0.01  # largest correlation that light may leave that is not quite the fitted one
 _LEAST_POWER = 0.02  # of noise at a frequency, relative to its mean
 _HINTS = 1.5, 2.0  # standard errors of noise and of overshoot that count together
 _NARROW = 1.0  # largest radius of a filter whose effect noise limits; wider sharpening overshoots
@@ -100,6 +101,7 @@ def processing_findings(edges: Sequence[Evidence]) -> list[Finding]:
     above = float(np.median([edge.above for edge in edges]))
     tested = _correlation(edges)
     significant = abs(tested.strength) > _CORRELATED and tested.change > 1.0
+    significant = significant and not 0.0 < tested.correlation < _OF_LIGHT
     together = tested.strength < -_HINTS[0] and both > _HINTS[1]
     numbers = {"overshoot": overshoot, "correlation": tested.correlation, "strength": tested.strength}
     size = f"{tested.correlation:.2g} ({abs(tested.strength):.0f} standard errors)"

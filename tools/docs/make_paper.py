@@ -68,7 +68,9 @@ padding, which samples the pupil with a radius of 145 / pi = 46 samples.
 numbers come from it. "Corrected" has the factor. All other misprints are corrected in both; see
 [Errata](#errata).
 
-## Numbers
+## Details
+
+### Numbers
 
 """
 
@@ -102,7 +104,7 @@ NOTES = {
 
 
 IMPLEMENTATION = """\
-## Implementation
+### Implementation
 
 | equation | contents | file under `src/lommel` |
 |---|---|---|
@@ -218,9 +220,9 @@ def main() -> None:
     for figure, plan in FIGURES.items():
         name = "Eq. 17" if figure == "eq17" else f"Fig. {figure}"
         shown = f"![{plan.caption}](paper/figure-{figure}.png)"
-        parts.append(f"\n## {name}. {plan.caption}\n\n{shown}\n\n{textwrap.fill(NOTES[figure], 118)}\n")
+        parts.append(f"\n### {name}. {plan.caption}\n\n{shown}\n\n{textwrap.fill(NOTES[figure], 118)}\n")
     parts.append(
-        "\n## Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; "
+        "\n### Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; "
         "equations\n(18) to (20) are correct as printed.\n\n" + errata() + "\n" + IMPLEMENTATION
     )
     atomic.write(DOCS / "paper.md", "".join(parts).encode())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import math
 from functools import cached_property
+from types import EllipsisType
 from typing import Self
 
 import numpy as np
@@ -371,6 +372,7 @@ class PhotographLikelihood(PoissonLikelihood):
         self.full = self._saturated if self._saturated.any() else None
         planes = [np.moveaxis(values.reshape(*blur.shape, -1), 2, 0) for values in (self.light, self._saturated)]
         super().__init__(planes[0], noise, dtype=blur.dtype, full=None if self.full is None else planes[1])
+        self._blurred: list[tuple[Values, Values]] = []
         self.added = self._added[..., None] if self._added.ndim and light.ndim == 3 else self._added
 
     def replaced(self, light: Values) -> PhotographLikelihood:
@@ -418,24 +420,46 @@ class PhotographLikelihood(PoissonLikelihood):
         return known if self.full is None else known & ~self.full
 
     @cached_property
+    def tested(self) -> NDArray[np.bool_] | EllipsisType:
+        """Index of the certain pixels."""
+        certain = self.certain
+        return ... if certain.all() else certain
+
+    @cached_property
     def image(self) -> Values:
         """The photograph as light; unknown pixels have the mean light."""
         return np.where(self.weight > 0.0, np.maximum(self.counts - self.added, 0.0), self._flat)
 
+    def blurred(self, light: Values) -> Values:
+        """Return the image of a scene `light`; it is kept for the last two, which must not change."""
+        kept = [pair for pair in self._blurred if pair[0] is light] or [(light, np.array(self.blur.forward(light)))]
+        self._blurred = kept + [pair for pair in self._blurred if pair[0] is not light][:1]
+        return kept[0][1]
+
     def model(self, light: Values) -> Values:
         """Return the expected counts of a scene `light`."""
-        model = self.blur.forward(light)
-        model += self.added
+        model = self.blurred(light) + self.added
         return np.maximum(model, TINY, out=model)
 
     def discrepancies_of(self, light: Values) -> Array:
         """Return the discrepancy of each channel for a scene `light`."""
-        return self.discrepancies(self.operator, self.operator.planes(light))
+        image = self.blurred(light).reshape(*self.blur.shape, -1)
+        everywhere = slice(None)
+        sums = [
+            self._deviance_sums(c, everywhere, everywhere, image[..., c].copy(), None)[0]
+            for c in range(self.blur.channels)
+        ]
+        return self.per_pixel(np.array(sums))
+
+    @cached_property
+    def before(self) -> float:
+        """Discrepancy of the photograph as a scene."""
+        return self.mean(self.discrepancies_of(self.image))
 
     @property
     def _flat(self) -> Values:
         planes = np.broadcast_to(self.start, (self.blur.channels, *self.blur.shape))
-        return self.operator.image(planes)
+        return np.moveaxis(planes, 0, 2).reshape(self.light.shape).astype(self.dtype)
 
     def _image(self, index: int) -> Values:
         """Return counts or weights of all parts as an image."""

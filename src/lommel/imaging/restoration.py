@@ -102,8 +102,9 @@ def noise_aware(
 
 def check_result(observed: PhotographLikelihood, result: Solution, method: Method) -> tuple[float, str]:
     """Return the share of the photograph to blend into a result (1 if rejected), and the stopping reason."""
-    after, before = (observed.mean(observed.discrepancies_of(light)) for light in (result.light, observed.image))
-    after = after if result.least_discrepancy is None else result.least_discrepancy
+    before, after = observed.before, result.least_discrepancy
+    if after is None:
+        after = observed.mean(observed.discrepancies_of(result.light))
     # Richardson-Lucy that stopped at its maximum number of steps may not fit yet.
     converged = result.stopped != STEPS or not isinstance(method, RichardsonLucy)
     misfit = converged and after - 1.0 - observed.slack > max(_MAX_MISFIT * (before - 1.0), 0.0)
@@ -122,12 +123,14 @@ def blend(observed: PhotographLikelihood, light: Values, share: float) -> Values
 
 def _is_overdone(observed: PhotographLikelihood, light: Values) -> bool:
     """Return True if light differs from the photograph by more than the stated blur can explain."""
-    certain, photo = observed.certain, observed.image
+    tested, photo = observed.tested, observed.image
+    change = np.abs(light - photo)[tested].mean(dtype=np.float64)
     # Standard deviation of the shot noise in units of light.
-    noise = np.sqrt(observed.counts[certain] / (observed.weight[certain] * observed.white))
-    by_blur = np.abs(observed.model(photo) - observed.counts)[certain].mean(dtype=np.float64)
-    min_change = _MIN_CHANGE * noise.mean(dtype=np.float64)
-    return bool(np.abs(light - photo)[certain].mean(dtype=np.float64) > _MAX_CHANGE_RATIO * max(by_blur, min_change))
+    noise = np.sqrt(observed.counts[tested] / (observed.weight[tested] * observed.white))
+    if change <= _MAX_CHANGE_RATIO * _MIN_CHANGE * noise.mean(dtype=np.float64):
+        return False
+    by_blur = np.abs(observed.model(photo) - observed.counts)[tested].mean(dtype=np.float64)
+    return bool(change > _MAX_CHANGE_RATIO * by_blur)
 
 
 def _best_share(observed: PhotographLikelihood, result: Solution) -> float:
@@ -135,15 +138,15 @@ def _best_share(observed: PhotographLikelihood, result: Solution) -> float:
 
     In comments x is the result, y the photograph, n its noise, A the blur, 1 - a the share, and E[] an expectation.
     """
-    certain = observed.certain
+    tested = observed.tested
     covariance = _noise_product(observed, result) if result.noise_product is None else result.noise_product
-    d = (result.light - observed.counts + observed.added)[certain].astype(np.float64)
+    d = (result.light - observed.counts + observed.added)[tested].astype(np.float64)
     # (1 - A) x replaces (1 - A) scene, because the scene is unknown.
-    sharpened = (result.light - (observed.model(result.light) - observed.added))[certain]
+    sharpened = (result.light - (observed.model(result.light) - observed.added))[tested]
     # The limit avoids 0 / 0 if the result equals the photograph.
-    square = max(float(d @ d), 1e-300)
+    square = max(float(np.vdot(d, d)), 1e-300)
     # a^2 d.d + 2 a E[d.n] - 2 a d.(1 - A) x is smallest at a = (d.(1 - A) x - E[d.n]) / d.d.
-    return min(max(1.0 - (float(d @ sharpened) - float(covariance)) / square, 0.0), 1.0)
+    return min(max(1.0 - (float(np.vdot(d, sharpened)) - float(covariance)) / square, 0.0), 1.0)
 
 
 def _noise_product(observed: PhotographLikelihood, result: Solution) -> float:
@@ -323,7 +326,7 @@ def restore(
         if estimate is not None and estimate.motion is not None and o.accept:
             blur, method = estimate.motion.blur(blur.shape, blur.channels), o.method or RichardsonLucy()
     observed = PhotographLikelihood(blur, light, noise, limit)
-    before = observed.mean(observed.discrepancies_of(observed.image))
+    before = observed.before
     result, share, stopped = _solved(observed, method or RichardsonLucy(), progress or silent)
     if o.method is None and isinstance(method, Blend):
         result, share, stopped = _without_ringing(observed, (result, share, stopped), progress or silent)

@@ -258,7 +258,7 @@ def _pixels_per_radian(lens: Lens, pixel: float) -> tuple[float, float]:
 def _compared(observed: PhotographLikelihood, light: Values) -> tuple[Array, Array, Array]:
     """Return light and noise variance of the middle channel of a photograph, and its restored `light`."""
     restored = light.reshape(*observed.blur.shape, -1)[..., observed.blur.channels // 2]
-    return *_middle(observed, observed.blur.forward(light)), np.asarray(restored, dtype=np.float64)
+    return *_middle(observed, observed.blurred(light)), np.asarray(restored, dtype=np.float64)
 
 
 def _middle(observed: PhotographLikelihood, model: Values | None) -> tuple[Array, Array]:

@@ -61,11 +61,12 @@ def page(stored: dict[str, list[Run]]) -> str:
     every = [(BY_ROW[row].must == "N", BY_ROW[row].name, one) for row, one in judged(stored)]
     runs, good = (sum(getattr(one, name) for _, _, one in every) for name in ("runs", "good"))
     named, wrong = (sum(one.wrong_and_good for is_named, _, one in every if is_named is n) for n in (True, False))
+    other = sum(one.good for is_named, _, one in every if not is_named)
     twice = [name for is_named, name, one in every if not is_named and one.wrong_and_good > 1]
     first = (
         f"{runs} results of {len(every)} worlds: {good} called good, {wrong + named} of them wrong "
         f"({_percent(wrong + named, good)}).\n{named} of these are in rows *named*, whose results name it among what "
-        f"they cannot test; without these rows {wrong} are wrong ({_percent(wrong, good)}), "
+        f"they cannot test; of {other} in the other rows {wrong} are wrong ({_percent(wrong, other)}), "
         + (f"twice or more in {', '.join(twice)}." if twice else "no world twice.")
     )
     rates = [f"{BY_ROW[row].name} ({one.rms:.2f})" for row, one in judged(stored) if "rms" in " ".join(one.faults)]

@@ -6,7 +6,7 @@ endif
 SHELL := /bin/sh
 .SHELLFLAGS := -eu -c
 .ONESHELL .DELETE_ON_ERROR .SUFFIXES:
-.PHONY: help env uv build core-tests psf photo test test-all browser test-c test-torch test-napari test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint tidy types format changelog lock wheel sdist release clean FORCE
+.PHONY: help env uv build core-tests psf photo test test-all browser test-c test-torch test-napari test-clang test-arm fuzz lowest mutants sanitize bench real-data setup-times peers docs page lint tidy types format changelog lock wheel sdist release clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter, CXX=clang++ a compiler; otherwise the first that will do is used.
 PYTHON ?=
@@ -45,7 +45,7 @@ install := pip install --python .venv $(locked) --requirement pyproject.toml
 	missing=$$(.venv/bin/python -c 'from scikit_build_core.build import get_requires_for_build_editable as missing; print(*missing())')
 	for tool in $$missing; do $(uv) pip install --python .venv $(locked) --group "$${tool%%[<>=]*}"; done
 	echo "$(CURDIR)|$(PYTHON)|" >$@
-# The groups dev, docs, page and maintain of pyproject.toml.
+# The groups dev, docs, page, real and maintain of pyproject.toml.
 .venv/%.stamp: .venv/first.stamp | $(fetched)
 	@$(uv) $(install) $(if $(filter dev,$*),--extra all) --group $*
 	touch $@
@@ -188,6 +188,8 @@ format: env ## rewrite the files in the project's format
 	.venv/bin/clang-format -i $(cpp_formatted)
 bench: build env ## measure against the FFT, NumPy and what peers there are; write docs/benchmarks.md
 	@.venv/bin/python benchmarks/run.py --write
+real-data: build env .venv/real.stamp ## fetch real data and write docs/real-data.md: ten minutes of one core
+	@.venv/bin/python -m benchmarks.real_data $(FLAGS)
 setup-times: ## measure the way from a fresh clone to a first picture, and from an edit to a passing test
 	@python=$$($(find_python))
 	"$$python" benchmarks/setup_times.py $(FLAGS)
@@ -197,7 +199,7 @@ compile = $(uv) pip compile --quiet --universal --python-version 3.11 --generate
 # Pins that still do are kept; make lock LOCKFLAGS=--upgrade moves them all.
 lock: $(fetched) ## pin anew, in requirements.lock, what pyproject.toml asks for
 	@$(compile) --custom-compile-command "make lock" --output-file requirements.lock pyproject.toml --extra all \
-		$(patsubst %,--group %,dev tools docs page maintain accuracy torch napari)
+		$(patsubst %,--group %,dev tools docs page real maintain accuracy torch napari)
 	$(compile) --no-header --no-deps --group picasso >>requirements.lock
 # Compiled where the editable install is, which is then made anew, for CMake has forgotten that it is one.
 wheel: page build ## build a wheel in dist

@@ -92,7 +92,10 @@ def commands(path: Path) -> list[str]:
     return within + [line for code, _ in blocks(path, "sh") for line in code.replace("\\\n", " ").splitlines()]
 
 
-SHOWN = [(path.name, line) for path in PAGES for line in commands(path)] + [("--help", line) for line in help_lines()]
+# Whose commands and code take measured data, which benchmarks/real_data.py fetches: see test_real_data.py.
+MEASURED = ROOT / "docs" / "real-data.md"
+SHOWN = [(path.name, line) for path in PAGES if path != MEASURED for line in commands(path)]
+SHOWN += [("--help", line) for line in help_lines()]
 LINES = [(name, words) for name, line in SHOWN if (words := shlex.split(line, comments=True))]
 
 
@@ -290,7 +293,7 @@ def interrupted(_: object) -> None:
 
 
 HASTY = ("differentiable", "training")  # pages whose programs run once or twice
-CODE = [path for path in PAGES if blocks(path, "python") and path not in drawn.TUTORIALS]
+CODE = [path for path in PAGES if blocks(path, "python") and path not in (MEASURED, *drawn.TUTORIALS)]
 
 
 @pytest.mark.parametrize("path", CODE, ids=lambda path: path.stem)

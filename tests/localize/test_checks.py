@@ -288,6 +288,18 @@ def test_a_movie_without_molecules_has_no_answer(table):
     assert len(found) == 0
 
 
+def test_spots_that_are_all_at_the_border_are_not_called_too_dim(table):
+    frames = np.random.default_rng(0).poisson(5.0, (4, 40, 40)).astype(float)
+    frames[:2, 3, 20] += 400.0
+    found = localize_movie(frames, table)
+    side = table.shape[0]
+    assert (found.status, found.converged, found.borders) == ("not_settled", False, 2)
+    assert (
+        f"none of 2 spots can be fitted: boxes of {side} x {side} pixels reach beyond the border at 2"
+        in found.message
+    )
+
+
 def test_findings_of_blocks_are_of_the_movie_so_far(table, mean):
     counts = CAMERA.record(mean, 1)
     *parts, last = movie_blocks(counts, table, CAMERA, LocalizeOptions(), block=6)

@@ -125,7 +125,9 @@ class Checks:
         self._noise: Noise = refit.keywords["noise"]
         self._once: dict[str, Finding] = {}
         self._counts = np.zeros((recording.rows, recording.columns), np.int64)
-        self._sums = dict.fromkeys(("spots", "saturated", "left_out", "ends", "doubtful"), 0)
+        self._sums = dict.fromkeys(
+            ("spots", "borders", "overlapping", "saturated", "left_out", "ends", "doubtful"), 0
+        )
         # Histograms of the discrepancies of all molecules, and of isolated ones.
         self._discrepancies = np.zeros((2, 2 * _WIDEST * _PER_UNIT + 1), np.int64)
         self._maxima, self._frames, self._steady, self._places = 0, 0, 0, list[Array]()
@@ -317,7 +319,12 @@ class Checks:
 
     def _fit_findings(self) -> Iterator[Finding]:
         sums, n = self._sums, self.molecules
-        if not sums["spots"]:
+        if not sums["spots"] and (left := sums["borders"] + sums["overlapping"]):
+            side = " x ".join(map(str, self._recording.box))
+            text = f"none of {left} spots can be fitted: boxes of {side} pixels reach beyond the border at "
+            text += f"{sums['borders']} of them, and {sums['overlapping']} are"
+            yield Finding("not_settled", "error", f"{text} beside brighter ones")
+        elif not sums["spots"]:
             text = "no spot is six standard deviations above the noise: check `offset`, `white` and `read`"
             yield Finding("no_light", "error", text)
         elif not n:

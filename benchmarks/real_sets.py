@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -147,6 +147,21 @@ def matched(
     return np.flatnonzero(near), nearest[near]
 
 
+def draw_places(frame: Array, ours: Sequence[Array], theirs: Sequence[Array], label: str) -> None:
+    """Draw positions (x, y) of lommel and of a reference, pixels from the outer corner, on a frame; to places.png."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(6.4, 5.6), layout="constrained")
+    axes = figure.add_subplot()
+    height, width = frame.shape
+    axes.imshow(frame, cmap="gray", extent=(0.0, width, height, 0.0))
+    axes.plot(*theirs, "o", mfc="none", mec="tab:orange", ms=11, mew=1.5, label=label)
+    axes.plot(*ours, "+", mec="deepskyblue", ms=9, mew=1.5, label="lommel")
+    axes.set(xlim=(0.0, width), ylim=(height, 0.0), xlabel="x (pixels)", ylabel="y (pixels)")
+    figure.legend(loc="outside upper center", ncols=2, frameon=False)
+    figure.savefig("places.png", dpi=100)
+
+
 def position_rows(
     found: dict[str, Array], pixel: float, known: tuple[Array, Array, Array], reference: str
 ) -> Iterator[Row]:
@@ -173,6 +188,8 @@ def picasso_positions(facts: list[Facts]) -> Iterator[Row]:
     table = table[table["frame"] < 100]
     known = table["frame"].astype(float), table["x"] + 0.5, table["y"] + 0.5
     found = {name: np.asarray(facts[-1]["found"].table[name], dtype=float) for name in _COLUMNS}
+    brightest = tifffile.imread("movie.tif").max(axis=0).astype(float)
+    draw_places(brightest, [found[name] / 160e-9 for name in "xy"], known[1:], "Picasso")
     return position_rows(found, 160e-9, known, "Picasso")
 
 
@@ -196,6 +213,8 @@ def storm_positions(_: list[Facts]) -> Iterator[Row]:
     error = 1e-9 * np.array([row["uncertainty_xy [nm]"] for row in first])
     found |= {"frame": np.ones(len(first)), "x_error": error, "y_error": error}
     known = np.ones(len(x)), x + 0.5, y + 0.5
+    corner = tifffile.imread("movie.tif")[0, :100, :100].astype(float)
+    draw_places(corner, [found[name] / 160e-9 for name in "xy"], known[1:], "simulated")
     return position_rows(found, 160e-9, known, "the simulation")
 
 

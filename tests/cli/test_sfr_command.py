@@ -87,7 +87,7 @@ def test_pictures_in_doubt_end_with_exit_code_4(folder, call_lommel):
     [
         (["chart.png", "-o", "map.txt"], "--output must end in .csv, .json (table), .png, .pdf or .svg (map)"),
         (["chart.png", "--frequency", "0.7"], "--frequency must be"),
-        (["chart.png", "--mosaic", "RGB"], "--mosaic must have the letters"),
+        (["chart.png", "--mosaic", "RGB"], "--mosaic must be RGGB, BGGR"),
     ],
 )
 def test_wrong_options_are_one_line(folder, call_lommel, words, message):

@@ -99,3 +99,35 @@ def test_right_pictures_have_no_findings(seed):
     image = noisy(light, (3000.0, 30000.0)[seed // 4], seed)
     for found in (lm.sfr(image), lm.sfr(bytes_of(srgb(image)), encoding="srgb")):
         assert {*found.findings.codes} <= {"untested"}  # what one crop shows of sharpening
+
+
+def test_a_flat_side_with_brighter_pixels_elsewhere_is_not_clipped():
+    clipped = np.minimum(bytes_of(noisy(LIGHT, 2000.0)), 160)
+    assert "flat_top" in lm.imaging.sfr_chart(clipped).findings.codes
+    # Beside another edge, the same values are not the largest ones.
+    light = np.concatenate([LIGHT, LIGHT * 1.2])
+    image = bytes_of(noisy(light, 2000.0))
+    image[:80] = np.minimum(image[:80], 160)
+    found = lm.imaging.sfr_chart(image)
+    assert len(found.edges) == 2
+    assert "flat_top" not in found.findings.codes
+    text = found.edges[0].response.findings.get("asymmetric").text
+    assert "most pixels of the bright side have the value 160" in text
+
+
+def test_jpeg_is_compression_and_its_errors_are_those_of_the_picture():
+    light = 0.05 + 0.85 * picture(5.0, 0.5, (96, 96), 8)
+    found = lm.sfr(jpeg(srgb(noisy(light, 20000.0))), encoding="srgb")
+    assert {"compressed", "correlated_noise"} <= {*found.findings.codes}
+    assert not {"sharpened", "flat_top"} & {*found.findings.codes}
+    # Its flat areas have no noise at all; ripples beside the edge count.
+    flat = lm.sfr(jpeg(srgb(light), 30), encoding="srgb")
+    assert np.interp(0.3, flat.frequencies, flat.errors) > 5e-3
+
+
+def test_a_step_of_the_light_beside_an_edge_is_uneven_light_and_no_sharpening():
+    x = np.arange(80)
+    found = lm.sfr(noisy((LIGHT - 0.2) * np.where(x >= 72, 1.08, 1.0), 20000.0))
+    assert "sharpened" not in found.findings.codes
+    assert "differs from its trend" in found.findings.get("uneven_light").text
+    assert not found.reliable

@@ -16,7 +16,7 @@ from lommel import show
 from lommel.base.arrays import Array, Json, Values, plain
 from lommel.base.encoding import Encoding, checked
 from lommel.fit.findings import Finding, Findings, Judged, Severity
-from lommel.imaging.edge_checks import compression_findings, require_one_colour
+from lommel.imaging.edge_checks import compression_findings
 from lommel.imaging.edge_noise import Evidence
 from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask
 from lommel.imaging.slanted_edge import (
@@ -199,15 +199,15 @@ def sfr_chart(
     """
     side, encoding = pixel_pitch(pixel), checked(encoding)
     counts = image_counts(image)
-    require_mosaic(mosaic, counts.shape)
+    middle = _middle(counts)
     if counts.shape[2:] not in ((), (3,)):
         raise ValueError(f"image must have the shape (height, width) or (height, width, 3), got {counts.shape}")
     edges: list[ChartEdge] = []
     evidence: list[dict[str, Evidence]] = []
     refused: list[tuple[float, float, str]] = []
-    if mosaic is None and len(counts.shape) == 2:
-        middle = _middle(counts)
-        require_one_colour(counts.filled()[middle], counts.known[middle])
+    require_mosaic(mosaic, counts, middle)
+    part = np.asarray(counts.values[middle] if len(counts.shape) == 2 else counts.values[*middle, 1], float)
+    compression = compression_findings(np.where(np.isfinite(part), part, 0.0))
     candidates, angles = _candidates(counts, mosaic is not None)
     reasons = [f"one is at {angle:.1f} degrees" for angle in angles[:1]]
     if len(candidates) < 2 and max(counts.shape[:2]) <= _LARGEST_CROP:
@@ -235,13 +235,14 @@ def sfr_chart(
             f"{_LEAST_LENGTH:g} pixels long or more, between uniform areas of {_LEAST_HALF:g} pixels or more, got "
             f"none{''.join(f'; {reason}' for reason in reasons)}"
         )
-    responses = with_processing([(edge.response, one) for edge, one in zip(edges, evidence, strict=True)])
+    measured = [(edge.response, one) for edge, one in zip(edges, evidence, strict=True)]
+    responses = with_processing(measured, compressed=bool(compression))
     edges = [replace(edge, response=one) for edge, one in zip(edges, responses, strict=True)]
     return EdgeChart(
         edges=tuple(edges),
         refused=tuple(refused),
         shape=(counts.shape[0], counts.shape[1]),
-        findings=_findings(counts, edges),
+        findings=_findings(counts, edges, compression),
     )
 
 
@@ -266,12 +267,10 @@ def _middle(counts: Counts) -> tuple[slice, ...]:
     return tuple(slice(start, start + _MIDDLE_SIDE) for start in starts)
 
 
-def _findings(counts: Counts, edges: list[ChartEdge]) -> Findings:
+def _findings(counts: Counts, edges: list[ChartEdge], compression: list[Finding]) -> Findings:
     """Return findings on a picture: those of its edges, by the number that have them, and compression."""
-    part = np.asarray(counts.values[_middle(counts)], float)
     findings = [Finding("saturation_assumed", "note", counts.assumed)] if counts.assumed else []
-    green = part if part.ndim == 2 else part[..., 1]
-    findings += compression_findings(np.where(np.isfinite(green), green, 0.0))
+    findings += compression
     every = [[*(edge.response.channels or {"": edge.response}).values()] for edge in edges]
     firsts = {found.code: found for responses in every for one in responses for found in one.findings}
     for code, first in firsts.items():

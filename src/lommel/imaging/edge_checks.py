@@ -24,10 +24,34 @@ _LEVEL = 0.005  # uncertainty of the levels of both sides by uneven light, fract
 _GAMMA = 2.2  # of that encoding
 _FLAT = 0.9  # fraction of equal pixels of a bright side that is clipped, beside a dark one with noise
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
+_UNLIKE = 3.0  # ratio of the differences of green pixels by the stated order and by the other one
 
 
 def require_one_colour(image: Array, known: Mask) -> None:
     """Raise ValueError if pixels of one of four positions differ from their neighbours: a mosaic of colours."""
+    phases, error = _phases(image, known)
+    if np.ptp(phases) > max(_PHASES, 3.0 * SIGMA * error):
+        raise ValueError(
+            "image must be of one colour, got a mosaic: pixels of even and odd rows and columns differ by "
+            f"{100 * np.ptp(phases):.0f} %; state the mosaic, such as mosaic='RGGB'"
+        )
+
+
+def require_order(mosaic: str, image: Array, known: Mask) -> None:
+    """Raise ValueError if both green pixels of a mosaic differ, and those of another order of colours do not."""
+    phases, error = _phases(image, known)
+    diagonals = abs(float(phases[0] - phases[3])), abs(float(phases[1] - phases[2]))
+    green, other = diagonals if mosaic[0] == "G" else diagonals[::-1]
+    if green > max(_PHASES, 3.0 * SIGMA * error, _UNLIKE * other):
+        orders = ("RGGB", "BGGR") if mosaic[0] == "G" else ("GRBG", "GBRG")
+        raise ValueError(
+            f"mosaic must be the order of the colours, got {mosaic!r}, whose green pixels of both rows differ "
+            f"by {100 * green:.0f} %; those of {orders[0]} and {orders[1]} differ by {100 * other:.1g} %"
+        )
+
+
+def _phases(image: Array, known: Mask) -> tuple[Array, float]:
+    """Return the light of pixels of even and odd rows and columns, relative to their mean, and its error."""
     height, width = (side // 2 * 2 for side in image.shape)
     blocks = np.where(known, image, np.nan)[:height, :width].reshape(height // 2, 2, width // 2, 2)
     quads = blocks.transpose(1, 3, 0, 2).reshape(4, -1)
@@ -37,15 +61,11 @@ def require_one_colour(image: Array, known: Mask) -> None:
     ratios = np.where(black, 1.0, quads / np.where(black, 1.0, means))
     ratios = ratios[:, np.isfinite(ratios).all(axis=0)]
     if ratios.shape[1] < 16:
-        return
+        return np.ones(4), 0.0
     # Medians, over pixels of which few are at the edge.
-    middle, spread = np.median(ratios, axis=1), np.median(np.abs(ratios - np.median(ratios, axis=1)[:, None]), axis=1)
-    error = 1.86 * spread / math.sqrt(ratios.shape[1])
-    if np.ptp(middle) > _PHASES and np.ptp(middle) > 3.0 * SIGMA * float(error.max()):
-        raise ValueError(
-            "image must be of one colour, got a mosaic: pixels of even and odd rows and columns differ by "
-            f"{100 * np.ptp(middle):.0f} %; state the mosaic, such as mosaic='RGGB'"
-        )
+    middle = np.median(ratios, axis=1)
+    spread = np.median(np.abs(ratios - middle[:, None]), axis=1)
+    return middle, 1.86 * float(spread.max()) / math.sqrt(ratios.shape[1])
 
 
 def compression_findings(image: Array) -> list[Finding]:
@@ -143,10 +163,10 @@ def _of_symmetry(
     gain = 0.5 * (chi2(common) - stated)
     evidence = gain, change_by(common) if gain < UNTESTED else 0.0
     change = 0.0 if power == 1.0 else change_by(power)
-    dark, bright_side = _equal(edge, stored)
+    (dark, _), (bright_side, value) = _equal(edge, stored)
     if (bright_side > _FLAT or (change >= _EFFECT and bright_side > 0.5)) and dark < 0.5:
-        text = f"the bright side has one value, {float(stored[edge.used].max()):.6g}: it is clipped; expose less"
-        return [Finding("flat_top", "error", text, {"change": change})], evidence
+        text = f"the bright side has one value, {value:.6g}: it is clipped; expose less"
+        return [Finding("flat_top", "error", text, {"change": change, "value": value})], evidence
     if change < _EFFECT:
         return [], evidence
     text = (
@@ -157,11 +177,29 @@ def _of_symmetry(
     return [Finding("asymmetric", "doubt", text, {"power": power, "change": change})], evidence
 
 
-def _equal(edge: Edge, stored: Array) -> list[float]:
-    """Return the fractions of pixels of the dark and of the bright side that have its median value."""
+def unless_brighter(finding: Finding, top: float, *, processed: bool) -> list[Finding]:
+    """Return the finding on a clipped side as a list, or another one if pixels of the picture are brighter: `top`.
+
+    Denoised and compressed pictures have areas of one value.
+    """
+    if finding.code != "flat_top" or not top > finding.numbers["value"]:
+        return [finding]
+    text = (
+        f"most pixels of the bright side have the value {finding.numbers['value']:.6g}, but those of the dark side "
+        "have noise: a tone curve or denoising changes the response"
+    )
+    return [] if processed else [Finding("asymmetric", "doubt", text, finding.numbers)]
+
+
+def _equal(edge: Edge, stored: Array) -> list[tuple[float, float]]:
+    """Return the fractions of pixels of the dark and of the bright side that have its median value, and the value."""
     far = edge.used & (np.abs(edge.distance) > 0.5 * edge.reach)
     sides = [stored[far & (edge.distance * sign > 0.0)] for sign in (-1.0, 1.0)]
-    equal = [float(np.mean(part == np.median(part))) if part.size else 0.0 for part in sides]
+    values = [float(np.median(part)) if part.size else 0.0 for part in sides]
+    equal = [
+        (float(np.mean(part == value)) if part.size else 0.0, value)
+        for part, value in zip(sides, values, strict=True)
+    ]
     return equal if edge.levels[1] > edge.levels[0] else equal[::-1]
 
 

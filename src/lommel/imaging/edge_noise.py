@@ -34,8 +34,10 @@ _OF_LIGHT = 0.01  # largest correlation that light may leave that is not quite t
 _LEAST_POWER = 0.02  # of noise at a frequency, relative to its mean
 _HINTS = 1.5, 2.0  # standard errors of noise and of overshoot that count together
 _NARROW = 1.0  # largest radius of a filter whose effect noise limits; wider sharpening overshoots
+_TREND = 0.05  # of the light, which steps may mimic
+_BRIGHTER = 0.002  # fraction of pixels, of hot ones, that exceed a clipped value
 _UNEVEN = 0.002  # least noise beside an edge that is told, fraction of the step
-_BESIDE, _FLAT = 2.0, 0.2  # ratio of the squares of noise beside an edge; where the slope is this part of its largest
+_BESIDE = 2.0  # ratio of the squares of noise beside an edge
 _EFFECT = 0.02  # change of the response that is told
 _BINS, _PER_PIXEL = 24, 2  # of the overshoot
 _BOTH, _ONE = 0.006, 0.03  # overshoot that is told if it is on both sides, and on one, fractions of the step
@@ -49,7 +51,8 @@ class Evidence:
     `excess` and `weights` are the overshoot of the profile by side and distance, fractions of the step, and 1 /
     variance; `beside` are squares of noise beside the edge, and of the areas; `encoding` is the evidence of
     ``edge_findings``; `above` is the response above 1 beyond errors; `response` are its frequencies, cycles per
-    pixel, values and errors along the `normal` (down, right). `untested` tells that rounding hides the noise.
+    pixel, values and errors along the `normal` (down, right). `untested` tells that rounding hides the noise,
+    `uneven` that a large trend of the light was removed; `top` is the stored value that few pixels exceed.
     """
 
     products: Array
@@ -63,6 +66,8 @@ class Evidence:
     normal: Array
     spacing: int
     untested: bool
+    uneven: bool
+    top: float
 
 
 def evidence_of(
@@ -90,13 +95,35 @@ def evidence_of(
     products, pairs = areas.products(stored, spacing, rounded=rounded)
     excess, weights = _excess(edge)
     untested = rounded and not pairs.any()
+    measured, white, degrees = edge.beside
+    beside = measured, white + degrees * (_UNEVEN * edge.step) ** 2  # of light that changes along the edge
+    top = float(np.quantile(stored[edge.used], 1.0 - _BRIGHTER))
     return Evidence(
-        products, pairs, excess, weights, _beside(edge), encoding, above, response, normal, spacing, untested
+        products,
+        pairs,
+        excess,
+        weights,
+        beside,
+        encoding,
+        above,
+        response,
+        normal,
+        spacing,
+        untested,
+        max(edge.trend, abs(edge.tail)) > _TREND,
+        top,
     )
 
 
-def processing_findings(edges: Sequence[Evidence]) -> list[Finding]:
-    """Return the findings on sharpening and denoising by the evidence of all edges of a picture."""
+def added_variance(edge: Edge) -> float:
+    """Return the variance of the noise beside an edge that exceeds that of its sides, as of denoised pictures."""
+    measured, white, degrees = edge.beside
+    exceeds = measured > _BESIDE * (white + degrees * (_UNEVEN * edge.step) ** 2)
+    return (measured - white) / degrees if exceeds else 0.0
+
+
+def processing_findings(edges: Sequence[Evidence], *, compressed: bool) -> list[Finding]:
+    """Return the findings on sharpening, denoising and compression by the evidence of all edges of a picture."""
     overshoot, both = _overshoot(edges)
     above = float(np.median([edge.above for edge in edges]))
     tested = _correlation(edges)
@@ -106,11 +133,21 @@ def processing_findings(edges: Sequence[Evidence]) -> list[Finding]:
     numbers = {"overshoot": overshoot, "correlation": tested.correlation, "strength": tested.strength}
     size = f"{tested.correlation:.2g} ({abs(tested.strength):.0f} standard errors)"
     noise = f"noise of neighbours has the correlation {size}"
-    if overshoot > 0.0 or above > _EFFECT or (significant and tested.correlation < 0.0) or together:
+    negative = significant and tested.correlation < 0.0
+    if overshoot > 0.0 and not negative and not together and 2 * sum(edge.uneven for edge in edges) > len(edges):
+        text = (
+            f"the light near the edge differs from its trend by {100 * overshoot:.1f} % of the step: it is not "
+            "smooth, or the picture was sharpened"
+        )
+        return [Finding("uneven_light", "doubt", text, numbers)]
+    if overshoot > 0.0 or above > _EFFECT or negative or together:
         signs = [f"the profile overshoots by {100 * overshoot:.1f} % of the step"] * (overshoot > 0.0)
         signs += [f"the response exceeds 1 by {above:.2g}"] * (above > _EFFECT)
         signs += [f"the profile overshoots on both sides ({both:.0f} standard errors)"] * (together and not overshoot)
         signs += [noise] * (significant or together)
+        if compressed:
+            text = f"by compression, or the picture was sharpened before: {', '.join(signs)}"
+            return [Finding("correlated_noise", "doubt", text, numbers)]
         return [Finding("sharpened", "doubt", f"the picture was sharpened: {', '.join(signs)}", numbers)]
     if significant:
         text = f"{noise}: the picture was denoised, demosaiced, resized or compressed, which changes the response"
@@ -118,9 +155,7 @@ def processing_findings(edges: Sequence[Evidence]) -> list[Finding]:
     beside, expected = (sum(edge.beside[k] for edge in edges) for k in (0, 1))
     if beside > _BESIDE * expected:
         ratio = math.sqrt(beside / expected)
-        text = (
-            f"noise beside the edge is {ratio:.2g} times that of the areas, which were denoised: errors are too small"
-        )
+        text = f"noise beside the edge is {ratio:.2g} times that of the areas, which were denoised: errors contain it"
         return [Finding("correlated_noise", "doubt", text, {"ratio": ratio})]
     items = []
     if all(edge.untested for edge in edges):
@@ -253,7 +288,8 @@ def _correlation(edges: Sequence[Evidence]) -> _Correlation:
         for sign in (-2.0, 2.0)
         if radius <= _NARROW
     ]
-    correlation, strength = float(sizes[best] * np.exp(-0.5 / _RADII[best] ** 2)), float(sizes[best] / errors[best])
+    strength = float(sizes[best] / errors[best])
+    correlation = min(max(float(sizes[best] * np.exp(-0.5 / _RADII[best] ** 2)), -1.0), 1.0)
     return _Correlation(correlation, strength, float(np.median(relative)), max(hidden), float(pairs.sum()))
 
 
@@ -287,20 +323,3 @@ def _overshoot(edges: Sequence[Evidence]) -> tuple[float, float]:
     if sizes.min() > _BOTH or sizes.max() > _ONE:
         return float(sizes.max()), both
     return 0.0, both
-
-
-def _beside(edge: Edge) -> tuple[float, float]:
-    """Return the sum of squares of noise beside an edge, where its light changes little, and that of the areas."""
-    position, profile, counts, variances = edge.profile
-    inside = edge.used & (np.abs(edge.distance) <= edge.reach)
-    d, light = edge.distance[inside], edge.light[inside]
-    slopes = np.gradient(profile, position)
-    bins = np.floor(4.0 * (position - position[0])).astype(int)
-    total = np.bincount(bins, counts)
-    slope = (np.bincount(bins, counts * slopes) / np.maximum(total, 1.0))[bins]
-    near = (np.abs(position) < edge.width + 2.0) & (np.abs(slope) < _FLAT * np.abs(slope).max()) & (counts > 1)
-    index = np.searchsorted(0.5 * (position[1:] + position[:-1]), d)
-    off = np.square(light - profile[index] - slope[index] * (d - position[index]))
-    floor = (_UNEVEN * edge.step) ** 2  # of light that changes along the edge
-    expected = (counts - 1.0) * (counts * variances + floor)
-    return float(off[near[index]].sum()), float(expected[near].sum())

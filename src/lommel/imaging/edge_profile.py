@@ -32,7 +32,7 @@ _PLATEAU = 0.5  # fraction of the profile over which its window function is 1; i
 _FEW = 24  # least number of pixels of a side
 _FAR_OFF = 8.0  # mean absolute deviations of pixels of a side that are left out of its plane
 _TAIL = 0.35  # fraction of the profile beyond which its approach to the sides is fitted
-_HIDDEN = 1.5  # its ratio to the fitted light: halos of other edges, at two reaches, hide a part
+_UNSURE = 0.5  # relative error of the fitted light: other blurs, and halos of other edges, at two reaches
 _FAR = 0.6  # fraction of the profile beyond which pixels show the uniform sides
 _STEPS, _TERMS = 3, 4  # of the fit of the edge, and number of its Legendre polynomials
 SIGMA = 4.5
@@ -43,6 +43,7 @@ _REST = 3.0  # standard errors of the slope of both sides beside that of a trend
 _ALIKE = 4.0  # largest ratio of the quadratic fall-off of light across and along an edge
 MIN_TREND = 0.02
 """Smallest trend of the light over the picture, as a fraction, that is corrected: it changes responses by 0.007."""
+_GENTLE = 0.2  # slope beside an edge, of its largest, at which noise is measured
 _OUTLIER, _SLOPE, _LEAST = 6.0, 0.3, 0.02  # of outliers: standard deviations, pixels, fraction of the step
 
 
@@ -93,6 +94,26 @@ class Edge:
         dark, bright = self.variances
         share = np.clip((profile - self.levels[0]) / (self.levels[1] - self.levels[0]), 0.0, 1.0)
         return position, profile, counts, (dark + (bright - dark) * share) / counts
+
+    @cached_property
+    def beside(self) -> tuple[float, float, float]:
+        """Sums of squares of noise beside the edge, where light changes little, and by the sides; degrees of freedom.
+
+        Degrees of freedom are pixels less bins of the profile.
+        """
+        position, profile, counts, variances = self.profile
+        inside = self.used & (np.abs(self.distance) <= self.reach)
+        d, light = self.distance[inside], self.light[inside]
+        slopes = np.gradient(profile, position)
+        bins = np.floor(4.0 * (position - position[0])).astype(int)
+        total = np.bincount(bins, counts)
+        slope = (np.bincount(bins, counts * slopes) / np.maximum(total, 1.0))[bins]
+        near = (np.abs(position) < self.width + 2.0) & (np.abs(slope) < _GENTLE * np.abs(slope).max()) & (counts > 1)
+        index = np.searchsorted(0.5 * (position[1:] + position[:-1]), d)
+        off = np.square(light - profile[index] - slope[index] * (d - position[index]))
+        degrees = counts[near] - 1.0
+        white = degrees @ (counts[near] * variances[near])
+        return float(off[near[index]].sum()), float(white), float(degrees.sum())
 
 
 def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
@@ -167,7 +188,7 @@ def require_measurable(edge: Edge, pitch: float) -> None:
 def response(position: Array, profile: Array, variances: Array, most: float = 0.5) -> tuple[Array, Array]:
     """Return the response at frequencies from 0 to `most` cycles per pixel, and its standard errors.
 
-    Errors contain the noise and, by its size, the effect of the light beyond the profile.
+    The effect of the light beyond the profile, is estimated and subtracted; errors contain the noise and half of it.
     """
     reach, gaps, middle = float(np.abs(position).max()), np.diff(position), 0.5 * (position[1:] + position[:-1])
     window = _window(middle / reach)
@@ -187,8 +208,8 @@ def response(position: Array, profile: Array, variances: Array, most: float = 0.
     values: Array = np.abs(found) / abs(found[0])
     derivative -= np.outer(values, derivative[0])
     noise = np.sqrt(np.square(derivative) @ variances) / abs(found[0])
-    errors: Array = np.hypot(noise, _beyond(position, profile, variances, frequencies, values))
-    return values, errors
+    beyond, error = _beyond(position, profile, variances, frequencies, values)
+    return values - beyond, np.hypot(noise, error)
 
 
 def _window(share: Array) -> Array:
@@ -196,8 +217,10 @@ def _window(share: Array) -> Array:
     return np.asarray(np.sin(0.5 * math.pi * np.clip((1.0 - np.abs(share)) / (1.0 - _PLATEAU), 0.0, 1.0)) ** 2)
 
 
-def _beyond(position: Array, profile: Array, variances: Array, frequencies: Array, values: Array) -> Array:
-    """Return the change of the response by light that the window function hides, if it exceeds the noise.
+def _beyond(
+    position: Array, profile: Array, variances: Array, frequencies: Array, values: Array
+) -> tuple[Array, Array]:
+    """Return the change of the response by light that the window function hides, and its error.
 
     Line spread functions of apertures fall like a / distance^2, and the profile approaches its sides like a /
     distance; a is fitted to its outer parts.
@@ -207,7 +230,7 @@ def _beyond(position: Array, profile: Array, variances: Array, frequencies: Arra
     for sign in (-1.0, 1.0):
         outer = sign * position > _TAIL * reach
         if outer.sum() < _FEW:
-            return np.zeros_like(values)
+            return np.zeros_like(values), np.zeros_like(values)
         weights = 1.0 / np.maximum(variances[outer], 1e-12 * float(np.ptp(profile)) ** 2)
         inverse = 1.0 / position[outer]
         inverse -= weights @ inverse / weights.sum()
@@ -216,13 +239,15 @@ def _beyond(position: Array, profile: Array, variances: Array, frequencies: Arra
         errors.append(1.0 / square)
     step = float(np.median(profile[position > _TAIL * reach]) - np.median(profile[position < -_TAIL * reach]))
     size, error = -0.5 * sum(sizes) / step, 0.5 * math.sqrt(sum(errors)) / abs(step)
-    if size <= error:
-        return np.zeros_like(values)
+    if size <= 0.0:
+        return np.zeros_like(values), np.zeros_like(values)
+    size *= (likely := size**2 / (size**2 + error**2))
     x = np.linspace(_PLATEAU, 1.0, 65)
     weight = (1.0 - _window(x)) / np.square(x) * np.where((x == _PLATEAU) | (x == 1.0), 0.5, 1.0) * (x[1] - x[0])
     phase = 2.0 * math.pi * reach * frequencies
     lost = np.cos(np.outer(phase, x)) @ weight + np.cos(phase) - phase * (0.5 * math.pi - sici(phase)[0])
-    return np.asarray(_HIDDEN * 2.0 * size / reach * (values * lost[0] - lost))
+    change = 2.0 / reach * (values * lost[0] - lost)
+    return size * change, np.abs(change) * math.hypot(likely * error, _UNSURE * size)
 
 
 def _bin_profile(distance: Array, samples: Array) -> tuple[Array, Array, Array]:

@@ -16,8 +16,14 @@ from lommel.base.arrays import Array, Json, Numbers, numbers, plain
 from lommel.base.encoding import Encoding, checked, to_light
 from lommel.base.units import per_mm
 from lommel.fit.findings import Finding, Findings, Judged
-from lommel.imaging.edge_checks import compression_findings, edge_findings, require_one_colour
-from lommel.imaging.edge_noise import Areas, Evidence, evidence_of, processing_findings
+from lommel.imaging.edge_checks import (
+    compression_findings,
+    edge_findings,
+    require_one_colour,
+    require_order,
+    unless_brighter,
+)
+from lommel.imaging.edge_noise import Areas, Evidence, added_variance, evidence_of, processing_findings
 from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask, locate, require_measurable, response
 from lommel.recorded.counts import Counts, counts_of
 
@@ -32,6 +38,7 @@ _LEAST_SIDE = 20  # pixels
 _LARGEST_PIXEL = 0.1  # metres
 _PITCHES = {"R": 2.0, "G": math.sqrt(2.0), "B": 2.0}  # pixels, of the colours of a mosaic
 _COLOURS = {"R": "red", "G": "green", "B": "blue"}
+_ORDERS = ("RGGB", "BGGR", "GRBG", "GBRG")
 
 
 class _Plane(NamedTuple):
@@ -55,7 +62,7 @@ class EdgeResponse(Judged):
     values : ndarray
         Modulation at each frequency, 1 at frequency 0.
     errors : ndarray
-        Standard error of each value: noise of the picture, and the effect of the light beyond it, as estimated.
+        Standard error of each value: noise of the picture, and half of the correction for the light beyond it.
     angle : float
         Direction of the normal of the edge, radians from x (increasing columns) to y (increasing rows). The MTF of a
         lens in this direction is ``lm.mtf(pupil, f * cos(angle), f * sin(angle), pixel=pixel)``.
@@ -179,10 +186,10 @@ def sfr(
     -------
     EdgeResponse
         Response of optics, pixels and processing. Its values have three errors. The first is due to noise. The
-        second, below 0.001, is due to the fit of the line. The third is due to light that falls outside the picture:
-        values are too large by about its fraction. Diffraction alone spreads about 0.3 % of the light beyond 45
-        pixels if pixels are 2 lambda*N wide. `errors` contain the first and, extrapolated as line spread functions
-        of apertures fall, like 1 / distance^2, the third.
+        second, below 0.001, is due to the fit of the line. The third is due to light that falls outside the picture,
+        of which diffraction alone spreads about 0.3 % beyond 45 pixels if pixels are 2 lambda*N wide. It is
+        extrapolated as line spread functions of apertures fall, like 1 / distance^2, and values, which would be too
+        large by about its fraction, are corrected. `errors` contain the first, and half of the correction.
 
     Raises
     ------
@@ -216,9 +223,7 @@ def sfr(
     """
     side = pixel_pitch(pixel)
     counts = image_counts(image)
-    require_mosaic(mosaic, counts.shape)
-    if mosaic is None and len(counts.shape) == 2:
-        require_one_colour(counts.filled(), counts.known)
+    require_mosaic(mosaic, counts)
     return with_processing([edge_response(counts, side, checked(encoding), mosaic)])[0]
 
 
@@ -239,15 +244,19 @@ def pixel_pitch(pixel: float | None) -> float | None:
     return side
 
 
-def require_mosaic(mosaic: str | None, shape: tuple[int, ...]) -> None:
-    """Raise ValueError if the colours of a mosaic are unknown, or an image of this shape is none."""
+def require_mosaic(mosaic: str | None, counts: Counts, part: tuple[slice, ...] = ()) -> None:
+    """Raise ValueError if the colours of a mosaic are unknown or in another order, by a part of the image."""
+    is_plane = len(counts.shape) == 2
     if mosaic is None:
+        if is_plane:
+            require_one_colour(counts.filled()[part], counts.known[part])
         return
-    if not isinstance(mosaic, str) or sorted(mosaic) != ["B", "G", "G", "R"] or len(shape) != 2:
+    if not isinstance(mosaic, str) or mosaic not in _ORDERS or not is_plane:
         raise ValueError(
-            f"mosaic must have the letters R, G, G and B, such as 'RGGB', of an image (height, width), got "
-            f"{validation.shown(mosaic)} and an image {shape}"
+            f"mosaic must be {', '.join(_ORDERS[:-1])} or {_ORDERS[-1]}, of an image (height, width), got "
+            f"{validation.shown(mosaic)} and an image {counts.shape}"
         )
+    require_order(mosaic, counts.filled()[part], counts.known[part])
 
 
 def image_counts(image: ArrayLike | Counts) -> Counts:
@@ -294,15 +303,27 @@ def edge_response(
     return replace(found["green"], channels={name: found[name] for name in planes}), evidence
 
 
-def with_processing(edges: Sequence[tuple[EdgeResponse, dict[str, Evidence]]]) -> list[EdgeResponse]:
+def with_processing(
+    edges: Sequence[tuple[EdgeResponse, dict[str, Evidence]]], *, compressed: bool = False
+) -> list[EdgeResponse]:
     """Return the responses of the edges of a picture with the findings on sharpening and denoising of all of them."""
-    found = {name: processing_findings([evidence[name] for _, evidence in edges]) for name in edges[0][1]}
+    found, tops = {}, {}
+    compressed = compressed or any(finding.code == "compressed" for one, _ in edges for finding in one.findings)
+    for name in edges[0][1]:
+        evidence = [parts[name] for _, parts in edges]
+        found[name] = processing_findings(evidence, compressed=compressed)
+        tops[name] = max(one.top for one in evidence)
 
     def joined(one: EdgeResponse, name: str) -> EdgeResponse:
-        if any(finding.code == "sharpened" for finding in found[name]):  # which may look like another encoding
-            others = [finding for finding in one.findings if finding.code != "asymmetric"]
-        else:
-            others = [*one.findings]
+        processed = [part for part in found[name] if part.code in ("sharpened", "correlated_noise")]
+        # Sharpening, and the ripples of JPEG, may look like another encoding.
+        overshoots = any(part.code == "sharpened" or part.numbers.get("overshoot", 0.0) > 0.0 for part in processed)
+        others = [
+            kept
+            for finding in one.findings
+            if finding.code != "asymmetric" or not overshoots
+            for kept in unless_brighter(finding, tops[name], processed=compressed or bool(processed))
+        ]
         return replace(one, findings=Findings([*others, *found[name]]))
 
     responses = []
@@ -356,8 +377,8 @@ def _measured(
     upright = (light.T, stored.T, known.T) if horizontal else (light, stored, known)
     edge = locate(upright[0], upright[2], line)
     require_measurable(edge, pitch)
-    position, profile, _, variances = edge.profile
-    values, errors = response(position, profile, variances, 0.5 / pitch)
+    position, profile, counts, variances = edge.profile
+    values, errors = response(position, profile, variances + added_variance(edge) / counts, 0.5 / pitch)
     frequencies = np.linspace(0.0, 0.5 / pitch, values.size) / (pixel or 1.0)
     # The normal of the line x = start + slope y is along (1, -slope).
     angle = math.atan2(1.0, -edge.slope) if horizontal else math.atan2(-edge.slope, 1.0)

@@ -25,7 +25,7 @@ def largest(disc):
 
 def sizes_on_discs(piece, model):
     """Return the logarithm of what bounds all parts on each disc."""
-    points = piece.covered
+    points = piece.covered()
     t_s, t_p, _ = points.amplitudes
     c_i, c_s, g = points(LAYERS.immersion), points(LAYERS.sample), LAYERS.apodization(points.square)
     sine = np.sqrt(largest(points.square)) / LAYERS.sample
@@ -44,20 +44,20 @@ def sizes_on_discs(piece, model):
 def test_integrands_grow_on_each_ellipse_as_their_factors_do(kind):
     model, v, extra = Model(kind), 7.0, np.linspace(0.0, 1.0, 1024)
     for piece in debye.pieces(LAYERS, model):
-        root = np.sqrt(piece.covered.square.centre) / LAYERS.NA
-        radius = piece.covered.square.radius / LAYERS.NA**2
+        root = np.sqrt(piece.covered().square.centre) / LAYERS.NA
+        radius = piece.covered().square.radius / LAYERS.NA**2
         if isinstance(piece, debye.Centre):
-            height = np.abs(piece.covered.x.centre.imag) + piece.covered.x.radius
+            height = np.abs(piece.covered().x.centre.imag) + piece.covered().x.radius
         else:
             height = np.minimum(np.hypot(root.imag, np.sqrt(radius)), np.abs(root.imag) + radius / np.abs(root))
-        np.testing.assert_allclose(piece.covered.height, height, rtol=1e-6, atol=1e-12)
-        rates, waves = piece.covered.rates, []
+        np.testing.assert_allclose(piece.covered().height, height, rtol=1e-6, atol=1e-12)
+        rates, waves = piece.covered().rates, []
         for d, f in zip(DEPTH, FOCUS, strict=True):
             phase = sum(w * rate.centre.imag for w, rate in zip((1, d, f), rates, strict=True))
             waves.append(sum(abs(w) * rate.radius for w, rate in zip((1, d, f), rates, strict=True)) - phase)
         with np.errstate(all="ignore"):
             expected = (sizes_on_discs(piece, model) + np.max(waves, axis=0) + v * height + extra).max(axis=1)
-        found, analytic = piece.growth(model, DEPTH, FOCUS, v, factor=extra), piece.covered.analytic
+        found, analytic = piece.growth(model, DEPTH, FOCUS, v, factor=extra), piece.covered().analytic
         assert analytic.any()
         assert np.isinf(found[~analytic]).all()
         assert found[analytic] == pytest.approx(expected[analytic] + 1e-9, abs=3e-10)
@@ -71,7 +71,7 @@ def test_rules_and_slopes_have_the_errors_of_their_nodes_and_of_rounding():
     assert (rule.error - tol, rule.rounding) == pytest.approx((rounding, rounding), rel=1e-6, abs=0.0)
     found, expected, steep = debye.slope_errors(rule, LAYERS, model, d, f, v, tol), np.zeros(3), np.zeros(2)
     for piece, n in zip(sections, rule.counts, strict=True):
-        growth, points = piece.growth_on_best(model, d, f, v, 0.5 * tol), piece.covered
+        growth, points = piece.growth_on_best(model, d, f, v, 0.5 * tol), piece.covered()
         rho = np.sqrt(largest(points.square)) / LAYERS.NA
         factors = [one.max(axis=1) for one in (*map(largest, points.rates[1:]), rho)]
         log = growth + np.log(64 / 15 * 0.5 * (piece.high - piece.low) / (1 - np.exp(-2 * ETA)))
@@ -129,9 +129,9 @@ def test_series_of_amplitudes_have_the_errors_of_all_integrals(monkeypatch):
     rounding = rule(layers, model, d, f, v, tol, factor).rounding
     assert made.error == pytest.approx((degree + 2) * tol + 4 * rounding, rel=1e-12, abs=0.0)
     for piece in debye.pieces(layers, model):
-        z, r = piece.covered.square.centre / layers.NA**2, piece.covered.square.radius / layers.NA**2
+        z, r = piece.covered().square.centre / layers.NA**2, piece.covered().square.radius / layers.NA**2
         size, steep = np.abs(z) + np.abs(z - 1.0) + 2.0 * r, debye.steepest(layers, model)
-        rates = zip(piece.covered.rates[1:], layers.middle_rates(), steep, strict=True)
+        rates = zip(piece.covered().rates[1:], layers.middle_rates(), steep, strict=True)
         most = np.maximum(1.0, np.max([largest(rate - least) / top for rate, least, top in rates], axis=0))
         expected = np.log(most * (degree + 4)) + 0.5 * (degree + 3) * np.arccosh(np.maximum(size, 1.0))
         with np.errstate(all="ignore"):

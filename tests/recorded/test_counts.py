@@ -1,5 +1,8 @@
 """Counts: an array with noise, mask and saturation, read on demand."""
 
+import gc
+import weakref
+
 import numpy as np
 import pytest
 
@@ -74,6 +77,21 @@ def test_chunks_of_dask_are_not_computed_before_they_are_needed():
     assert not computed
     np.testing.assert_array_equal(counts[1].values, PLANES[1])
     assert len(computed) == 1
+
+
+def test_images_leave_memory_with_their_counts():
+    gc.disable()  # garbage of some bytes is collected rarely, whatever arrays it refers to
+    try:
+        counts = lm.Counts.of(PLANES, noise=NOISE)
+        part = counts[1:3]
+        assert part.saturation == counts.saturation == 4095
+        gone = weakref.ref(counts), weakref.ref(part)
+        del counts
+        assert part.full.sum() == 4
+        del part
+        assert [each() for each in gone] == [None, None]
+    finally:
+        gc.enable()
 
 
 def test_counts_carry_noise_mask_and_saturation_alone():

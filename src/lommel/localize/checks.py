@@ -40,6 +40,7 @@ from lommel.special import zernike
 TILTED = 5.0
 """Significance, in standard deviations, above which backgrounds count as tilted."""
 _MOLECULES = 1000  # number of molecules for the tests of noise, background and the rival
+_TOGETHER = 100  # molecules whose images and changes are in memory together
 _MIN_FRAMES, _RECURRING = 20, 0.3  # shortest movie for the test of recurring spots; fraction of frames with the spot
 _WIDEST, _PER_UNIT = 50, 100  # histogram of discrepancies: largest value, and number of bins per unit
 # Smallest plausible (pixel in the sample) / (Nyquist pixel): a smaller pixel was divided by the magnification twice.
@@ -604,11 +605,19 @@ def scored(
 
     Crowded molecules are left out. With `everything` they are not, and residuals are without slopes.
     """
+    chosen = tested(spots, molecules, table, everything=everything)
+    parts = (chosen[k : k + _TOGETHER] for k in range(0, chosen.size, _TOGETHER))
+    scores = [_score(spots, molecules, table, camera, changes, part, everything=everything) for part in parts]
+    return Score(*map(np.concatenate, zip(*scores, strict=True))) if scores else None
+
+
+def _score(
+    spots: Spots, molecules: Molecules, table: Table, camera: Noise, changes: ChangeImages | None,
+    chosen: NDArray[np.intp], *, everything: bool,
+) -> Score:  # fmt: skip
+    """Return the score of the molecules `chosen`, see :func:`scored`."""
     height, width = table.shape
     positions = np.column_stack([molecules.row, molecules.column]) - spots.corners
-    chosen = tested(spots, molecules, table, everything=everything)
-    if not chosen.size:
-        return None
     counts, read = in_electrons(spots.images[chosen], camera, spots.corners[chosen])
     places = positions[chosen, 0], positions[chosen, 1], molecules.z[chosen]
     values, derivatives = table(*places, derivatives=True)

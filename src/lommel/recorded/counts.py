@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, Protocol, Self
+from typing import Any, Protocol, Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -193,7 +193,7 @@ class Counts:
         else:
             part = _counts("array", self.values[index], mask, None, self.noise)
             part = replace(part, stated=self.stated, metadata=self.metadata)
-        vars(part)["_whole"] = self._whole
+        vars(part)["_source"] = self._whole
         return part
 
     def read(self) -> Counts:
@@ -211,10 +211,11 @@ class Counts:
     def full(self) -> NDArray[np.bool_]:  # noqa: D102
         return np.asarray((self.read().values >= self.saturation) & ~self.hidden)
 
-    @cached_property
+    @property
     def _whole(self) -> Counts:
         """All images, of which these may be some: the assumed saturation is that of all."""
-        return self
+        # Not cached: images that refer to themselves stay in memory until garbage is collected.
+        return cast(Counts, vars(self).get("_source", self))
 
     @cached_property
     def _limit(self) -> tuple[float, str]:

@@ -141,7 +141,7 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
     theta = np.linspace(0.0, 2.0 * np.pi, 201)[:, None]
     for piece in debye.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, debye.Model()):
         bound = projection.growth(piece, terms)
-        discs = piece.covered.x
+        discs = piece.covered().x
         for row, turn in ((3, 0.3), (12, -1.0), (20, 2.0), (20, 5.0)):
             x = discs.centre[row] + 0.999 * discs.radius[row] * np.exp(1j * turn)
             rho = np.sqrt(piece.square(x)) / piece.layers.NA

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 
 import mpmath as mp
 import numpy as np
@@ -178,7 +179,7 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
 @pytest.mark.parametrize(("of", "model"), [(OIL, VECTOR), (DRY, VECTOR), (TIRF, debye.Model("azimuthal"))])
 def test_the_discs_cover_each_ellipse(of, model):
     for piece in debye.pieces(of, model):
-        discs = piece.covered.x
+        discs = piece.covered().x
         half = 0.5 * (piece.high - piece.low)
         # The ends and the middles of the arcs, and near them.
         arc = 2 * np.pi * (np.arange(1024) + 0.5) / 1024
@@ -186,7 +187,13 @@ def test_the_discs_cover_each_ellipse(of, model):
             x = piece.low + half * (1 + np.cos(arc + offset + 1j * debye.ETA[:, None]))
             assert (np.abs(x - discs.centre) <= discs.radius).all()
             height = np.abs(np.sqrt(piece.square(x)).imag) / of.NA
-            assert (height <= piece.covered.height * (1 + 1e-12) + 1e-15).all()
+            assert (height <= piece.covered().height * (1 + 1e-12) + 1e-15).all()
+
+
+def test_the_discs_that_are_kept_take_little_memory():
+    (piece,) = [piece for piece in debye.pieces(COATED, VECTOR) if not piece.above]
+    covered, bound = debye.enclosed(piece, VECTOR, None)
+    assert len(pickle.dumps(covered)) < 25 * bound.nbytes
 
 
 def test_an_ellipse_round_the_branch_point_of_another_cosine_is_none():

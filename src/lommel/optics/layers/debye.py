@@ -29,7 +29,7 @@ import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.base.cached import cached_property
+from lommel.base.cached import cached_property, changed
 from lommel.optics.layers.stratified import Amplitudes, Layers, Values
 from lommel.special.disc_arithmetic import Disc, disc, windings
 from lommel.special.legendre import gauss_legendre
@@ -190,12 +190,9 @@ class Piece:
         half_length = 0.5 * (self.high - self.low)
         return np.asarray(self.low + half_length * (1.0 + np.cos(theta + 1j * eta[:, None])))
 
-    @cached_property
-    def covered(self) -> Points:
-        """Discs that cover all ellipses."""
-        return self._cover(ETA)
-
-    def _cover(self, eta: Array) -> Points:
+    def covered(self, rows: Rows = None) -> Points:
+        """Return discs that cover the ellipses with an index in `rows` (None: all)."""
+        eta = ETA if rows is None else ETA[list(rows)]
         step = 2.0 * math.pi / _ARCS
         theta = (np.arange(float(_ARCS)) + 0.5) * step
         # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta; its maximum along an arc is the radius of its disc.
@@ -310,7 +307,14 @@ Factor = Callable[[Piece], Array]
 @lru_cache(maxsize=32)
 def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[Points, Array]:
     """Return the discs of ellipses, and on each disc the log of a bound on the moduli of :meth:`Piece.parts`."""
-    points = piece.covered if rows is None else piece._cover(ETA[list(rows)])
+    points = piece.covered(rows)
+    bound = _bound(piece, model, points)
+    kept = changed(points, _cosines={}, height=points.height, analytic=points.analytic, rates=points.rates)
+    del vars(kept)["amplitudes"]  # like the cosines, most of the memory, and needed no more
+    return kept, bound
+
+
+def _bound(piece: Piece, model: Model, points: Points) -> Array:
     t_s, t_p, _ = points.amplitudes
     with np.errstate(all="ignore"):
         bound = np.log(piece.jacobian(points.x).largest)
@@ -320,14 +324,14 @@ def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[Points, Array]:
             g = piece.layers.apodization(points.square)
             bound += g.radius - g.centre.real
         if model.kind == "scalar":
-            return points, np.asarray(bound + math.log(2.0))
+            return np.asarray(bound + math.log(2.0))
         c_s = points(piece.layers.sample)
         sine = np.sqrt(points.square.largest) / piece.layers.sample
         if model.kind == "azimuthal":
-            return points, np.asarray(bound + np.log(2.0 * t_s.largest))
+            return np.asarray(bound + np.log(2.0 * t_s.largest))
         if model.kind == "radial":
-            return points, np.asarray(bound + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
-        return points, np.asarray(bound + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
+            return np.asarray(bound + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
+        return np.asarray(bound + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
 
 
 def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:

@@ -116,8 +116,8 @@ def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> 
 @lru_cache(maxsize=16)
 def growth(piece: Piece, terms: Sizes) -> Array:
     """Return the log of a bound on ``abs(exp(i W))`` at any azimuth, on each disc around a section."""
-    height = piece.covered.height
-    square = piece.covered.square * piece.layers.NA**-2
+    covered = piece.covered()
+    height, square = covered.height, covered.square * piece.layers.NA**-2
     root = np.sqrt(square.largest)
     total = np.zeros(height.shape)
     for (n, m), w in terms:
@@ -230,11 +230,11 @@ def _integrals(
     def growth(piece: Piece) -> Array:
         # R_n^m(rho) is a mean of Chebyshev polynomials U_n(rho cos(alpha)). Their moduli are at most
         # (n + 1) exp(n b) if rho lies within the Bernstein ellipse of parameter b.
-        square = piece.covered.square * layers.NA**-2
+        covered, _ = debye.enclosed(piece, model, None)
+        square = covered.square * layers.NA**-2
         size = np.abs(square.centre) + np.abs(square.centre - 1.0) + 2.0 * square.radius
         factors_on_discs = [
-            (rate - least).largest / most
-            for rate, least, most in zip(piece.covered.rates[1:], middle, steep, strict=True)
+            (rate - least).largest / most for rate, least, most in zip(covered.rates[1:], middle, steep, strict=True)
         ]
         log_bound = math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0))
         return np.asarray(log_bound + np.log(np.maximum(1.0, np.max(factors_on_discs, axis=0))))

@@ -137,8 +137,8 @@ def test_a_restoration_is_rejected_where_eight_hundredths_of_the_misfit_and_the_
 ):
     monkeypatch.setattr(restoration, "_is_overdone", lambda *_: overdone)
     monkeypatch.setattr(restoration, "_best_share", lambda *_: 0.25)
-    observed = SimpleNamespace(image=1, slack=0.05, mean=float)
-    observed.discrepancies_of = {1: before, 2: after}.get
+    observed = SimpleNamespace(image=1, slack=0.05, mean=float, before=before)
+    observed.discrepancies_of = {2: after}.get
     result = SimpleNamespace(light=2, stopped=stopped, steps=9, least_discrepancy=None)
     expected = (1.0, MISFIT) if rejected else (0.25 if before <= 1.0 else 0.0, stopped)
     assert restoration.check_result(observed, result, method) == expected

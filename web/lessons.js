@@ -182,7 +182,7 @@ const LESSONS = {
     title: "Depth from two pictures",
     text: `A lens blurs what is out of focus, by an amount that depends on its distance. One blurred picture does not give the distance,
       for the thing itself may be smooth. Two pictures of different focus do: the ratio of their contrasts depends on the distance,
-      not on the texture. Here a wall, a panel and two moving things are seen through a 35 mm lens, with the noise of light.`,
+      not on the texture. Here a wall with a picture, a book, a ball and a card, which moves, are seen through a 35 mm lens, with the noise of light.`,
     state: {},
     controls: [],
     shows: [],

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: fd297bfd3033fc0a4c1cb839fac62e3b8b5cb29545b00da903f0543844b96505
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 91b1b300d4d72d8995776bfbefe6051f0de55e03d7fa355f9b8df0dfc81c1554
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {
@@ -119,9 +119,9 @@ const swing = (n, period) => Math.sin((2 * Math.PI * n) / period);
 const LEVELS = Array.from({ length: 9 }, (_, k) => 1 / (1 / 1.25 + (k / 8) * (1 / 1.85 - 1 / 1.25)));
 const FAR = 1.92;
 const THINGS = [
-{ name: "panel", bright: 0.75, half: [38, 70], distances: [1.62], at: () => [66, 136] },
-{ name: "disk", bright: 1.3, half: [30, 30], round: true, distances: [1.33], at: (n) => [170 + Math.round(100 * swing(n, 300)), 62] },
-{ name: "card", bright: 1.25, half: [30, 26], distances: LEVELS, at: (n) => [212 + Math.round(50 * swing(n, 420)), 172], level: (n) => Math.round(4 - 4 * Math.cos((2 * Math.PI * n) / 360)) },
+{ name: "book", surface: book, half: [38, 66], distances: [1.62], at: () => [64, 140] },
+{ name: "ball", surface: football, half: [32, 32], round: true, distances: [1.33], at: (n) => [178 + Math.round(96 * swing(n, 300)), 92] },
+{ name: "card", surface: card, half: [25, 34], distances: LEVELS, at: (n) => [212 + Math.round(50 * swing(n, 420)), 176], level: (n) => Math.round(4 - 4 * Math.cos((2 * Math.PI * n) / 360)) },
 ];
 function scene(n) {
 const things = THINGS.map(({ name, half, round, distances, at, level }, index) => {
@@ -162,19 +162,60 @@ function summed(differences) {
 let [value, slope] = [0, 0];
 return differences.map((by) => (value = ((value + (slope += by)) << 16) >> 16));
 }
-function leaves(width, height) {
-const plane = new Float32Array(width * height).fill(1);
-const uniform = generator("leaves");
-for (let k = 0; k < 16_000; k++) {
+function wallpaper(x, y) {
+const [dx, dy] = [Math.abs(x - 14), y + 68];
+if (dx < 48 && Math.abs(dy) < 32) return dx > 44 || Math.abs(dy) > 28 ? 0.3 : landscape(x - 14, dy);
+const stripe = Math.abs(Math.floor(x / 20)) % 2;
+const from = Math.abs((((x / 20) % 1) + 1) % 1 - 0.5) + Math.abs((((y / 16 + 0.5 * stripe) % 1) + 1) % 1 - 0.5);
+return from > 0.14 && from < 0.3 ? 1.25 : 0.88 + 0.16 * stripe;
+}
+function landscape(x, y) {
+if (Math.hypot(x - 22, y + 14) < 6) return 1.7;
+if (y > 14 - 0.08 * x) return (x % 6) + 6 > 9 && y < 22 ? 0.25 : 0.6;
+const under = Math.max(24 - 0.9 * Math.abs(x + 16), 14 - 0.7 * Math.abs(x - 18)) + y - 8;
+return under < 0 ? 1.25 : under < 7 ? 1.65 : 0.55;
+}
+const TITLE = ["01110", "10001", "10001", "10001", "01110", "11110", "10001", "11110", "10000", "10000", "11111", "00100", "00100", "00100", "00100", "01110", "00100", "00100", "00100", "01110", "01111", "10000", "10000", "10000", "01111", "01111", "10000", "01110", "00001", "11110"];
+function book(x, y) {
+const [column, row] = [Math.floor((x + 30) / 1.7), Math.floor((y + 52) / 3)];
+if (Math.abs(x) < 33 && y > -58 && y < -30) {
+const letter = Math.floor(column / 6);
+const ink = row >= 0 && row < 5 && column >= 0 && letter < 6 && TITLE[5 * letter + row][column % 6] === "1";
+return ink ? 0.25 : 1.6;
+}
+const [line, at] = [Math.floor((y + 24) / 6), Math.floor((x + 30) / 2)];
+const inked = Math.abs(x) < 30 && line >= 0 && line < 13 && (y + 24) % 6 < 3.4 && Math.sin(12.9 * at + 78.2 * line) > -0.5 && (at + 3 * line) % 7 > 0;
+return inked ? 1.2 : 0.6;
+}
+const GOLDEN = (1 + Math.sqrt(5)) / 2;
+const PATCHES = [0, 1, 2].flatMap((turn) => [-1, 1].flatMap((a) => [-1, 1].map((b) => [0, 1, 2].map((k) => [0, a, b * GOLDEN][(k + turn) % 3] / Math.hypot(1, GOLDEN)))));
+function football(x, y) {
+const [p, q] = [x / 32, y / 32];
+const r = Math.sqrt(Math.max(0, 1 - p * p - q * q));
+const [u, v] = [0.9 * p - 0.44 * q, 0.44 * p + 0.9 * q];
+const along = PATCHES.map(([a, b, c]) => a * u + b * v + c * r).sort((one, other) => other - one);
+const seam = along[0] - along[1] > 0.02 && along[1] - along[2] > 0.02 ? 1.6 : 0.7;
+return (along[0] > 0.92 ? 0.2 : seam) * (0.55 + 0.5 * Math.max(0, r - 0.4 * p - 0.5 * q));
+}
+function card(x, y) {
+const pips = [[-12, -20], [12, -20], [0, 0], [-12, 20], [12, 20]];
+if (Math.abs(x) > 23 || Math.abs(y) > 32) return 0.9;
+return pips.some(([a, b]) => Math.abs(x - a) / 6 + Math.abs(y - b) / 9 < 1) ? 0.35 : 1.6;
+}
+function grains(side) {
+const plane = new Float32Array(side * side).fill(1);
+const uniform = generator("grain");
+for (let k = 0; k < 6000; k++) {
 const size = Math.min((2 * FINE) / Math.sqrt(uniform()), 40 * FINE);
 const [across, down] = [size * (0.4 + 1.2 * uniform()), size * (0.4 + 1.2 * uniform())];
-const [left, top] = [uniform() * (width + across) - across, uniform() * (height + down) - down];
-const value = 0.4 + 1.2 * uniform();
-for (let y = Math.max(0, Math.ceil(top)); y < Math.min(height, top + down); y++)
-plane.fill(value, y * width + Math.max(0, Math.ceil(left)), y * width + Math.max(0, Math.min(width, Math.ceil(left + across))));
+const [left, top] = [uniform() * (side + across) - across, uniform() * (side + down) - down];
+const value = 0.65 + 0.7 * uniform();
+for (let y = Math.max(0, Math.ceil(top)); y < Math.min(side, top + down); y++)
+plane.fill(value, y * side + Math.max(0, Math.ceil(left)), y * side + Math.max(0, Math.min(side, Math.ceil(left + across))));
 }
 return plane;
 }
+const GRAIN = 600; // points
 class Depths {
 constructor(core) {
 this.core = core;
@@ -234,21 +275,28 @@ out[i] = Math.max(0, electrons + Math.sqrt(electrons + CAMERA.read ** 2) * dice[
 }
 return out;
 }
+paint(surface, width, height, shift, seen) {
+const grain = (this.grain ??= grains(GRAIN));
+const plane = new Float32Array(width * height * FINE * FINE);
+for (let row = 0, i = 0; row < height * FINE; row++)
+for (let column = 0; column < width * FINE; column++, i++) {
+const [x, y] = [(column + 0.5) / FINE - width / 2, (row + 0.5) / FINE - height / 2];
+if (seen(x, y)) plane[i] = surface(x, y) * grain[((row + shift) % GRAIN) * GRAIN + ((column + 5 * shift) % GRAIN)];
+}
+return plane;
+}
+layers({ surface, half, round }, index) {
+const [across, down] = half.map((size) => 2 * (size + BESIDE));
+const light = this.paint(surface, across, down, 60 * (index + 1), (x, y) => covers(x, y, half, round));
+return { light, cover: light.map((value) => (value ? 1 : 0)), across, down };
+}
 render(fNumber) {
-const texture = (this.texture ??= leaves(ACROSS * FINE, DOWN * FINE));
+const [paper, ...painted] = (this.sharp ??= [this.paint(wallpaper, ACROSS, DOWN, 0, () => true), ...THINGS.map((thing, index) => this.layers(thing, index))]);
 return FOCI.map((focus) => {
 const lens = { focus, fNumber };
-const wall = this.blurred(texture, ACROSS, DOWN, this.spread(lens, FAR));
-const things = THINGS.map(({ bright, half, round, distances }, index) => {
-const [across, down] = half.map((size) => 2 * (size + BESIDE));
-const cover = new Float32Array(across * down * FINE * FINE);
-const light = cover.slice();
-for (let y = 0, i = 0; y < down * FINE; y++)
-for (let x = 0; x < across * FINE; x++, i++) {
-if (!covers((x + 0.5) / FINE - across / 2, (y + 0.5) / FINE - down / 2, half, round)) continue;
-cover[i] = 1;
-light[i] = bright * texture[(y + 60 * index) * ACROSS * FINE + x + 300 * (index + 1)];
-}
+const wall = this.blurred(paper, ACROSS, DOWN, this.spread(lens, FAR));
+const things = THINGS.map(({ distances }, index) => {
+const { light, cover, across, down } = painted[index];
 return distances.map((distance) => {
 const spread = this.spread(lens, distance);
 return { light: this.blurred(light, across, down, spread), cover: this.blurred(cover, across, down, spread) };
@@ -4429,7 +4477,7 @@ depth: {
 title: "Depth from two pictures",
 text: `A lens blurs what is out of focus, by an amount that depends on its distance. One blurred picture does not give the distance,
 for the thing itself may be smooth. Two pictures of different focus do: the ratio of their contrasts depends on the distance,
-not on the texture. Here a wall, a panel and two moving things are seen through a 35 mm lens, with the noise of light.`,
+not on the texture. Here a wall with a picture, a book, a ball and a card, which moves, are seen through a 35 mm lens, with the noise of light.`,
 state: {},
 controls: [],
 shows: [],

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lommel import Lens, Noise
-from lommel.deconvolve.algorithms import MISFIT, NOISE, STEPS, StoppingRule
+from lommel.deconvolve.algorithms import MISFIT, NOISE, STEPS, StoppingRule, is_misfit
 from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy
@@ -116,3 +116,17 @@ def test_a_run_is_no_misfit_while_more_steps_may_reach_the_noise(power: float, s
     falls = [0.95 + 0.05 * (k / 200.0) ** -power if power < 1.0 else 1.3 + (k / 4.0) ** -power for k in range(1, 100)]
     reasons = [course.judge(discrepancy) for discrepancy in [5.0, *falls]]
     assert next((why for why in reasons if why), None) == stopped
+
+
+@pytest.mark.parametrize(
+    ("last", "steps", "found"),
+    [
+        (1.30, 20, True),  # falls by 0.1 in a doubling: to 1.2 after 40 steps
+        (1.30, 160, False),  # to 1.0 after three doublings
+        (1.05, 20, False),
+    ],
+)
+def test_a_misfit_is_what_no_forecast_brings_to_the_noise(last, steps, found):
+    history = [5.0] * 10 + [1.4] * 10 + [last]
+    assert is_misfit(history, steps, 1.1) is found
+    assert not is_misfit(history[1:], steps, 1.1)  # too early to tell

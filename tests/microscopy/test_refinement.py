@@ -62,6 +62,12 @@ def test_what_is_wrong_is_among_the_psfs_that_are_named(stack, name, wrong, said
     assert any(each.startswith(said) for each in found)
 
 
+def test_reversed_planes_that_explain_the_misfit_are_named_alone(stack, monkeypatch):
+    monkeypatch.setattr(HeldOut, "score", lambda *_: pytest.fail("another PSF was tried"))
+    comparison = HeldOut(StackContext(stack[::-1], RIGHT, CAMERA, math.inf, 1), lambda *_: None)
+    assert comparison.alternatives(lambda *_: None, try_reversed=True) == ["planes in reverse order"]
+
+
 NOISE = lm.Noise(white=0.5, read=1.6, offset=100.0)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -75,6 +75,18 @@ class RichardsonLucy:
         validation.truth("accelerate", self.accelerate)
 
 
+def is_misfit(history: Sequence[float], steps: int, most: float) -> bool:
+    """Check whether the discrepancy after `steps` steps, by an optimistic forecast, exceeds `most`.
+
+    `history` has the discrepancy after each step so far; for the forecast see :class:`RichardsonLucy`.
+    """
+    step, discrepancy = len(history) - 1, history[-1]
+    if step < EARLIEST or discrepancy <= most:
+        return False
+    fall = history[step // 2] - discrepancy
+    return discrepancy - fall * max(math.log2(steps / step), 1.0) > most
+
+
 class StoppingRule:
     """Stopping criterion of Richardson-Lucy steps, with the history of discrepancies and the extrapolation factor.
 
@@ -100,11 +112,8 @@ class StoppingRule:
         # If a uniform scene already agrees with the image within the noise, no detail can be restored.
         if target > 0.0 and (discrepancy <= target or (step == 0 and discrepancy <= largest_fitting)):
             return NOISE
-        if target > 0.0 and step >= EARLIEST and discrepancy > largest_fitting:
-            # Optimistic forecast of the final discrepancy: see the docstring of RichardsonLucy.
-            fall = self._history[step // 2] - discrepancy
-            if discrepancy - fall * max(math.log2(self._method.steps / step), 1.0) > largest_fitting:
-                return MISFIT
+        if target > 0.0 and is_misfit(self._history, self._method.steps, largest_fitting):
+            return MISFIT
         return STEPS if step == self._method.steps else None
 
     def update_extrapolation(self, square: float, overlap: float) -> None:

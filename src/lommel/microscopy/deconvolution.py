@@ -118,7 +118,7 @@ class DeconvolveOptions(Options):
     diagnosis : bool, default True
         Whether to hold out some photons, to estimate the background and the number of steps and to compare PSFs for
         other sample indices in a part of the stack; and whether to compare more PSFs after a misfit. The computing
-        time increases by a factor of 1.1 to 1.3, or up to 1.8 after a misfit of a small stack.
+        time increases by a factor of 1.1 to 1.3, or up to 1.5 after a misfit of a small stack.
     memory : float, optional
         Limit of the memory in addition to input and output, bytes; by default 2 GiB. Without `out`, input in chunks
         is in memory as a whole. A chunk larger than an eighth of the limit is nevertheless read as a whole.

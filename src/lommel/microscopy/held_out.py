@@ -18,7 +18,7 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length
-from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
+from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, is_misfit, silent
 from lommel.deconvolve.iterations import Background, Iteration, State
 from lommel.deconvolve.likelihood import TINY, PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
@@ -41,16 +41,17 @@ _MAX_LOSS = 2.0  # accepted decrease of lnL (log likelihood), relative to the be
 _INDEX_STEP = 0.005  # tested change of the sample index
 _SIGNIFICANT, _MIN_GAIN = 3.0, 5.0  # least increase of lnL by a better PSF: standard errors, and absolute
 _USUAL_RUNS = 2.5  # typical number of deconvolutions
-# Alternatives after a misfit: a change of each parameter, and its name in words.
+# Alternatives after a misfit: a change of each parameter, and its name in words. Where the immersion has the larger
+# index, these changes of index, depth and step have similar images: a score of the first gives the sign of the rest.
 _ALTERNATIVES = {
     "sample": (6e-3, "index of the sample"),
     "NA": (0.02, "NA"),
-    "depth": (6e-7, "depth"),
+    "depth": (-6e-7, "depth"),
     "wavelength": (0.03, "wavelength"),
     "step": (0.03, "step of z"),
 }
 _FARTHEST = 0.25  # largest relative change of NA, wavelength and step: 525 nm is not light of 273 nm
-_REVERSED_STEPS = 10, 20  # iterations with reversed planes, and of these if the first ones agree better
+_REVERSED_STEPS = 5, 20  # iterations with reversed planes, and of these if the first ones agree better
 _SCORE_STEPS = 10  # steps that take as long as a score test, for the progress
 _MIN_EXPLAINED = 0.03  # least decrease of the deviance by a better PSF, as a fraction of its excess
 _COMPARABLE = 0.5  # PSFs whose decrease is at least this fraction of the largest decrease are reported, too
@@ -78,6 +79,7 @@ class _Half(PoissonLikelihood):
         self._validation = validation
         self._parts: dict[tuple[int, int, int], float] = {}  # loss in each part of a plane
         self.losses: list[float] = []
+        self._discrepancies: list[float] = []
         self.best = Best(math.inf, 0, 0.0, State(), self.losses)
 
     def _deviance_sums(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
@@ -94,13 +96,14 @@ class _Half(PoissonLikelihood):
             self._parts[plane, rows.start, columns.start] = self.white * float(loss.sum(dtype=np.float64))
         return sums
 
-    def is_past_best(self, step: int, iteration: Iteration) -> bool:
-        """Update the best iteration; return whether it was _PATIENCE or more iterations ago."""
+    def is_past_best(self, step: int, discrepancy: float, iteration: Iteration) -> bool:
+        """Update the best iteration; return whether it was _PATIENCE or more iterations ago, or none can fit."""
+        self._discrepancies.append(discrepancy)
         loss = math.fsum(self._parts.values())
         self.losses.append(loss)
         if loss < self.best.loss:
             self.best = Best(loss, step, float(self.background), iteration.state, self.losses)
-        return step - self.best.steps >= _PATIENCE
+        return step - self.best.steps >= _PATIENCE or is_misfit(self._discrepancies, _STEPS, 1.0 + self.slack)
 
 
 class Halves:
@@ -136,7 +139,7 @@ class Halves:
         half = _Half(recorded, validation, self.noise)
         iteration = Iteration(blur, half, background=background)
         iteration.start_from(start)
-        iteration.enough = lambda step, _: half.is_past_best(step, iteration)
+        iteration.enough = lambda step, discrepancy: half.is_past_best(step, discrepancy, iteration)
         iteration.solve(RichardsonLucy(steps=steps, target=0.0), progress)
         return half.best
 
@@ -233,6 +236,8 @@ class HeldOut(TrialDeconvolution):
         """
         if name not in self._scores:
             change, title = _ALTERNATIVES[name]
+            if (index := self._scores.get("sample")) is not None:
+                change = math.copysign(change, change * index.slope)
             self._work(f"held-out photons, another {title}", _SCORE_STEPS)
             found: list[Score] = []
             for step in (change, -change):
@@ -316,13 +321,17 @@ class HeldOut(TrialDeconvolution):
                 if other.losses[-1] > self.best.losses[min(len(other.losses), len(self.best.losses)) - 1]:
                     break
             decreases[label] = 2.0 * (self.best.loss - other.loss)
+        chi2 = self._tests.chi2
+        excess = (chi2 - 1.0) * self.known
+        # Reversed planes that explain most of the misfit are its cause: no other PSF is tried.
+        is_explained = max(decreases.values(), default=0.0) > _COMPARABLE * excess > 0.0
         for name, (_, title) in _ALTERNATIVES.items():
-            if (score := self.score(name)) is not None:
+            if not is_explained and (score := self.score(name)) is not None:
                 label = f"a {'smaller' if score.change < 0.0 else 'larger'} {title}"
                 value = _value_in_words(self._model, name, _start(self._model, name) + score.change)
                 decreases[f"{label} (about {value})"] = score.deviance
-        largest, chi2 = max(decreases.values(), default=0.0), self._tests.chi2
-        least = max(_SIGNIFICANT**2 * chi2, _MIN_EXPLAINED * (chi2 - 1.0) * self.known, _COMPARABLE * largest)
+        largest = max(decreases.values(), default=0.0)
+        least = max(_SIGNIFICANT**2 * chi2, _MIN_EXPLAINED * excess, _COMPARABLE * largest)
         return sorted((label for label in decreases if decreases[label] > least), key=lambda label: -decreases[label])
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -156,7 +156,6 @@ class Nyquist:
 
 _TOL = 1e-11  # tolerance of field integrals in searches of the focus
 _STEPS = 16  # steps of a search per depth of focus, see _depth_of_focus(), or laterally per 2 pi in v
-_PLANES = 256  # number of planes computed together, to limit the memory
 _DOUBLINGS = 6  # number of ranges that a search tries, each with a margin twice as large
 _ISOTROPIC_WEIGHTS = emitter_of("isotropic").light.shares  # weights of K0, K1, K2 for a freely rotating dipole
 _DISTANCE_MOST = 0.1  # largest working distance, metres
@@ -520,23 +519,33 @@ class _Axis:
         ends = np.array([low, high])
         self.rule = debye.rule(layers, Model(), np.full(2, depth), ends, 0.0, _TOL)
 
-    def derivatives(self, focus: Array) -> tuple[Array, Array, Array]:
-        """Return the intensity and its first two derivatives by the focus."""
+    def intensities(self, low: float, step: float, count: int) -> Array:
+        """Return the intensity at `count` stage positions, `step` metres apart, from `low` on."""
+        block = math.isqrt(count - 1) + 1
+        within, blocks = step * np.arange(block), low + step * block * np.arange(-(-count // block))
+        amplitudes, rate = self._waves
+        # exp(i (a + b) r) = exp(i a r) exp(i b r): all sums of two offsets by one product of matrices.
+        field = (amplitudes * np.exp(np.outer(blocks, rate))) @ np.exp(np.outer(rate, within))
+        return np.asarray(np.abs(field.ravel()[:count]) ** 2)
+
+    @cached_property
+    def _waves(self) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+        """Amplitudes of the waves at the focus 0, and i times the change of their phase by the focus."""
         constant, by_depth, by_focus = self.rule.rates
-        amplitudes = self.rule.parts[0] * np.exp(1j * (constant + self.depth * by_depth))
-        rate = 1j * by_focus
-        terms = np.stack([amplitudes, amplitudes * rate, amplitudes * rate**2], axis=1)
-        values = np.concatenate(
-            [np.exp(np.outer(part, rate)) @ terms for part in np.array_split(focus, -(-focus.size // _PLANES))]
-        )
-        # The results are abs(E)^2, 2 Re(conj(E) E') and 2 (abs(E')^2 + Re(conj(E) E'')).
-        field, first, second = values.T
-        slope = 2.0 * (field.conj() * first).real
-        return np.abs(field) ** 2, slope, 2.0 * (np.abs(first) ** 2 + (field.conj() * second).real)
+        return self.rule.parts[0] * np.exp(1j * (constant + self.depth * by_depth)), 1j * by_focus
+
+    def derivatives(self, focus: float) -> tuple[float, float, float]:
+        """Return the intensity and its first two derivatives by the focus, at one stage position."""
+        amplitudes, rate = self._waves
+        waves = amplitudes * np.exp(focus * rate)
+        field, first, second = (complex(each) for each in (waves.sum(), waves @ rate, waves @ rate**2))
+        # abs(E)^2, 2 Re(conj(E) E') and 2 (abs(E')^2 + Re(conj(E) E'')).
+        conjugate = field.conjugate()
+        return abs(field) ** 2, 2.0 * (conjugate * first).real, 2.0 * (abs(first) ** 2 + (conjugate * second).real)
 
     def at(self, focus: float) -> float:
         """Return the intensity at one stage position."""
-        return float(self.derivatives(np.array([focus]))[0][0])
+        return self.derivatives(focus)[0]
 
 
 def _depth_of_focus(layers: Layers) -> float:
@@ -564,8 +573,8 @@ def brightest(layers: Layers, depth: float) -> _Axial:
     for doubling in range(_DOUBLINGS):
         low, high = rays.min() - margin * 2**doubling, rays.max() + margin * 2**doubling
         axis = _Axis(layers, depth, low, high)
-        focus = np.linspace(low, high, math.ceil((high - low) / scale * _STEPS) + 1)
-        values = axis.derivatives(focus)[0]
+        focus, step = np.linspace(low, high, math.ceil((high - low) / scale * _STEPS) + 1, retstep=True)
+        values = axis.intensities(low, float(step), len(focus))
         brightest_index = int(values.argmax())
         below_half = np.flatnonzero(values < 0.5 * values[brightest_index])
         before, after = below_half[below_half < brightest_index], below_half[below_half > brightest_index]
@@ -575,7 +584,7 @@ def brightest(layers: Layers, depth: float) -> _Axial:
         raise ValueError(
             f"depth must be small enough for a focus that falls to half of its maximum on the axis, got {depth:g} m"
         )
-    position = _maximum(axis, focus[brightest_index], focus[1] - focus[0])
+    position = _maximum(axis, focus[brightest_index], float(step))
     peak = axis.at(position)
     low, high = (
         scipy.optimize.brentq(
@@ -603,7 +612,7 @@ def _maximum(axis: _Axis, start: float, step: float) -> float:
     """Return the position of the maximum within a step of `start`, by Newton's method for negative curvature."""
     position = start
     for _ in range(20):
-        _, slope, curvature = (float(part[0]) for part in axis.derivatives(np.array([position])))
+        _, slope, curvature = axis.derivatives(position)
         correction = -slope / curvature if curvature < 0.0 else math.copysign(0.1 * step, slope)
         previous, position = position, min(max(position + correction, start - step), start + step)
         if abs(position - previous) <= 1e-9 * step:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, nullcontext
 
 import numpy as np
 import pytest
 import tifffile
+import zarr
 
 from lommel.cli.deconvolve_command import StackCamera
 from lommel.microscopy import refinement
@@ -114,6 +117,29 @@ def test_json_and_zarr(run, files):
     assert channel["discrepancy"] < channel["before"]
     assert (channel["name"], channel["wavelength"]) == ("channel 0", pytest.approx(520e-9))
     assert (there / ".zattrs").exists()
+
+
+def test_a_cluster_gives_the_same_values(run, files, monkeypatch):
+    @contextmanager
+    def connected(address):
+        with nullcontext() if address is None else ThreadPoolExecutor(2) as client:
+            yield client
+
+    monkeypatch.setattr("lommel.cli.deconvolve_command.connected", connected)
+    words = ["stack.ome.tif", "lens.toml", *CAMERA, "--direction", "up"]
+    cluster = ["--client", "tcp://scheduler:8786"]
+    facts = []
+    for more in (["-o", "a.ome.zarr"], ["-o", "b.ome.zarr", *cluster]):
+        result = run(*words, "--json", *more)
+        assert result.stderr == ""
+        facts.append(json.loads(result.stdout) | {"seconds": 0.0, "files": []})
+    assert facts[0] == facts[1]
+    values = [zarr.open(str(files / name), mode="r")["0"][...] for name in ("a.ome.zarr", "b.ome.zarr")]
+    np.testing.assert_array_equal(*values)
+    for others in (["-o", "c.ome.tif"], ["-o", "c.ome.zarr", "-o", "c.ome.tif"]):
+        refused = run(*words, *others, *cluster)
+        assert refused.returncode == 2
+        assert "--client needs a single output, NAME.ome.zarr" in refused.stderr
 
 
 def test_total_variation_and_an_uneven_background_are_asked_for(run, files):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 
 import dask.array
 import numpy as np
@@ -10,6 +12,7 @@ import pytest
 import zarr
 
 import lommel as lm
+from lommel.base.executors import ExecutorError
 from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.microscopy import chunks as restored_chunks
 from objectives import OIL_60X
@@ -183,3 +186,67 @@ def test_given_steps_are_too_few_or_too_many_by_their_discrepancy():
         finding = restored_chunks._finding(counted, stopped, 400, 5.0, discrepancy, ())
         severities.append(finding and (finding.code, finding.severity))
     assert severities == [("not_settled", "error"), None, ("not_settled", "doubt"), None]
+
+
+class Pickling(ThreadPoolExecutor):
+    """Executor whose tasks and results are pickled, as those of processes are."""
+
+    tasks = 0
+
+    def submit(self, function, *task):
+        self.tasks += 1
+        data = pickle.dumps((function, task))
+        return super().submit(lambda: pickle.loads(pickle.dumps(_called(data))))
+
+
+def _called(data):
+    function, task = pickle.loads(data)
+    return function(*task)
+
+
+@pytest.mark.parametrize("is_lazy", [False, True])
+def test_chunks_of_workers_are_those_of_this_process(tmp_path, is_lazy):
+    loads = Counter()
+    stack = lazy(ONE, (1, 2, 16, 48), loads) if is_lazy else ONE
+    with Pickling(2) as client:
+        found, _ = restored(stack, tmp_path / "a.zarr", client=client)
+    assert client.tasks == 6
+    assert set(loads.values()) <= {1}
+    np.testing.assert_array_equal(found, restored(ONE, tmp_path / "b.zarr")[0])
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.zarr", "b.zarr"]
+
+
+def test_workers_need_an_output():
+    with Pickling() as client, pytest.raises(ValueError, match="client needs out="):
+        restored(ONE, client=client)
+
+
+@pytest.mark.filterwarnings("ignore::lommel.base.executors.Waiting")  # workers begin anew
+def test_workers_and_a_scheduler_that_are_killed_change_no_chunk(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    psutil = pytest.importorskip("psutil")
+    stack = np.random.default_rng(4).poisson(40.0, (4, 64, 64)).astype(np.uint16)
+    alone = np.asarray(deconvolved(stack, OIL_60X, out=tmp_path / "alone.zarr", **GIVEN))
+    kills = 0
+    cluster = distributed.LocalCluster(2, threads_per_worker=1, processes=True, dashboard_address=":0")
+    with cluster, distributed.Client(cluster) as client:
+
+        def kill(share, words):
+            nonlocal kills
+            if words in ("chunk 3 of 16", "chunk 8 of 16"):
+                processes = psutil.Process().children(recursive=True)
+                [each for each in processes if "spawn_main" in " ".join(each.cmdline())][-1].kill()
+                kills += 1
+
+        made = deconvolved(stack, OIL_60X, out=tmp_path / "a.zarr", client=client, progress=kill, **GIVEN)
+        assert kills == 2
+        np.testing.assert_array_equal(np.asarray(made), alone)
+
+        def close(share, words):
+            if words == "chunk 5 of 16":
+                cluster.close()
+
+        with pytest.raises(ExecutorError):
+            deconvolved(stack, OIL_60X, out=tmp_path / "b.zarr", client=client, progress=close, **GIVEN)
+    again = deconvolved(stack, OIL_60X, out=tmp_path / "b.zarr", **GIVEN)
+    np.testing.assert_array_equal(np.asarray(again), alone)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import errno
+import pickle
 from collections import Counter
 from dataclasses import replace
 from itertools import pairwise
+from pathlib import Path
 
 import dask.array as da
 import numpy as np
@@ -14,8 +16,9 @@ import tifffile
 import xarray
 import zarr
 
+from lommel.base.atomic import Unfinished
 from lommel.recorded import copies
-from lommel.recorded.frames import open_frames
+from lommel.recorded.frames import RecordingError, open_frames
 
 VALUES = np.random.default_rng(0).integers(0, 60000, (2, 3, 9, 20, 26)).astype(np.uint16)  # T, C, Z, Y, X
 LARGE = 2.0**20
@@ -42,7 +45,7 @@ def copied(source, place, memory=LARGE, **options):
     """Return all planes of the stacks of a source, and how these planes were read: whole, and in parts."""
     with (
         open_frames(source).as_channels(**options) as recording,
-        copies.local_stacks(recording, place, memory) as stacks,
+        copies.local_stacks(recording, place and Unfinished(place, place.parent, {}), memory) as stacks,
     ):
         whole = np.array([[stack[plane] for plane in range(len(stack))] for stack in stacks])
         for rows, columns in (
@@ -132,6 +135,21 @@ def test_an_array_in_memory_is_not_copied_beyond_the_limit():
         assert np.shares_memory(stack[3], values)
 
 
+@pytest.mark.parametrize("array", [VALUES, Counted((1, 1, 4, 20, 26))], ids=["in memory", "in chunks"])
+def test_workers_read_a_file_that_they_see(tmp_path, array):
+    unfinished = Unfinished(tmp_path / "out.zarr", tmp_path / "unfinished", {})
+    unfinished.scratch.mkdir()
+    with (
+        open_frames(array).as_channels(time=0, axes="TCZYX") as recording,
+        copies.local_stacks(recording, unfinished, LARGE, shared=True) as stacks,
+    ):
+        pickled = pickle.dumps(stacks[1])
+        assert len(pickled) < VALUES[0, 1].nbytes
+        np.testing.assert_array_equal(pickle.loads(pickled), VALUES[0, 1])
+    with pytest.raises(RecordingError, match=f"a worker does not see {tmp_path}: choose a folder"):
+        pickle.loads(pickled)
+
+
 def test_a_full_disk_names_the_output(tmp_path, monkeypatch):
     class Full:
         tell = close = lambda self: 0
@@ -139,7 +157,7 @@ def test_a_full_disk_names_the_output(tmp_path, monkeypatch):
         def write(self, data):
             raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(copies.tempfile, "TemporaryFile", lambda **_: Full())
+    monkeypatch.setattr(Path, "open", lambda *_: Full())
     with pytest.raises(OSError, match=r"No space left on device: '.*out\.zarr'"):
         copied(da.from_array(VALUES[0, 0]), tmp_path / "out.zarr")
 

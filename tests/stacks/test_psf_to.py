@@ -155,7 +155,7 @@ def test_a_cluster_without_workers_is_waited_for_with_a_warning(fate, tmp_path, 
 
 def test_the_end_of_a_real_scheduler_is_told(tmp_path, known):
     distributed = pytest.importorskip("distributed")
-    cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None)
+    cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0")
     cancelled = pytest.raises(RuntimeError, match="the client cancelled tasks")
     with cluster, distributed.Client(cluster) as client, cancelled:
         run(tmp_path / "a.zarr", client=client, progress=lambda *_: cluster.close())

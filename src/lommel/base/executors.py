@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from importlib import import_module
 from pathlib import Path
+from threading import Lock
 from typing import Any, Generic, TypeVar
 
 from lommel.base import validation
@@ -60,11 +61,15 @@ class _Call(Generic[_Result]):
 
 @dataclass(frozen=True)
 class Workers:
-    """The workers of a client: `executor` is None for threads of this process; `slots` tasks are queued."""
+    """The workers of a client: `executor` is None for threads of this process; `slots` tasks are queued.
+
+    A task that a worker computes alone may use as many as `threads`.
+    """
 
     executor: futures.Executor | None
     slots: int
     client: Any = None
+    threads: int = 1
 
     @classmethod
     def of(cls, client: Any, threads: int | None = None) -> Workers:
@@ -76,7 +81,8 @@ class Workers:
         if isinstance(client, futures.Executor):
             return cls(client, 2 * (os.cpu_count() or 1))
         if callable(getattr(client, "get_executor", None)):
-            return cls(client.get_executor(), 2 * max(1, sum(client.nthreads().values())), client)
+            threads_of = client.nthreads().values()
+            return cls(client.get_executor(), 2 * max(1, sum(threads_of)), client, min(threads_of, default=1))
         raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
     def run(
@@ -170,10 +176,20 @@ def unseen(place: Path) -> str:
 
 
 class Shared(Generic[_Value]):
-    """A value that tasks have in common: pickled once, and unpickled once by each process of workers."""
+    """A value that tasks have in common: pickled once, and unpickled once by each process that uses it.
+
+    The scheduler of a cluster passes it on as it is.
+    """
 
     def __init__(self, value: _Value) -> None:
         self.value = value
+
+    @cached_property
+    def value(self) -> _Value:
+        """The value."""
+        with _UNPICKLING:
+            value: _Value = _unpickled(self._pickled)
+            return value
 
     @cached_property
     def _pickled(self) -> bytes:
@@ -184,13 +200,16 @@ class Shared(Generic[_Value]):
         data: bytes = pickler.dumps(self.value)
         return data
 
-    def __reduce__(self) -> tuple[Callable[[bytes], Shared[Any]], tuple[bytes]]:
-        return _unpickled, (self._pickled,)
+    def __getstate__(self) -> dict[str, bytes]:
+        return {"_pickled": self._pickled}
+
+
+_UNPICKLING = Lock()
 
 
 @lru_cache(maxsize=2)
-def _unpickled(data: bytes) -> Shared[Any]:
-    return Shared(pickle.loads(data))
+def _unpickled(data: bytes) -> Any:
+    return pickle.loads(data)
 
 
 @contextmanager

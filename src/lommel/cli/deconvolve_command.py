@@ -12,8 +12,9 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base import validation
+from lommel.base.executors import connected
 from lommel.base.options import HIDDEN, In, Shown
-from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.command import CLIENT, OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraMaps, require_microscope, require_order
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_folder, save_figure, written
@@ -64,6 +65,7 @@ def deconvolve(
     *,
     outputs: Annotated[tuple[Path, ...], OUTPUT],
     figure: Annotated[Path | None, PLOT] = None,
+    client: Annotated[str | None, CLIENT] = None,
     psf: Annotated[Path | None, Shown(metavar="FILE")] = None,
     psf_pixel: Annotated[float | None, Shown(length="um")] = None,
     psf_step: Annotated[float | None, Shown(length="nm")] = None,
@@ -93,6 +95,9 @@ def deconvolve(
         Restored stack: .ome.tif or .tif, both OME-TIFF, or .ome.zarr; may be repeated.
     figure
         Figure of projections before and after, and of the residual: .png, .pdf or .svg.
+    client
+        Scheduler of a dask cluster whose workers restore the chunks of an output .ome.zarr, such as
+        tcp://host:8786; they must see STACK and the folder of the output under these paths.
     psf
         Measured PSF instead of that of LENS: a stack of one bead or many, as the camera recorded it, or a PSF, with
         the channels of STACK. Beads are found, registered and averaged, and the mean has the voxels of STACK.
@@ -154,9 +159,15 @@ def deconvolve(
         raise ValueError("--psf-pixel, --psf-step and --bead need --psf")
     noise = camera.noise()
     zarr_output = outputs[0] if len(outputs) == 1 and stack_files.kind_of(outputs[0]) == "zarr" else None
+    if client is not None and zarr_output is None:
+        raise ValueError("--client needs a single output, NAME.ome.zarr, which is written chunk by chunk")
     start = clock.perf_counter()
     try:
-        with progress("reading") as report_progress, open_frames(stack) as frames:
+        with (
+            progress("reading") as report_progress,
+            open_frames(stack) as frames,
+            connected(client) as cluster,
+        ):
             recording = frames.as_channels(time=time, axes=axes, series=True)
             beads: dict[str, Any] = {"microscope": microscope, "diameter": diameter}
             result = run(
@@ -172,6 +183,7 @@ def deconvolve(
                     options,
                     method=_method(algorithm, steps, strength),
                     out=zarr_output,
+                    client=cluster,
                     progress=lambda fraction, description: report_progress(description, fraction),
                 ),
                 mask=camera.mask_of(np.broadcast_to(False, recording.shape[-3:])),

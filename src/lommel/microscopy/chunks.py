@@ -4,24 +4,28 @@ from __future__ import annotations
 
 import math
 import time as clock
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import closing
 from dataclasses import dataclass
-from typing import NamedTuple
+from functools import partial
+from threading import Lock
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.deconvolve.algorithms import EARLIEST, STEPS, ProgressCallback, RichardsonLucy, TotalVariation
+from lommel.base.executors import Shared, Workers
+from lommel.deconvolve.algorithms import EARLIEST, STEPS, ProgressCallback, RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings, iteration_of
 from lommel.deconvolve.likelihood import PoissonLikelihood
-from lommel.deconvolve.linear import PlaneOperator, tiles_of
+from lommel.deconvolve.linear import PlaneOperator, Window, tiles_of
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import PSFs
 from lommel.microscopy.held_out import stopping_rule
 from lommel.microscopy.light_checks import Floor
 from lommel.microscopy.refinement import StackContext
-from lommel.microscopy.restored_stack import INTERRUPTED, MISFIT, ProjectionBuilder
+from lommel.microscopy.restored_stack import INTERRUPTED, MISFIT, Projected, ProjectionBuilder, projected
 from lommel.microscopy.store import Target
 from lommel.recorded.counts import Stack
 
@@ -86,47 +90,61 @@ def chunk_side(
     return side
 
 
-def restore_chunks(
-    context: StackContext,
-    course: Course,
-    target: Target,
-    place: tuple[int, ...],
-    request: str,
-    parts: tuple[ProjectionBuilder, Floor],
-    doubts: Sequence[str],
-    report: Report,
-) -> Outcome:
-    """Restore all chunks of a channel into `target` at `place`; add them to the projections and the floor.
+_Tile: TypeAlias = tuple[int, Window, Window, Window]
+"""Number of a chunk, its rows and columns, those with overlap, and its place in these."""
 
-    `request` is the checksum of all inputs; `doubts` are the codes of doubts about the stack.
-    """
-    stack, model, method = context.stack, context.model, course.method
-    planes, height, width = stack.shape
-    blurs: dict[tuple[int, int, int], PlaneOperator] = {}
-    sides = [math.ceil(pixels / math.ceil(pixels / course.side)) for pixels in (height, width)]
-    tiles = sorted(
-        tiles_of((height, width), sides, model.window[1]),
-        key=lambda tile: _distance_from_middle(tile[0], height, width),
-    )
-    # With several chunks, all start from the mean light of the whole stack.
-    mean_light = None if len(tiles) == 1 else _mean_light(context)
-    settings: list[StepSettings] | None = None
-    outcome = Outcome(np.zeros((height, width)) if course.background.points > 1 else 0.0)
-    for number, (tile, padded, inner) in enumerate(tiles):
-        chunk = np.s_[*place, :, *tile]
-        if number and target.has(request, chunk):
-            continue
+
+class _Restored(NamedTuple):
+    """A restored chunk; `finding` and `stopped` are those of a chunk whose settings the others repeat."""
+
+    values: Values
+    projected: Projected
+    deviances: tuple[float, float]  # means before and after
+    voxels: float
+    is_structured: bool
+    background: float | Array
+    settings: list[StepSettings]
+    steps: int
+    stopped: str
+    strength: float | None
+    finding: Finding | None
+
+
+class _Job:
+    """What all chunks of a channel have in common; a process restores one chunk at a time."""
+
+    def __init__(
+        self, context: StackContext, course: Course, mean_light: float | None, doubts: tuple[str, ...]
+    ) -> None:
+        self._given = context, course, mean_light, doubts
+        self._blurs: dict[tuple[int, int, int], PlaneOperator] = {}
+        self.lock = Lock()
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _Job, self._given
+
+    def restore(
+        self,
+        padded: Window,
+        inner: Window,
+        settings: list[StepSettings] | None,
+        report: ProgressCallback,
+        *,
+        may_interrupt: bool = False,
+    ) -> _Restored:
+        """Restore the rows and columns `padded`, and return its part `inner`; None for the settings of the first."""
+        context, course, mean_light, doubts = self._given
+        stack, model, method = context.stack, context.model, course.method
         counted = PoissonLikelihood(_load(stack, *padded), context.camera.part(*padded), context.saturation)
         counted.level = counted.level if mean_light is None else mean_light
-        size = (planes, *(part.stop - part.start for part in padded))
-        if size not in blurs:
-            blurs.clear()  # keep a single operator in memory
-            blurs[size] = model.blur(size, course.margin, course.psfs, threads=context.threads)
-        blur = blurs[size]
+        size = (stack.shape[0], *(part.stop - part.start for part in padded))
+        if size not in self._blurs:
+            self._blurs.clear()  # keep a single operator in memory
+            self._blurs[size] = model.blur(size, course.margin, course.psfs, threads=context.threads)
+        blur = self._blurs[size]
         if blur.outside is not None:
             blur.outside[...] = counted.level
-        if number == 0:
-            outcome.is_structured = counted.flat() > 1.0 + counted.slack
+        is_structured = settings is None and counted.flat() > 1.0 + counted.slack
         before = counted.mean(counted.discrepancies(blur, counted.scene(*course.margin)))
         iteration = iteration_of(
             method,
@@ -138,29 +156,99 @@ def restore_chunks(
             threads=context.threads,
         )
         iteration.enough = stopping_rule(method, course.best_steps, counted)
-        steps_at_most = method.steps if settings is None else len(settings)
-        progress = _ChunkProgress(report, number, len(tiles), steps_at_most, method.target > 0.0)
-        may_interrupt = len(tiles) == 1 and target.unfinished is None
-        count, stopped, discrepancies = _solve(iteration, method, progress, may_interrupt=may_interrupt)
-        after = counted.mean(discrepancies)
+        count, stopped, discrepancies = _solve(iteration, method, report, may_interrupt=may_interrupt)
+        after, finding = counted.mean(discrepancies), None
         if settings is None:
-            settings, outcome.steps, outcome.strength = iteration.course, count, iteration.strength
-            outcome.finding = _finding(counted, stopped, count, before, after, doubts)
-            outcome.stopped = _reason(outcome.finding, stopped)
-        if isinstance(outcome.background, np.ndarray):
-            outcome.background[tile] = np.asarray(counted.background)[inner]
-        elif number == 0:
-            outcome.background = counted.background
-        voxels = float(counted.known.sum())
-        outcome.deviance_after += after * voxels
-        outcome.deviance_before += before * voxels
-        outcome.voxels += voxels
-        restored = np.ascontiguousarray(iteration.inside(*course.margin)[:, *inner])
-        projections, floor = parts
-        floor.add(restored, *tile)
-        projections.add(*tile, (padded[0].start, padded[1].start), blur, counted, iteration.guess, restored)
-        # The target has the planes in the order of the recording.
-        target.put(request, chunk, restored[::-1] if model.is_reversed else restored)
+            finding = _finding(counted, stopped, count, before, after, doubts)
+        background = counted.background
+        return _Restored(
+            np.ascontiguousarray(iteration.inside(*course.margin)[:, *inner]),
+            projected(inner, blur, counted, iteration.guess),
+            (before, after),
+            float(counted.known.sum()),
+            is_structured,
+            np.asarray(background)[inner] if course.background.points > 1 else background,
+            iteration.course,
+            count,
+            _reason(finding, stopped),
+            iteration.strength,
+            finding,
+        )
+
+
+def _restored_by_worker(
+    job: Shared[_Job], settings: list[StepSettings] | None, _number: int, _tile: Window, padded: Window, inner: Window
+) -> _Restored:
+    """Restore a chunk where this is called: the memory of a process is that of one chunk at a time."""
+    with job.value.lock:
+        return job.value.restore(padded, inner, settings, silent)
+
+
+def restore_chunks(
+    context: StackContext,
+    course: Course,
+    target: Target,
+    place: tuple[int, ...],
+    request: str,
+    parts: tuple[ProjectionBuilder, Floor],
+    doubts: Sequence[str],
+    report: Report,
+    workers: Workers | None = None,
+) -> Outcome:
+    """Restore all chunks of a channel into `target` at `place`; add them to the projections and the floor.
+
+    `request` is the checksum of all inputs; `doubts` are the codes of doubts about the stack. The central chunk is
+    restored first; `workers` restore it, and then the others by its settings, which this process writes.
+    """
+    model, (_, height, width) = context.model, context.stack.shape
+    sides = [math.ceil(pixels / math.ceil(pixels / course.side)) for pixels in (height, width)]
+    tiles = sorted(
+        tiles_of((height, width), sides, model.window[1]),
+        key=lambda tile: _distance_from_middle(tile[0], height, width),
+    )
+    # With several chunks, all start from the mean light of the whole stack.
+    mean_light = None if len(tiles) == 1 else _mean_light(context)
+    there = context if workers is None else context._replace(threads=workers.threads)
+    job = _Job(there, course, mean_light, tuple(doubts))
+    outcome = Outcome(np.zeros((height, width)) if course.background.points > 1 else 0.0)
+    may_interrupt = len(tiles) == 1 and target.unfinished is None
+    shared = Shared(job)
+    settings: list[StepSettings] | None = None
+
+    def restored(tasks: Iterator[_Tile]) -> Generator[tuple[_Tile, _Restored]]:
+        if workers is not None:
+            yield from workers.run(partial(_restored_by_worker, shared, settings), tasks, ordered=True)
+            return
+        for number, tile, padded, inner in tasks:
+            steps = course.method.steps if settings is None else len(settings)
+            progress = _ChunkProgress(report, number, len(tiles), steps, course.method.target > 0.0)
+            found = job.restore(padded, inner, settings, progress, may_interrupt=may_interrupt)
+            yield (number, tile, padded, inner), found
+
+    todo = ((number, *tile) for number, tile in enumerate(tiles))
+    for tasks in (iter([next(todo)]), (task for task in todo if not target.has(request, np.s_[*place, :, *task[1]]))):
+        with closing(restored(tasks)) as results:
+            for (number, tile, _, _), found in results:
+                if settings is None:
+                    settings, outcome.steps, outcome.strength = found.settings, found.steps, found.strength
+                    outcome.finding, outcome.stopped = found.finding, found.stopped
+                    outcome.is_structured = found.is_structured
+                    if course.background.points <= 1:
+                        outcome.background = found.background
+                if isinstance(outcome.background, np.ndarray):
+                    outcome.background[tile] = found.background
+                before, after = found.deviances
+                outcome.deviance_after += after * found.voxels
+                outcome.deviance_before += before * found.voxels
+                outcome.voxels += found.voxels
+                projections, floor = parts
+                floor.add(found.values, *tile)
+                projections.add(*tile, found.projected, found.values)
+                # The target has the planes in the order of the recording.
+                values = found.values[::-1] if model.is_reversed else found.values
+                target.put(request, np.s_[*place, :, *tile], values)
+                if workers is not None:
+                    report((number + 1) / len(tiles), f"chunk {number + 1} of {len(tiles)}")
     return outcome
 
 

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.executors import Workers
 from lommel.base.options import HIDDEN, In, Options, Shown, listed
 from lommel.base.units import format_length, percent
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
@@ -129,6 +130,11 @@ class DeconvolveOptions(Options):
         only chunks that are missing, damaged, or of other data or arguments. Input in chunks (dask, Zarr, OME-Zarr,
         compressed TIFF) is read once, each chunk as a whole, to a temporary file of the uncompressed size in the
         folder of `out`.
+    client : distributed.Client or concurrent.futures.Executor, optional
+        Workers that restore the chunks, one at a time in each process, within `memory`; by default this process does.
+        It needs `out`, whose folder, and files of the recording, workers must see under the same path. Values are the
+        same, bit by bit; this process writes them. If the client ends, the call raises RuntimeError, and the same
+        call with a new client resumes.
     progress : callable, optional
         Called as ``progress(fraction, message)`` with the fraction of the work that is done, 0 to 1.
     """
@@ -147,6 +153,7 @@ class DeconvolveOptions(Options):
         None
     )
     out: Annotated[str | PathLike[str] | None, HIDDEN] = None
+    client: Annotated[Any, HIDDEN] = None
     progress: Annotated[Report | None, HIDDEN] = None
 
 
@@ -260,6 +267,9 @@ def run(
 ) -> RestoredStack:
     """Deconvolve a stack: see :func:`deconvolve`; masked voxels are left out."""
     tuning = tuning or Tuning()
+    workers = None if options.client is None else Workers.of(options.client)
+    if workers is not None and options.out is None:
+        raise ValueError("client needs out=, a folder that this process and the workers see")
     header: Metadata = {}
     if isinstance(stack, Counts):
         if noise is not None:
@@ -287,15 +297,15 @@ def run(
         target = cleanup.enter_context(destination(options.out, recording.shape, used))
         report = options.progress or silent
         report(0.0, "reading the stack")
-        place = None if target.unfinished is None else target.unfinished.place
-        memory = _MEMORY if options.memory is None else options.memory
+        at_once = _READ_SHARE * (_MEMORY if options.memory is None else options.memory)
         results: list[RestoredChannel] = []
         shared = [_Shared(options.direction, noise) for _ in names]
         parts, total = itertools.product(range(len(moments)), range(len(names))), len(moments) * len(names)
         for k, (moment, number) in enumerate(parts):
             if number == 0:  # the channels of a time point are read together, and those of the last one released
                 reading = cleanup.enter_context(ExitStack())
-                stacks = reading.enter_context(local_stacks(moments[moment], place, memory * _READ_SHARE))
+                copied = local_stacks(moments[moment], target.unfinished, at_once, shared=workers is not None)
+                stacks = reading.enter_context(copied)
             model = found.models[number]
             remarks = Remarks(notes if k == 0 else [])  # only the first channel adds notes
             if isinstance(model, GivenPSF):
@@ -319,6 +329,7 @@ def run(
                 (moment, number) if series else (number,),
                 found.pixel_doubt,
                 shared[number],
+                workers,
                 _within(report, k / total, (k + 1) / total, label),
             )
             results.append(replace(result, projections=results[number].projections) if moment else result)
@@ -403,6 +414,7 @@ def _restored(
     place: tuple[int, ...],
     pixel_doubt: str,
     shared: _Shared,
+    workers: Workers | None,
     report: Report,
 ) -> RestoredChannel:
     """Restore a prepared channel: orient, solve, check."""
@@ -446,7 +458,7 @@ def _restored(
     projections, floor = ProjectionBuilder((shape[0], shape[1], shape[2])), Floor()
     request = "" if target.unfinished is None else _request(context, course, options)
     parts = projections, floor
-    outcome = restore_chunks(context, course, target, place, request, parts, remarks.doubts, report_chunks)
+    outcome = restore_chunks(context, course, target, place, request, parts, remarks.doubts, report_chunks, workers)
     if background.level is None:
         low, high = float(np.min(outcome.background)), float(np.max(outcome.background))
         text = f"A flat background of {low:.4g}" if low == high else f"A background of {low:.4g} to {high:.4g}"

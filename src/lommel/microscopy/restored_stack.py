@@ -213,6 +213,44 @@ def blank(shape: tuple[int, int, int]) -> Projections:
     return Projections(recorded, restored, residual)
 
 
+class Projected(NamedTuple):
+    """Sums of residuals, numbers of voxels, and maxima of counts of a chunk, along z and along y."""
+
+    along_z: Values
+    along_y: Values
+
+
+def projected(
+    inner: tuple[slice, slice], blur: PlaneOperator, counted: PoissonLikelihood, light: Values
+) -> Projected:
+    """Project the rows and columns `inner` of a chunk whose restored light is given."""
+    y_offset, x_offset = (pixels.start for pixels in inner)
+    height, width = (pixels.stop - pixels.start for pixels in inner)
+    along_z = np.zeros((3, height, width), np.float32)
+    along_y = np.zeros((3, blur.shape[0], width), np.float32)
+    lock = Lock()
+
+    def compare(plane: int, y: slice, x: slice, model: Values) -> None:
+        counts, residuals, scale = counted.whitened(plane, y, x, model)
+        top, left = y.start - y_offset, x.start - x_offset
+        inside = np.s_[max(-top, 0) : max(height - top, 0), max(-left, 0) : max(width - left, 0)]
+        counts, residuals, weights = counts[inside], residuals[inside], scale[inside] > 0.0
+        rows_at = slice(max(top, 0), max(top, 0) + len(residuals))
+        target = rows_at, slice(max(left, 0), max(left, 0) + residuals.shape[1])
+        with lock:
+            sums, voxels, maxima = (part[target] for part in along_z)
+            sums += residuals
+            voxels += weights
+            np.maximum(maxima, counts, out=maxima)
+            part = along_y[:, plane, target[1]]
+            part[0] += residuals.sum(axis=0)
+            part[1] += weights.sum(axis=0)
+            np.maximum(part[2], counts.max(axis=0, initial=0.0), out=part[2])
+
+    blur.forward(light, compare)
+    return Projected(along_z, along_y)
+
+
 class ProjectionBuilder:
     """Builder of the projections of a stack, chunk by chunk."""
 
@@ -220,40 +258,9 @@ class ProjectionBuilder:
         self._projections = blank(shape)
         self._voxels = np.zeros((shape[0], shape[2]), np.float32)  # numbers of voxels summed along y
 
-    def add(
-        self,
-        rows: slice,
-        columns: slice,
-        corner: tuple[int, int],
-        blur: PlaneOperator,
-        counted: PoissonLikelihood,
-        light: Values,
-        restored: Values,
-    ) -> None:
-        """Add a chunk, `restored` at `rows` and `columns`; `corner`: first row and column of its blurred part."""
-        y_offset, x_offset = (pixels.start - start for pixels, start in zip((rows, columns), corner, strict=True))
-        height, width = rows.stop - rows.start, columns.stop - columns.start
-        sums, voxels, maxima = (np.zeros((height, width), np.float32) for _ in range(3))
-        along_y = np.zeros((3, len(restored), width), np.float32)  # sums, numbers of voxels, maxima
-        lock = Lock()
-
-        def compare(plane: int, y: slice, x: slice, model: Values) -> None:
-            counts, residuals, scale = counted.whitened(plane, y, x, model)
-            top, left = y.start - y_offset, x.start - x_offset
-            inner = np.s_[max(-top, 0) : max(height - top, 0), max(-left, 0) : max(width - left, 0)]
-            counts, residuals, weights = counts[inner], residuals[inner], scale[inner] > 0.0
-            rows_at = slice(max(top, 0), max(top, 0) + len(residuals))
-            target = rows_at, slice(max(left, 0), max(left, 0) + residuals.shape[1])
-            with lock:
-                sums[target] += residuals
-                voxels[target] += weights
-                np.maximum(maxima[target], counts, out=maxima[target])
-                part = along_y[:, plane, target[1]]
-                part[0] += residuals.sum(axis=0)
-                part[1] += weights.sum(axis=0)
-                np.maximum(part[2], counts.max(axis=0, initial=0.0), out=part[2])
-
-        blur.forward(light, compare)
+    def add(self, rows: slice, columns: slice, chunk: Projected, restored: Values) -> None:
+        """Add a chunk, `restored` at `rows` and `columns`."""
+        (sums, voxels, maxima), along_y = chunk
         recorded, after, residual = self._projections
         recorded[0][rows, columns] = np.where(voxels > 0.0, maxima, np.float32(np.nan))
         after[0][rows, columns] = restored.max(axis=0)

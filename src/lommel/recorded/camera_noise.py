@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import product
+from typing import Any
 
 import numpy as np
 import scipy
@@ -168,6 +169,15 @@ class StackView:
         self.limit = min(limit, float(largest)) if is_integer else limit
         # The largest integer of 64 bits is not a float: as one it would be too large.
         self._unknown = self.dtype.type(min(math.ceil(self.limit), largest) if is_integer else math.nan)
+
+    def __getstate__(self) -> dict[str, object]:
+        # Axes along which the mask is broadcast would be written out.
+        once = tuple(slice(0, 1) if step == 0 else slice(None) for step in self._mask.strides)
+        return vars(self) | {"_mask": self._mask[once]}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        self._mask = np.broadcast_to(self._mask, self.shape)
 
     def __len__(self) -> int:
         return int(self.shape[0])

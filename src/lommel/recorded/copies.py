@@ -4,65 +4,75 @@ from __future__ import annotations
 
 import itertools
 import math
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from threading import Lock
 from typing import Any, BinaryIO
 
 import numpy as np
 
-from lommel.base import atomic
+from lommel.base import atomic, executors
 from lommel.base.arrays import Values
+from lommel.base.atomic import Unfinished
 from lommel.recorded.counts import PlanePart, Stack
-from lommel.recorded.frames import Frames
+from lommel.recorded.frames import Frames, RecordingError
 
 _BLOCK_BYTES = 2**28  # largest size of a part that is read together
 
 
 @contextmanager
-def local_stacks(frames: Frames, place: Path | None, memory: float) -> Iterator[Sequence[Stack]]:
+def local_stacks(
+    frames: Frames, unfinished: Unfinished | None, memory: float, *, shared: bool = False
+) -> Iterator[Sequence[Stack]]:
     """Yield the channels of images along C, Z, Y, X; reading the planes of these stacks loads no chunk again.
 
-    Chunks are copied to memory or, for an output in the folder `place`, to a temporary file beside it, which is
-    removed at the end. As many chunks are read together as fit into `memory` bytes, and at least one. Images that are
-    not stored in chunks are copied to memory if they fit into `memory` bytes together, else read on demand.
+    Chunks are copied to memory or, for an output in an `unfinished` folder, to a file in it, which is removed at the
+    end. As many chunks are read together as fit into `memory` bytes, and at least one. Images that are not stored in
+    chunks are copied to memory if they fit into `memory` bytes together, else read on demand. If the stacks are
+    `shared` with workers, which read files, arrays in memory are copied to the file, too.
     """
-    shape = frames.shape
-    if not frames.planes.chunk_sizes and math.prod(shape) * frames.dtype.itemsize <= memory:
+    shape, chunked = frames.shape, bool(frames.planes.chunk_sizes)
+    if unfinished is not None and (chunked or (shared and frames.planes.source is None)):
+        place = unfinished.place
+        with atomic.scratch_folder(unfinished.scratch) as folder:
+            path = folder / "planes"
+            stacks = [_FileStack(path, shape[1:], frames.dtype) for _ in range(shape[0])]
+            with atomic.closed(lambda: path.open("wb"), place) as file:
+                for channel, plane, rows, columns, part in _parts(frames, memory) if chunked else _planes(frames):
+                    with atomic.as_path_error(place):
+                        stacks[channel].append(file, plane, rows, columns, part)
+            yield stacks
+    elif not chunked and not shared and math.prod(shape) * frames.dtype.itemsize <= memory:
         yield list(frames[...])
-    elif not frames.planes.chunk_sizes:
+    elif not chunked:
         yield [frames.one_of("C", channel) for channel in range(shape[0])]
-    elif place is None:
+    else:
         values = np.empty(shape, frames.dtype)
         for channel, plane, rows, columns, part in _parts(frames, memory):
             values[channel, plane, rows, columns] = part
         yield list(values)
-    else:
-        with atomic.closed(lambda: tempfile.TemporaryFile(dir=place.parent), place) as file:
-            stacks = [_FileStack(file, Lock(), shape[1:], frames.dtype) for _ in range(shape[0])]
-            for channel, plane, rows, columns, part in _parts(frames, memory):
-                with atomic.as_path_error(place):
-                    stacks[channel].append(plane, rows, columns, part)
-            yield stacks
 
 
 class _FileStack:
     """A stack whose planes are in a file, in the parts in which they were read."""
 
-    def __init__(self, file: BinaryIO, lock: Lock, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
-        self._file, self._lock, self.shape, self.dtype = file, lock, shape, dtype
+    def __init__(self, path: Path, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+        self._path, self.shape, self.dtype = path, shape, dtype
         # Rows, columns, and position in the file, of the parts of each plane.
         self._parts: list[list[tuple[slice, slice, int]]] = [[] for _ in range(shape[0])]
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        if not self._path.is_file():
+            raise RecordingError(executors.unseen(self._path.parents[2]))
 
     def __len__(self) -> int:
         return self.shape[0]
 
-    def append(self, plane: int, rows: slice, columns: slice, values: Values) -> None:
+    def append(self, file: BinaryIO, plane: int, rows: slice, columns: slice, values: Values) -> None:
         """Write a part of a plane at the end of the file."""
-        self._parts[plane].append((rows, columns, self._file.tell()))
-        self._file.write(np.ascontiguousarray(values).data)
+        self._parts[plane].append((rows, columns, file.tell()))
+        file.write(np.ascontiguousarray(values).data)
 
     def __getitem__(self, index: PlanePart) -> Values:
         plane, *slices = index if isinstance(index, tuple) else (index,)
@@ -71,18 +81,25 @@ class _FileStack:
             for part, side in zip((*slices, slice(None), slice(None)), self.shape[1:], strict=False)
         )
         values = np.empty((bottom - top, right - left), self.dtype)
-        for rows, columns, position in self._parts[plane]:
-            first, end = max(rows.start, top), min(rows.stop, bottom)
-            start, stop = max(columns.start, left), min(columns.stop, right)
-            if first < end and start < stop:
-                width = columns.stop - columns.start
-                with self._lock:
-                    self._file.seek(position + (first - rows.start) * width * self.dtype.itemsize)
-                    data = self._file.read((end - first) * width * self.dtype.itemsize)
-                part = np.frombuffer(data, self.dtype).reshape(-1, width)
-                inner = part[:, start - columns.start : stop - columns.start]
-                values[first - top : end - top, start - left : stop - left] = inner
+        with self._path.open("rb") as file:
+            for rows, columns, position in self._parts[plane]:
+                first, end = max(rows.start, top), min(rows.stop, bottom)
+                start, stop = max(columns.start, left), min(columns.stop, right)
+                if first < end and start < stop:
+                    width = columns.stop - columns.start
+                    file.seek(position + (first - rows.start) * width * self.dtype.itemsize)
+                    data = file.read((end - first) * width * self.dtype.itemsize)
+                    part = np.frombuffer(data, self.dtype).reshape(-1, width)
+                    inner = part[:, start - columns.start : stop - columns.start]
+                    values[first - top : end - top, start - left : stop - left] = inner
         return values
+
+
+def _planes(frames: Frames) -> Iterator[tuple[int, int, slice, slice, Values]]:
+    """Yield channel, plane, rows, columns and values of all planes."""
+    rows, columns = (slice(0, side) for side in frames.planes.sides)
+    for channel, plane in np.ndindex(frames.shape[:2]):
+        yield channel, plane, rows, columns, frames[channel, plane]
 
 
 def _parts(frames: Frames, memory: float) -> Iterator[tuple[int, int, slice, slice, Values]]:

@@ -161,7 +161,7 @@ def test_workers_and_a_scheduler_that_are_killed_change_no_picture(files, monkey
     draw = random.Random(5)
     monkeypatch.setattr(sys.modules[__name__], "LENSES", replace(LENSES, f_number=8.0))
     made = rendered(files, copies=30, workers=1 + (os.cpu_count() or 1))  # one thread for each picture
-    cluster = distributed.LocalCluster(2, threads_per_worker=1, processes=True, dashboard_address=":0")
+    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0")
     with cluster, distributed.Client(cluster) as client:
         pictures = render_dataset(
             files / "photos", files / "depths", files / "other", LENSES, seed=3, copies=30, client=client

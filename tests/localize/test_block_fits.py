@@ -149,7 +149,7 @@ def test_workers_and_a_scheduler_that_are_killed_change_nothing(movie, table, tm
     long = np.concatenate([movie] * 8)
     tifffile.imwrite(tmp_path / "movie.tif", long, photometric="minisblack")
     draw, kills = random.Random(3), 0
-    cluster = distributed.LocalCluster(2, threads_per_worker=1, processes=True, dashboard_address=":0")
+    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0")
     with cluster, distributed.Client(cluster) as client:
 
         def kill(count: int, _: int) -> None:

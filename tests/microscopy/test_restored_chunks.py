@@ -228,7 +228,7 @@ def test_workers_and_a_scheduler_that_are_killed_change_no_chunk(tmp_path):
     stack = np.random.default_rng(4).poisson(40.0, (4, 64, 64)).astype(np.uint16)
     alone = np.asarray(deconvolved(stack, OIL_60X, out=tmp_path / "alone.zarr", **GIVEN))
     kills = 0
-    cluster = distributed.LocalCluster(2, threads_per_worker=1, processes=True, dashboard_address=":0")
+    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0")
     with cluster, distributed.Client(cluster) as client:
 
         def kill(share, words):

@@ -26,6 +26,7 @@ _PERSISTENT = 8.0  # least mean excess of a hot pixel over the median of its nei
 _MOSTLY = 0.75  # least fraction of the planes in which a hot pixel exceeds the median of its neighbours
 _MIN_ABOVE = 0.6  # least fraction of the planes in which a hot pixel exceeds all neighbours, unless _BUT_ONE applies
 _BUT_ONE = 0.5  # least mean excess over all neighbours but one, relative to the mean excess over their median
+_BAND = 64  # rows of a plane that are compared together
 _PLANES_COMPARED = 32  # largest number of planes that are compared, evenly spaced
 _MIN_PLANES = 5  # smallest number of planes in which hot pixels are detected
 _PASSES = 3  # largest number of passes, each without the hot pixels found before
@@ -93,19 +94,28 @@ def _further_hot_pixels(
         height, width = electrons.shape
         # Two pixels, for the neighbours at twice the distance.
         padded = np.pad(electrons, 2, mode="reflect")
-        shifted = {(y, x): padded[2 + y : 2 + y + height, 2 + x : 2 + x + width] for y, x in _NEIGHBOURS + _FARTHER}
-        near = np.sort([shifted[place] for place in _NEIGHBOURS], axis=0)
-        median = 0.5 * (near[3] + near[4])
-        # The variance of the median of eight values is about a fifth of the variance of one value.
-        sigma = np.sqrt(1.2 * (np.maximum(median, 1.0) + np.asarray(noise.read) ** 2))
-        # Medians, because one of the neighbours may be hot, too.
-        sides, farther = (np.median([shifted[place] for place in places], axis=0) for places in (_SIDES, _FARTHER))
-        for values, sums in (
-            ((electrons - median) / sigma, total), (electrons - sides, steps), (sides - farther, far_steps),
-            (1.0, counts), (electrons > median, positive), (electrons > near[-1], above),
-            ((electrons - near[-2]) / sigma, but_one),
-        ):  # fmt: skip
-            sums += np.where(known, values, 0.0)
+        for top in range(0, height, _BAND):  # the neighbours of a whole plane would take a lot of memory
+            band = np.s_[top : top + _BAND]
+            here, rows = electrons[band], len(electrons[band])
+            shifted = {
+                (y, x): padded[top + 2 + y : top + 2 + y + rows, 2 + x : 2 + x + width]
+                for y, x in _NEIGHBOURS + _FARTHER
+            }
+            near = np.sort([shifted[place] for place in _NEIGHBOURS], axis=0)
+            median = 0.5 * (near[3] + near[4])
+            # The variance of the median of eight values is about a fifth of the variance of one value.
+            read = np.broadcast_to(noise.read, hot.shape)[band]
+            sigma = np.sqrt(1.2 * (np.maximum(median, 1.0) + read**2))
+            # Medians, because one of the neighbours may be hot, too.
+            sides, farther = (
+                np.median([shifted[place] for place in places], axis=0) for places in (_SIDES, _FARTHER)
+            )
+            for values, sums in (
+                ((here - median) / sigma, total), (here - sides, steps), (sides - farther, far_steps),
+                (1.0, counts), (here > median, positive), (here > near[-1], above),
+                ((here - near[-2]) / sigma, but_one),
+            ):  # fmt: skip
+                sums[band] += np.where(known[band], values, 0.0)
     # A sum of n unit deviates has the standard deviation sqrt(n).
     is_significant = total > _PERSISTENT * np.sqrt(counts)
     is_frequent = (positive >= _MOSTLY * counts) & ((above > _MIN_ABOVE * counts) | (but_one > _BUT_ONE * total))
@@ -338,13 +348,15 @@ def _local_variances(stack: Stack) -> tuple[Array, Array, float]:
             differences = scipy.ndimage.convolve1d(differences, _KERNEL, axis=axis) / math.sqrt(
                 float(_KERNEL @ _KERNEL)
             )
+            if axis == 0:
+                differences = differences[1:2]
         mean = planes
         for axis in (1, 2):  # not by running sums, which carry an unknown value on to the end of its row
             mean = scipy.ndimage.convolve1d(mean, np.full(_WINDOW, 1.0 / _WINDOW), axis=axis)
         if adjacent:
             # Second differences weight the variances of three planes by 1, 4, 1: weight the mean in the same way.
             mean = scipy.ndimage.convolve1d(mean, _KERNEL**2 / (_KERNEL @ _KERNEL), axis=0)
-        pair = np.stack([mean[adjacent, 2:-2, 2:-2], differences[adjacent, 2:-2, 2:-2] ** 2])
+        pair = np.stack([mean[adjacent, 2:-2, 2:-2], differences[0, 2:-2, 2:-2] ** 2])
         known = pair[:, np.isfinite(pair).all(axis=0)]
         pairs.append(known[:, :: max(1, math.ceil(known.shape[1] * len(places) / _POINTS))].copy())
     mean, squares = np.concatenate(pairs, axis=1)

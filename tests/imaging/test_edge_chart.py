@@ -64,6 +64,41 @@ def test_masked_edges_are_left_out():
     assert len(found.edges) == 4
 
 
+def test_hot_pixels_hide_no_edge_and_are_no_overexposure():
+    image = np.round(250.0 * np.random.default_rng(1).poisson(CHART * 30000) / 30000).astype(np.uint8)
+    image.flat[np.random.default_rng(2).integers(0, image.size, image.size // 50)] = 255
+    found = lm.imaging.sfr_chart(image)
+    assert len(found.edges) == 8
+    assert not found.refused
+    for edge in found.edges:
+        assert edge.response(0.2) == pytest.approx(truth(0.2), abs=0.04)
+
+
+def test_edges_that_are_found_and_not_measured_are_counted_by_cause():
+    y, x = np.ogrid[:160, :320]
+    turn = np.arctan(1.0 / 3.0)
+    d = (x - 240.0) * np.cos(turn) + (y - 80.0) * np.sin(turn)
+    found = lm.imaging.sfr_chart(np.where(x < 160, CHART, 0.9 - 0.8 * across(d, 0.8)))
+    finding = found.findings.get("left_out")
+    assert finding.severity == "note"
+    assert finding.numbers["edges"] == len(found.refused) > 0
+    assert "slope is not a simple fraction" in finding.text
+
+
+@pytest.mark.parametrize("length", [0.0, 1.5])
+def test_motion_shows_in_the_centre_of_the_field(length):
+    # Squares around the centre, and a motion along the rows by a mean of shifted pictures.
+    places = [(right, down) for right in (-100.0, 0.0, 100.0) for down in (-100.0, 0.0, 100.0)]
+    shifts = np.linspace(-0.5, 0.5, 5) * length
+    light = np.mean([squares((310, 310), [(x + s, y) for x, y in places], 60.0, 0.8) for s in shifts], axis=0)
+    found = lm.imaging.sfr_chart(np.random.default_rng(0).poisson(light * 20000) / 20000)
+    assert ("unlike_directions" in found.findings.codes) == (length > 0.0)
+    if length:
+        finding = found.findings.get("unlike_directions")
+        assert 0.75 < finding.numbers["ratio"] < 0.97
+        assert "motion, or astigmatism" in finding.text
+
+
 def test_the_border_of_a_picture_that_was_turned_is_no_edge():
     y, x = np.ogrid[:160, :320]
     outside = (y - 0.1 * x < -10) | (x + 0.1 * y < 20)

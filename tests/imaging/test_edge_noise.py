@@ -66,7 +66,7 @@ def test_sharpening_of_the_bright_side_alone_is_told_if_it_is_large():
 def test_a_crop_says_which_filters_and_encodings_it_does_not_exclude():
     image = noisy(EDGE, seed=3)
     numbers = [lm.sfr(part).findings.get("untested").numbers["filter"] for part in (image[30:90], image)]
-    assert 0.02 < numbers[1] < 0.8 * numbers[0] < 0.2
+    assert 0.05 < numbers[1] < 0.8 * numbers[0] < 0.4
     # The profile of a Gaussian blur to the power of 2.2 is nearly as symmetric.
     dim = noisy(0.25 + 0.5 * picture(5.0, 0.5, (80, 80), 8), 2000.0)
     assert lm.sfr(dim).findings.get("untested").numbers["encoding"] > 0.05
@@ -86,3 +86,18 @@ def test_areas_that_were_denoised_beside_an_edge_that_was_not_are_told():
     kept = np.clip(np.hypot(*np.gradient(smooth)) / 0.01, 0.0, 1.0)
     finding = lm.sfr((255.0 * (kept * image + (1.0 - kept) * smooth)).round().astype(np.uint8)).findings
     assert "correlated_noise" in finding.codes
+
+
+def test_a_tone_curve_that_a_picture_does_not_exclude_is_stated_with_its_effect():
+    light = noisy(0.05 + 0.7 * across((np.arange(90) - 44.5) * 0.996 - 0.087 * (np.arange(120)[:, None] - 59.5), 0.7))
+    encoded = np.where(light < 0.0031308, 12.92 * light, 1.055 * np.maximum(light, 0.0) ** (1 / 2.4) - 0.055)
+    curved = 0.5 * encoded + 0.5 * encoded**2 * (3.0 - 2.0 * encoded)
+    right, wrong = (lm.sfr((255.0 * part).round().astype(np.uint8), encoding="srgb") for part in (encoded, curved))
+    change = np.abs(right.values - wrong.values).max()
+    assert change > 0.03
+    for found in (right, wrong):
+        finding = found.findings.get("untested")
+        assert 0.7 * change < finding.numbers["curve"] < 2.0 * change
+        assert "tone curve" in finding.text
+    # Raw pictures have none.
+    assert "tone curve" not in str(lm.sfr(light).findings.get("untested"))

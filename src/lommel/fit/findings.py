@@ -35,7 +35,7 @@ CODES: Mapping[str, str] = {
     "held_out": "data that were held out of the fit are inconsistent with it",
     "hot_pixels": "pixels of the camera are hot (brighter than their neighbours, whatever is in focus) or defective",
     "interrupted": "the search was interrupted: the result is that of the completed steps",
-    "left_out": "some sources, windows or pixels were left out",
+    "left_out": "some sources, windows, edges or pixels were left out",
     "lens_scale": "blurs differ by more, or less, than the stated lenses imply",
     "many_rejected": "many sources do not follow the fit",
     "missed_light": "the model misses a part of the light: errors hold between exposures of the same set-up",
@@ -75,6 +75,7 @@ CODES: Mapping[str, str] = {
     "uneven_background": "a floor of light between structures may be a background that is not flat",
     "uneven_light": "the light on both sides of an edge changes across the picture",
     "unit_sum": "the images sum to 1, as PSFs do and electrons do not",
+    "unlike_directions": "the sharpness in the centre differs between two directions: motion or astigmatism",
     "untested": "values or effects that these images do not test",
     "z_range": "many fits end at a limit of the range of z",
 }

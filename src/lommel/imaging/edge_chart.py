@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -41,6 +42,8 @@ _DIAGONAL = 25.0  # degrees to rows or columns from which an edge is steep
 _STRAIGHT = 0.15  # largest thickness of the gradient along an edge, of its length
 _FALL, _RISE = 0.2, 0.25  # fractions of the gradient at which the edge ends, and at which another structure begins
 _MIDDLE_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG and mosaics are looked for
+_CENTRE, _LEAST_CENTRE = 0.5, 3  # of the field in which both directions are compared, and edges of each
+_APART, _UNLIKE = 4.5, 0.02  # standard errors, and logarithm of the ratio, from which both directions differ
 _LARGEST_CROP = 256  # pixels of a side of a picture of one edge, of which all pixels are used
 
 
@@ -242,7 +245,7 @@ def sfr_chart(
         edges=tuple(edges),
         refused=tuple(refused),
         shape=(counts.shape[0], counts.shape[1]),
-        findings=_findings(counts, edges, compression),
+        findings=Findings([*_findings(counts, edges, compression), *_refusals(refused, len(edges)), *_motion(edges)]),
     )
 
 
@@ -284,6 +287,48 @@ def _findings(counts: Counts, edges: list[ChartEdge], compression: list[Finding]
             numbers = {**first.numbers, "edges": len(several), "of": len(edges)}
             findings.append(Finding(code, severity, text, numbers))
     return Findings(findings)
+
+
+def _refusals(refused: Sequence[tuple[float, float, str]], measured: int) -> list[Finding]:
+    """Return a finding on the edges that were found and not measured, by cause, as a list."""
+    if not refused:
+        return []
+    causes = Counter(reason.partition(",")[0] for _, _, reason in refused)
+    text = (
+        f"{len(refused)} of {len(refused) + measured} edges were found and not measured: "
+        f"{'; '.join(f'each {cause} ({count})' for cause, count in causes.most_common())}"
+    )
+    return [Finding("left_out", "note", text, {"edges": len(refused), "of": len(refused) + measured})]
+
+
+def _motion(edges: list[ChartEdge]) -> list[Finding]:
+    """Return a finding if the response in the centre differs between both directions, as a list.
+
+    There, lenses of rotational symmetry blur alike in all directions.
+    """
+    far = max(math.hypot(edge.x, edge.y) for edge in edges)
+    groups: list[list[tuple[float, float]]] = [[], []]
+    for edge in edges:
+        one = edge.response
+        if math.hypot(edge.x, edge.y) <= _CENTRE * far and math.isfinite(one.mtf50[0]):
+            groups[abs(math.cos(one.angle)) < math.sqrt(0.5)].append(one.mtf50)
+    if min(map(len, groups)) < _LEAST_CENTRE:
+        return []
+    values = [np.array([value for value, _ in group]) for group in groups]
+    means = [float(part.mean()) for part in values]
+    # The larger of the standard errors and of the scatter: the response changes over the field.
+    spreads = [
+        max(float(np.mean(np.square([error for _, error in group]))), float(part.var(ddof=1))) / part.size
+        for group, part in zip(groups, values, strict=True)
+    ]
+    ratio = means[0] / means[1]
+    if abs(means[0] - means[1]) < _APART * math.sqrt(sum(spreads)) or abs(math.log(ratio)) < _UNLIKE:
+        return []
+    text = (
+        f"in the centre, MTF50 across the columns is {ratio:.2g} times that across the rows: motion, or astigmatism "
+        "of a decentred lens"
+    )
+    return [Finding("unlike_directions", "note", text, {"ratio": ratio})]
 
 
 def _measure(
@@ -360,7 +405,7 @@ def _candidates(counts: Counts, mosaic: bool) -> tuple[list[_Candidate], list[fl
     Gradients of one sign along rows or columns belong together; of steep edges, those of one sign along both.
     """
     image, factor = _reduced(counts, mosaic)
-    smooth = ndimage.gaussian_filter(image, 0.8, mode="nearest")
+    smooth = ndimage.gaussian_filter(ndimage.median_filter(image, 3), 0.8, mode="nearest")  # without hot pixels
     down, right = (np.gradient(smooth, axis=axis) for axis in (0, 1))
     size = np.hypot(down, right)
     noise = 1.4826 * float(np.median(np.abs(np.diff(image[::3], axis=1)))) / math.sqrt(2.0) * 0.25

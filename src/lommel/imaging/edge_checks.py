@@ -22,6 +22,7 @@ UNTESTED = 4.5
 _LOSS = 2.0  # largest loss of it by an encoding that the noise of both sides shows
 _LEVEL = 0.005  # uncertainty of the levels of both sides by uneven light, fraction of the step
 _GAMMA = 2.2  # of that encoding
+_CURVE = 0.5  # strength of a tone curve of cameras, from none to 3 v^2 - 2 v^3
 _FLAT = 0.9  # fraction of equal pixels of a bright side that is clipped, beside a dark one with noise
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
 _UNLIKE = 3.0  # ratio of the differences of green pixels by the stated order and by the other one
@@ -76,11 +77,11 @@ def compression_findings(image: Array) -> list[Finding]:
 
 def edge_findings(
     edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]
-) -> tuple[list[Finding], tuple[float, float]]:
+) -> tuple[list[Finding], tuple[float, float, float]]:
     """Return the findings on an edge, and the evidence for its encoding; `found` are its response and the errors.
 
     The evidence is the gain in chi-squared / 2 of the symmetry of the profile over the other encoding, of sRGB and
-    linear, and the change of the response by that one.
+    linear, the change of the response by that one, and that by a tone curve, which keeps the symmetry.
     """
     findings = []
     total = int(edge.used.sum()) + edge.outliers
@@ -110,7 +111,7 @@ def edge_findings(
 
 def _of_symmetry(
     edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]
-) -> tuple[list[Finding], tuple[float, float]]:
+) -> tuple[list[Finding], tuple[float, float, float]]:
     """Return a finding if the profile is not symmetric, as clipped or wrongly encoded values are not, and evidence.
 
     The light of a symmetric blur at equal distances on both sides of an edge sums to that of both sides.
@@ -118,7 +119,7 @@ def _of_symmetry(
     position, profile, counts, variances = edge.profile
     bright = max(edge.levels)
     if not min(edge.levels) > 0.0 or position.size < 16:
-        return [], (math.inf, 0.0)
+        return [], (math.inf, 0.0, 0.0)
     scaled, variance = np.maximum(profile / bright, 1e-6), variances / bright**2
     low, high = (level / bright for level in edge.levels)
     # Farther from the edge, errors of a trend of the light are larger than those of noise.
@@ -153,15 +154,19 @@ def _of_symmetry(
     elif noisier or (quieter and 0.5 * (chi2(1.0 / _GAMMA) - stated) < _LOSS):
         power = _GAMMA if noisier else 1.0 / _GAMMA
 
-    def change_by(power: float) -> float:
+    def change_by(power: float, values: Array = profile) -> float:
         """Return the change of the response if values are encoded by another power."""
-        other = response(position, (np.maximum(profile, 0.0) / bright) ** power, variances, 0.5)[0]
+        other = response(position, (np.maximum(values, 0.0) / bright) ** power, variances, 0.5)[0]
         size = min(other.size, found[0].size)
         return float(np.abs(other[:size] - found[0][:size]).max())
 
     common = _GAMMA if encoding == "linear" else 1.0 / _GAMMA
     gain = 0.5 * (chi2(common) - stated)
-    evidence = gain, change_by(common) if gain < UNTESTED else 0.0
+    curve = 0.0
+    if encoding != "linear":
+        encoded = np.clip(profile, 0.0, 1.0) ** (1.0 / _GAMMA)
+        curve = change_by(_GAMMA, (1.0 - _CURVE) * encoded + _CURVE * encoded**2 * (3.0 - 2.0 * encoded))
+    evidence = gain, change_by(common) if gain < UNTESTED else 0.0, curve
     change = 0.0 if power == 1.0 else change_by(power)
     (dark, _), (bright_side, value) = _equal(edge, stored)
     if (bright_side > _FLAT or (change >= _EFFECT and bright_side > 0.5)) and dark < 0.5:

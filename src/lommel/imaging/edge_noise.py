@@ -25,15 +25,15 @@ from lommel.imaging.edge_profile import SIGMA, Edge, Mask
 _PADDING = 6  # zeros between rows and between images: the largest lag, of pixels two apart (of a mosaic)
 _LAGS = np.array([(down, right) for down in range(4) for right in range(-3, 4) if down > 0 or right > 0])
 _RADII = np.array([0.6, 1.0, 1.6, 2.5])  # of the correlations that are tested: exp(-lag^2 / (2 radius^2)), pixels
-_DEGREE = 6  # of the polynomials of the light of each side
+_DEGREE, _ACROSS = 6, 12  # of the polynomials of the light of each side, and of those across the edge
 _FEW = 120  # pixels of a side from which noise is tested
 _ROUNDING = 0.3  # smallest noise in units of integers that is tested
 _CLIPPED = 4.0  # standard deviations
-_CORRELATED = 3.5  # standard errors from which noise is correlated
+_CORRELATED, _SHARP = 3.5, -3.0  # standard errors from which noise is correlated; light leaves no negative ones
 _OF_LIGHT = 0.01  # largest correlation that light may leave that is not quite the fitted one
 _LEAST_POWER = 0.02  # of noise at a frequency, relative to its mean
 _HINTS = 1.5, 2.0  # standard errors of noise and of overshoot that count together
-_NARROW = 1.0  # largest radius of a filter whose effect noise limits; wider sharpening overshoots
+_NARROW = 1.6  # largest radius of a filter whose effect noise limits; wider sharpening overshoots
 _TREND = 0.05  # of the light, which steps may mimic
 _BRIGHTER = 0.002  # fraction of pixels, of hot ones, that exceed a clipped value
 _UNEVEN = 0.002  # least noise beside an edge that is told, fraction of the step
@@ -60,7 +60,7 @@ class Evidence:
     excess: Array
     weights: Array
     beside: tuple[float, float]
-    encoding: tuple[float, float]
+    encoding: tuple[float, float, float]
     above: float
     response: tuple[Array, Array, Array]
     normal: Array
@@ -74,7 +74,7 @@ def evidence_of(
     edge: Edge,
     stored: Array,
     found: tuple[Array, Array],
-    encoding: tuple[float, float],
+    encoding: tuple[float, float, float],
     pitch: float,
     shared: list[Areas],
     *,
@@ -127,7 +127,7 @@ def processing_findings(edges: Sequence[Evidence], *, compressed: bool) -> list[
     overshoot, both = _overshoot(edges)
     above = float(np.median([edge.above for edge in edges]))
     tested = _correlation(edges)
-    significant = abs(tested.strength) > _CORRELATED and tested.change > 1.0
+    significant = not _SHARP <= tested.strength <= _CORRELATED and tested.change > 1.0
     significant = significant and not 0.0 < tested.correlation < _OF_LIGHT
     together = tested.strength < -_HINTS[0] and both > _HINTS[1]
     numbers = {"overshoot": overshoot, "correlation": tested.correlation, "strength": tested.strength}
@@ -166,10 +166,12 @@ def processing_findings(edges: Sequence[Evidence], *, compressed: bool) -> list[
         return [Finding("too_quiet", "doubt", text)]
     change = float(np.median([edge.encoding[1] for edge in edges]))
     if sum(edge.encoding[0] for edge in edges) < UNTESTED and change > _EFFECT and tested.pairs:
-        items.append(f"encoding (changes up to {change:.1g})")
+        items.append(f"encoding (±{change:.1g})")
+    if (curve := float(np.median([edge.encoding[2] for edge in edges]))) > _EFFECT:
+        items.append(f"tone curve (±{curve:.1g})")
     if tested.hidden > _EFFECT:
-        items.append(f"sharpening or denoising by a pixel (below {tested.hidden:.1g})")
-    return [untested_finding(items, {"encoding": change, "filter": tested.hidden})] if items else []
+        items.append(f"sharpening or denoising (±{tested.hidden:.1g})")
+    return [untested_finding(items, {"encoding": change, "curve": curve, "filter": tested.hidden})] if items else []
 
 
 class _Area(NamedTuple):
@@ -196,7 +198,7 @@ class Areas:
     @classmethod
     def of(cls, edge: Edge, spacing: int) -> Areas:
         """Return the areas beside an edge, of sides that are large enough."""
-        far = max(0.5 * edge.reach, min(edge.width, 0.7 * edge.reach))
+        far = min(edge.width, 0.7 * edge.reach)
         v = np.broadcast_to(np.linspace(-1.0, 1.0, len(edge.used))[:, None], edge.used.shape)
         sides = []
         for sign in (-1.0, 1.0):
@@ -209,6 +211,7 @@ class Areas:
             u = 2.0 * (d - d.min()) / max(float(np.ptp(d)), 1e-12) - 1.0
             powers = legendre.legvander(u, _DEGREE).T, legendre.legvander(v[side], _DEGREE).T
             terms = [powers[0][i] * powers[1][j] for i in range(_DEGREE + 1) for j in range(_DEGREE + 1 - i)]
+            terms += [*legendre.legvander(u, _ACROSS).T[_DEGREE + 1 :]]
             design = np.stack(terms)
             normal = design @ design.T
             normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12

@@ -340,7 +340,9 @@ def _averaged(counts: Counts, encoding: Encoding) -> tuple[Array, Array, Mask, f
         light = to_light("image", np.where(known, values, values.dtype.type(0)), encoding, np.float64)
     else:
         light = stored - (0.0 if counts.noise is None else counts.noise.offset)
-    full = float(counts.full.mean())
+    # Single ones are hot pixels; neighbours of one colour of a mosaic are two pixels apart.
+    along = np.moveaxis(np.asarray(counts.full), 1 if values.ndim == 2 or values.shape[2] == len(_COLOURS) else 2, 0)
+    full = float((along[2:] & along[:-2]).mean())
     if values.ndim == 2 or values.shape[2] == len(_COLOURS):
         return light, stored, known, full
     number = np.maximum(known.sum(axis=0), 1)

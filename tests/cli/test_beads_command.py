@@ -193,6 +193,18 @@ def test_a_report_grows_by_dates_and_channels(folder):
     assert re.search(r"column z nm height nm", printed)
 
 
+def test_clipped_pixels_are_named_at_once_and_left_out(folder):
+    field = tifffile.imread("field.tif")
+    top = int(0.6 * field.max())
+    tifffile.imwrite("clipped.tif", np.minimum(field, top), photometric="minisblack")
+    found = run("clipped.tif", *ASKED, "--window", "19", "--json")
+    facts = json.loads(found.stdout)
+    assert f"pixels have exactly the largest value, {top}, taken as saturated" in " ".join(found.stderr.split())
+    assert facts["converged"]
+    assert facts["coefficients"]["2,-2"] == pytest.approx(0.4, abs=5.0 * facts["errors"]["2,-2"])
+    assert "saturation_assumed" in [one["code"] for one in facts["findings"]]
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [

@@ -281,6 +281,13 @@ def test_a_wrong_step_is_estimated_besides_and_named_in_nanometres():
     assert abs(found.coefficients["step"] - 0.8) < 4.0 * found.errors["step"] < 0.04
 
 
+def test_beads_that_all_misfit_are_fitted_by_few_of_them():
+    stacks = [recorded(60 + k, waves(3, 0.1), z=Z / 1.25, light=2e4)[0] for k in range(6)]
+    found = fitted(stacks, OIL, **GIVEN, terms=TERMS[:3], priors={})
+    assert re.search(r"those of [25] of 6 beads \(none fits with the constants as stated\)", found.message)
+    assert "step" in found.message
+
+
 def test_constants_are_plausible_within_six_times_their_expected_errors():
     setup = Setup(OIL, WAVE, lm.Dipole(0.0, 0.0, wobble=1.0), PIXEL, 0.1e-6)
     model = SimpleNamespace(depths=(Prior(50e-9, 0.0),))

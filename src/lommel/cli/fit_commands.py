@@ -34,7 +34,7 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixels, sharpness
-from lommel.recorded.counts import Counts, counts_of
+from lommel.recorded.counts import Counts, counts_of, flat_top
 from lommel.recorded.headers import without_compared
 from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.table import described, tables
@@ -551,6 +551,15 @@ def beads(
             prefix = f"{line(file)}: " if len(read) > 1 else ""
             findings += [replace(found, text=f"{prefix}{found.text}") for found in hot_pixel_findings(hot)]
             hidden = ignored | hot
+            top, count = flat_top(recorded_planes, ~hidden, noise)
+            if count and not top >= masked.limit:
+                hidden = hidden | (recorded_planes >= top)
+                text = (
+                    f"{prefix}{count} pixels have exactly the largest value, {top:.10g}, taken as saturated: "
+                    "--saturation states another limit"
+                )
+                findings.append(Finding("saturation_assumed", "note", text))
+                status.tell(f"{text}.")
             values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
             windows += _beads(file, values, Counts.of(values, noise=noise, saturation=saturation), window, notes)
         cut_out = [bead.window for bead in windows]
@@ -562,12 +571,12 @@ def beads(
                 f"Fits of {len(cut_out)} beads: about {expected / 60.0:.0f} min of a processor, fewer with --terms 7."
             )
 
-        def fitted(beads: list[Values], model: Microscope) -> BeadFit:
+        def fitted(beads: list[Values], model: Microscope, factor: float = 1.0, **known: Any) -> BeadFit:
             return fit_beads(
                 counts_of("stacks", beads, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
                 model,
-                z=z,
-                options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share)),
+                z=factor * z,
+                options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share), **known),
             )
 
         result = fitted(cut_out, microscope)
@@ -575,8 +584,18 @@ def beads(
         relative = heights(result.z_covariance, np.array([bead.z for bead in result.beads]), files_of)
         if folder is not None and earlier is not None:
             report = _BeadReport(lens.stem, microscope, result, windows, relative, noise, used_step)
-            alone = replace(microscope, aberrations=result.aberrations) if result.converged else microscope
-            each = (result if len(cut_out) == 1 else fitted([bead], alone) for bead in cut_out)
+            if not result.reliable:
+                status.tell(f"{result.message}.")
+            # Bad constants are bad for each bead: fits of single beads would find that again.
+            if not result.converged or len(cut_out) == 1:
+                each: Iterable[BeadFit] = (replace(result, beads=(bead,)) for bead in result.beads)
+            elif not {"estimated", "contradiction"}.isdisjoint(result.findings.codes):
+                factor = float(result.coefficients.get("step", 1.0))
+                alone = microscope.fitted(result)
+                each = (fitted([bead], alone, factor, diameter=result.diameter) for bead in cut_out)
+            else:
+                alone = replace(microscope, aberrations=result.aberrations)
+                each = (fitted([bead], alone) for bead in cut_out)
             dates = {path.name: _date(path) for path in stacks}
             table = report.write(folder, each, earlier, dates)
     result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))

@@ -303,14 +303,18 @@ def _neighbor_tests(model: BeadModel, fit: Evaluation) -> list[ScoreTest]:
 
 def rounds(model: BeadModel, fit: Evaluation, stated: Setup, report: Report) -> list[Round]:
     """Return the round of a fit with its checks, and rounds with further effects, up to the last that fits well."""
+    whole = dict[tuple[str, ...], Pair]()  # refits with all beads
 
     def refit(pair: Pair, test: ScoreTest) -> tuple[Pair, float] | None:
         few = pair if pair[1].fits(goodness_of_fit.BY_CHANCE) else brightest_beads(*pair)
         freed = _refit_with_free(*few, [test.name], stated, report)
+        if freed is not None and few[1] is pair[1] and freed[1].settled:
+            whole[(test.name,)] = freed
         return freed and (freed, freed[1].log_posterior - few[1].log_posterior)
 
     def jointly(pair: Pair, names: Sequence[str]) -> Pair | None:
-        freed = _refit_with_free(*pair, names, stated, report, 3 * STEPS)
+        freed = whole.get(tuple(names)) or _refit_with_free(*pair, names, stated, report, 3 * STEPS)
+        whole.clear()
         if freed is None or not freed[1].settled:
             return None
         state = freed[1].state

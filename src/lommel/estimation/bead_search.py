@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -22,6 +22,8 @@ from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, DYE, GRADIENT, 
 from lommel.fit.goodness_of_fit import BY_CHANCE, SURE, largest_plausible_chi2
 from lommel.fit.scoring import Report, Rows, Scores, damped_steps, fisher_scoring, reduced_chi2
 
+Derivatives: TypeAlias = tuple[list[Array], Array]
+
 POSITION = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
 _MAX_NA = 1.0 - 1e-5  # largest NA relative to the index of the immersion
@@ -31,9 +33,11 @@ _SAME_MISFIT = 0.01  # the same for bad fits: difference of chi2, relative to ch
 MIN_FLUX_SIGMAS = 10.0
 """Smallest total flux of a visible bead in all planes, in standard deviations."""
 _DARK_SIGMAS = 5.0  # the same before the search, in which aberrations are not known yet
+_SMALL_GAIN = 3.0  # predicted increase of the log-posterior of a step after which derivatives are kept
 _PLACE_STEPS = 20  # largest number of steps of a search for the place of a bead
-_PILOTS = 2  # number of beads, the brightest, with which the search for a misfit begins
-_MISFIT_STEPS = 10  # largest number of steps with all beads, if the brightest are a misfit for all constants
+_PILOTS = 2  # number of beads with which the search for a misfit begins
+_PROBES = 5  # number of beads that are fitted alone before the others: if all are a misfit, so are the others
+_MISFIT_STEPS = 10  # largest number of steps with all beads, if the pilots are a misfit for all constants
 GROSS_CHI2 = 20.0
 """Chi2 above which an image is not taken for that of a bead: no usual error of a constant is the cause."""
 MAX_CHI2_RATIO = 1.5
@@ -77,7 +81,8 @@ class Evaluation:
     """A state with its images and scores, the number of steps of the search, and whether the search settled.
 
     `values` are the PSFs of each stack, and `parts` the contributions of each stack to the scores. `scores` include
-    the priors and have one row: first the common parameters, then the parameters of each bead.
+    the priors and have one row: first the common parameters, then the parameters of each bead. `derivatives` are
+    those of the images of each stack, with the chain rule, in a search only: they are large.
     """
 
     state: State
@@ -86,6 +91,7 @@ class Evaluation:
     scores: Scores
     settled: bool = False
     steps: int = 0
+    derivatives: list[Derivatives] | None = None
 
     @property
     def log_posterior(self) -> float:
@@ -166,12 +172,12 @@ class BeadModel:
             for j, (prior, place) in enumerate(zip(self.depths, state.places, strict=True)):
                 yield self.columns(j, len(names))[index], prior, place.depth
 
-    def evaluate(self, state: State, limit: float = math.inf) -> Evaluation:
+    def evaluate(self, state: State, limit: float = math.inf, kept: list[Derivatives] | None = None) -> Evaluation:
         """Return a state with its images and scores, and with maximum-likelihood flux and background.
 
         Raise Declined or ValueError if the deviance is not below `limit`, if the aberrations are too strong, or if
         the constants are impossible. Derivatives take far longer than images: they are computed only if the deviance
-        is below `limit`.
+        is below `limit`. An empty list `kept` is filled with them; otherwise it has those of a state nearby.
         """
         light, values = [], []
         total = sum(prior.score(value)[0] for _, prior, value in self._prior_terms(state, self.names))
@@ -183,24 +189,34 @@ class BeadModel:
         if not -math.inf < total < limit:
             raise Declined("the likelihood is not finite, or not higher than before")
         state = replace(state, light=tuple(light))
-        parts, information, gradient = self.normal_equations(state, values)
+        parts, information, gradient = self.normal_equations(state, values, kept=kept)
         chi2, deviation = (np.array([value]) for value in self.chi2_of(parts))
         scores = Scores(np.array([total]), gradient[None], information[None], chi2, deviation)
-        return Evaluation(state, values, parts, scores)
+        return Evaluation(state, values, parts, scores, derivatives=kept)
 
     def normal_equations(
-        self, state: State, values: list[Array], added: Sequence[str] = (), *, whole: bool = True
+        self,
+        state: State,
+        values: list[Array],
+        added: Sequence[str] = (),
+        *,
+        whole: bool = True,
+        kept: list[Derivatives] | None = None,
     ) -> tuple[list[Part], Array, Array]:
         """Return the contributions of all stacks, and information and gradient of all parameters, priors included.
 
         Order of the parameters: common parameters `names`, the constants `added`, parameters of each bead. Unless
         `whole`, the information of single planes is that with the focus, (planes, 1, parameters), which is smaller.
+        For `kept` see :meth:`evaluate`.
         """
+        is_known = bool(kept)
         names, parts = (*self.names, *added), list[Part]()
         k, size = len(names), self.size + len(added)
         information, gradient = np.zeros((size, size)), np.zeros(size)
         for j, (psf, stack) in enumerate(zip(values, self.level_stacks(state), strict=True)):
-            derivatives, chain = self._derivatives(state, j, names, psf)
+            derivatives, chain = kept[j] if kept and is_known else self._derivatives(state, j, names, psf)
+            if kept is not None and not is_known:
+                kept.append((derivatives, chain))
             parts.append(bead_images.part_of(psf, derivatives, chain, stack, state.light[j], self.images.threads))
             del derivatives  # before those of the next bead
             columns = [*range(k), *self.columns(j, k)]
@@ -265,8 +281,12 @@ class BeadModel:
         self, x: Evaluation, scores: Scores, rows: Rows, step: Array, factor: Array
     ) -> tuple[Evaluation, Scores | None]:
         """Return the state after a step and its scores; the old state and None if the deviance does not decrease."""
+        # Derivatives take most of the time; a small step hardly changes them.
+        is_small = 0.5 * float(scores.slope[0] @ step[0]) < _SMALL_GAIN
+        if (kept := x.derivatives) and not is_small:
+            kept.clear()
         with suppress(Declined, ValueError):  # the step is too long: aberrations too strong, or constants impossible
-            evaluation = self.evaluate(self.after_step(x.state, step[0]), float(scores.deviance[0]))
+            evaluation = self.evaluate(self.after_step(x.state, step[0]), float(scores.deviance[0]), kept)
             return evaluation, evaluation.scores
         return x, None
 
@@ -333,15 +353,22 @@ def _camera_derivative(name: str, mean: Array) -> Array:
 
 def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambda *_: None) -> Evaluation:
     """Return the end of at most `max_steps` damped steps, from a start until convergence."""
-    first_evaluation = model.evaluate(start)
-    # At the rate `stalled` a good fit would take 500 steps.
-    ascent = fisher_scoring(
-        model, first_evaluation, first_evaluation.scores, max_steps, report, max_damping=1e7, stalled=1e-3
-    )
-    last_evaluation: Evaluation = ascent.x
-    # A misfit whose steps gain no more is at its maximum.
-    is_stalled = ascent.steps < max_steps and not last_evaluation.fits(BY_CHANCE)
-    return replace(last_evaluation, settled=bool(ascent.settled[0]) or is_stalled, steps=ascent.steps)
+    steps = 0
+    for kept in [], None:  # a search that derivatives of states nearby do not settle is continued without them
+        evaluation = model.evaluate(start, kept=kept)
+        # At the rate `stalled` a good fit would take 500 steps.
+        ascent = fisher_scoring(
+            model, evaluation, evaluation.scores, max_steps - steps, report, max_damping=1e7, stalled=1e-3
+        )
+        last_evaluation: Evaluation = ascent.x
+        steps += ascent.steps
+        # A misfit whose steps gain no more is at its maximum.
+        is_stalled = steps < max_steps and not last_evaluation.fits(BY_CHANCE)
+        is_settled = bool(ascent.settled[0]) or is_stalled
+        if is_settled or steps >= max_steps:
+            break
+        start = last_evaluation.state
+    return replace(last_evaluation, settled=is_settled, steps=steps, derivatives=None)
 
 
 def place_bead(model: BeadModel, common: State) -> Evaluation:
@@ -369,6 +396,7 @@ class Search:
     max_steps: int  # largest number of steps of a search
     report: Report
     steps: int = 0  # number of steps of all completed searches
+    few: Sequence[int] = ()  # beads of the fit, if it has not all of them
 
     def is_dark(self) -> bool:
         """Return whether noise and sloping backgrounds explain all stacks, and no start has significant light."""
@@ -385,12 +413,25 @@ class Search:
         return True
 
     def fit_all(self) -> tuple[Evaluation, list[bool]]:
-        """Fit all beads jointly, except beads with a bad individual fit; return the fit, and whether each is used."""
+        """Fit all beads jointly, except beads with a bad individual fit; return the fit, and whether each is used.
+
+        If no bead fits with the constants as stated, the fit is that of some of the beads, `few`.
+        """
         model, count = self.model, len(self.model.stacks)
         brightest_first = model.brightest_first()
         fits: dict[int, Evaluation] = {}
-        for k in brightest_first:
+        # The brightest objects may be clumps: probes are of all brightnesses, the brightest first.
+        places = np.linspace(0.0, count - 1.0, min(count, _PROBES)).round().astype(int)
+        probes = [brightest_first[k] for k in places]
+        for k in [*probes, *(k for k in brightest_first if k not in probes)]:
             fits[k] = self.fit_one(model.single_bead(k), [*fits.values()])
+            if len(fits) == _PROBES < count and not any(fit.fits(SURE) for fit in fits.values()):
+                # Constants are wrong: with more beads, the search for them would only take longer.
+                self.few = sorted(probes)
+                fits = {index: fits[k] for index, k in enumerate(self.few)}
+                model, count = model.with_beads(self.few), _PROBES
+                brightest_first = model.brightest_first()
+                break
         single_fits = [fits[k] for k in range(count)]
         median = float(np.median([fit.quality[0] for fit in single_fits]))
         chi2_limits = [float(largest_plausible_chi2(fit.quality[1])) for fit in single_fits]
@@ -410,6 +451,9 @@ class Search:
         # If constants are wrong, the search takes many steps: it begins with few beads, for which a step is faster.
         places = tuple(single_fits[k].state.places[0] for k in pilots)
         pilot_fit = self.climb(model.with_beads(pilots), replace(start, places=places))
+        if self.few and not pilot_fit.fits(BY_CHANCE):
+            self.few = [self.few[k] for k in pilots]
+            return pilot_fit, [True] * len(pilots)
         pilot = pilot_fit.state
         single_starts = [State(pilot.setup, pilot.waves, single_fits[k].state.places) for k in used_indices]
         placed_fits = [

@@ -654,9 +654,6 @@ def fit_stacks(
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
     count = len(recorded)
     chosen = np.unique(np.linspace(0.0, count - 1.0, min(count, options.joint)).round().astype(int)).tolist()
-    if len(chosen) < count:
-        text = f"terms and constants are those of {len(chosen)} of {count} beads (`joint`), without the other beads"
-        notes.append(Finding("left_out", "note", text))
     search = Search(model.with_beads(chosen), setup, waves, effort.starts, effort.steps, Progress(options.progress))
     return _build_bead_fit(search, model, chosen, recorded, noise, notes)
 
@@ -736,8 +733,13 @@ def _build_bead_fit(
     if not has_light:  # no steps: there is nothing to fit
         search = replace(search, starts=1, max_steps=0)
     fit, is_consistent = search.fit_all()
+    reason = "none fits with the constants as stated" if search.few else "`joint`"
+    chosen = [chosen[k] for k in search.few] or chosen
+    if len(chosen) < (count := len(whole.stacks)):
+        text = f"terms and constants are those of {len(chosen)} of {count} beads ({reason}), without the other beads"
+        notes.append(Finding("left_out", "note", text))
     has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
-    model = search.model.with_beads(np.flatnonzero(is_consistent).tolist())
+    model = whole.with_beads([k for k, used in zip(chosen, is_consistent, strict=True) if used])
     rounds = [Round((model, fit), ((), None, []))]
     if has_light:
         rounds = bead_checks.rounds(model, fit, search.setup, search.report)

@@ -353,8 +353,8 @@ def _camera_derivative(name: str, mean: Array) -> Array:
 
 def climb(model: BeadModel, start: State, max_steps: int, report: Report = lambda *_: None) -> Evaluation:
     """Return the end of at most `max_steps` damped steps, from a start until convergence."""
-    steps = 0
-    for kept in [], None:  # a search that derivatives of states nearby do not settle is continued without them
+    steps, stores = 0, list[list[Derivatives] | None]([[], None])
+    for kept in stores:  # a search that derivatives of states nearby do not settle is continued without them
         evaluation = model.evaluate(start, kept=kept)
         # At the rate `stalled` a good fit would take 500 steps.
         ascent = fisher_scoring(
@@ -421,8 +421,7 @@ class Search:
         brightest_first = model.brightest_first()
         fits: dict[int, Evaluation] = {}
         # The brightest objects may be clumps: probes are of all brightnesses, the brightest first.
-        places = np.linspace(0.0, count - 1.0, min(count, _PROBES)).round().astype(int)
-        probes = [brightest_first[k] for k in places]
+        probes = [brightest_first[round(k)] for k in np.linspace(0.0, count - 1.0, min(count, _PROBES)).tolist()]
         for k in [*probes, *(k for k in brightest_first if k not in probes)]:
             fits[k] = self.fit_one(model.single_bead(k), [*fits.values()])
             if len(fits) == _PROBES < count and not any(fit.fits(SURE) for fit in fits.values()):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
@@ -29,6 +30,7 @@ _IN_SUMMARY = _IN_TABLE[:9]
 _IN_MAPS = "gauss_x", "gauss_y", "gauss_z", "fwhm_z", "strehl", "height"
 _LEAST_MAP = 4  # smallest number of beads of a map
 _LEAST_SPREAD = 5e-6  # metres: smallest extent of a map; windows cut out by other programs have no places
+_DATE = re.compile(r"(?<![\w-])(\d{4}-\d\d-\d\d)(?![\w-])")
 _NOTES = (
     "FWHM, Gaussian: least-squares Gaussians with a background along lines through the brightest voxel, as "
     "MetroloJ_QC, PSFj and the protocols of QUAREP-LiMi measure beads. Bead and pixel widen them. Standard errors "
@@ -54,7 +56,8 @@ th, td { padding: .2rem .5rem; text-align: right; white-space: nowrap; border-bo
 th { font-weight: 600; white-space: normal; vertical-align: bottom; }
 th:first-child, td:first-child, .text th, .text td { text-align: left; white-space: normal; }
 th:first-child, td:first-child { position: sticky; left: 0; min-width: 6.5rem; background: Canvas; }
-td:first-child, .text td:last-child { overflow-wrap: anywhere; } .text td { vertical-align: top; }
+td:first-child, .text td:last-child { overflow-wrap: anywhere; } .date { white-space: nowrap; }
+.text td { vertical-align: top; }
 tr:nth-child(even) td { background: var(--mark); }
 tr:nth-child(even) td:first-child { background: linear-gradient(var(--mark), var(--mark)), Canvas; }
 @media (max-width: 45rem) { .text thead { display: none; } .text tr, .text td { display: block; }
@@ -124,6 +127,7 @@ def _value(row: Mapping[str, Any], name: str, factor: float, sign: str = " ± ")
 
 def _table(head: Iterable[str], rows: Iterable[Iterable[str]], kind: str = "") -> str:
     cells = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
+    cells = _DATE.sub(r'<span class="date">\1</span>', cells)  # lines do not break at its hyphens
     return (
         f'<div class="table{kind}"><table><thead><tr>{"".join(f"<th>{escape(name)}</th>" for name in head)}</tr>'
         f"</thead><tbody>{cells}</tbody></table></div>"
@@ -216,7 +220,7 @@ def _surfaces(rows: Sequence[Row]) -> list[str]:
             ("tilt along x (nm over 100 µm)", _value(surface, "tilt_x", 1e5)),
             ("tilt along y (nm over 100 µm)", _value(surface, "tilt_y", 1e5)),
             ("field curvature (nm of height, 100 µm from the middle)", _value(surface, "curvature", 5.0)),
-            ("chi2 of heights about this surface", number(surface["chi2"])),
+            ("scatter of heights about this surface, in their errors", number(math.sqrt(surface["chi2"]))),
         ]
         parts.append(_table((f"{channel}: focal surface (stage position), {surface['beads']} beads", ""), lines))
     return parts

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 import zarr
 
+import lommel as lm
+from lommel.localize.movie_fits import _open_images
 from lommel.recorded.frames import RecordingError, open_frames
 
 STACK = np.random.default_rng(0).integers(1, 60000, (4, 16, 20)).astype(np.uint16)
@@ -62,6 +64,23 @@ def test_chunks_that_are_missing_are_counted(tmp_path):
     found = open_frames(path).as_channels()
     assert found.notes[0].startswith("3 of the 4 chunks of the folder are missing and count as 0: ")
     assert not found[0][:2].any()
+
+
+@pytest.mark.parametrize("form", ["array", "counts", "path"])
+def test_chunks_that_are_missing_are_told(form, tmp_path):
+    path = made(tmp_path / "a.zarr", 2, shards=None)
+    chunks(path)[1].unlink()
+    images = path if form == "path" else zarr.open(str(path))["0"]
+    if form == "counts":
+        with pytest.warns(UserWarning, match="1 of the 4 chunks of the folder are missing and count as 0"):
+            lm.Counts.of(images, noise=lm.Noise(read=1.0))
+    else:
+        with pytest.warns(UserWarning, match="movie: 1 of the 4 chunks"), _open_images(images) as (shape, *_):
+            assert shape == STACK.shape
+    for chunk in chunks(path):
+        chunk.unlink()
+    with pytest.raises(ValueError, match=r"array: it lacks all of its 4 chunks: copy the whole folder"):
+        lm.Counts.of(zarr.open(str(path))["0"], noise=lm.Noise(read=1.0))
 
 
 @pytest.mark.parametrize("packer", PACKERS)

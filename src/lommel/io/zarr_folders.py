@@ -44,13 +44,18 @@ class Chunks:
         codecs = [*getattr(array.metadata, "codecs", ()), getattr(array.metadata, "compressor", None)]
         self._has_blosc = any("blosc" in type(codec).__name__.lower() for codec in codecs)
 
-    def missing(self, files: Sequence[Path]) -> tuple[int, int]:
-        """Return the number of chunk files that are missing among `files`, and of all chunk files."""
+    def missing(self, files: Sequence[Path]) -> list[str]:
+        """Return a sentence on chunk files that are missing among `files`, as a list; ValueError if all are."""
         total = math.prod(
             math.ceil(side / part) for side, part in zip(self._array.shape, self._file_chunks, strict=True)
         )
         found = sum(bool(_CHUNK.fullmatch(file.name)) for file in files if file.is_relative_to(self._folder))
-        return max(0, total - found), total
+        if not found and total:
+            raise ValueError(f"it lacks all of its {total} chunks: copy the whole folder")
+        return [
+            f"{total - found} of the {total} chunks of the folder are missing and count as {self._array.fill_value}: "
+            "they were empty, or the copy is not complete."
+        ] * (found < total)
 
     def check(self, ranges: list[range]) -> None:
         """Raise ValueError for a truncated chunk of Blosc, which would read on, in `ranges` (one per axis)."""
@@ -64,6 +69,14 @@ class Chunks:
                 head = reading.start(file, 16)
                 if len(head) < 16 or struct.unpack_from("<I", head, 12)[0] > reading.size(file):
                     raise ValueError(f"its chunk {key} is truncated: its header states more bytes")
+
+
+def missing_chunks(array: Any) -> list[str]:
+    """Return a sentence on missing chunks of an array that zarr opened in a folder; see `Chunks.missing`."""
+    root = getattr(getattr(array, "store", None), "root", None)
+    if type(array).__module__.partition(".")[0] != "zarr" or root is None:
+        return []
+    return Chunks(Path(root), array).missing(files_of(Path(root) / array.path))
 
 
 META = "zarr.json"

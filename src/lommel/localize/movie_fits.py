@@ -235,6 +235,8 @@ def _open_images(
         with nullcontext(movie) if isinstance(movie, Frames) else frames_of("movie", movie) as frames:
             stack = frames.as_stack()
             count, rows, columns = stack.shape
+            for note in () if frames is movie else stack.notes:
+                validation.tell(f"movie: {note}")
             yield (count, rows, columns), stack, "" if stack.path is None else stack.path.name, stack.metadata
         return
     if isinstance(movie, Counts):

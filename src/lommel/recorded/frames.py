@@ -1021,13 +1021,7 @@ def _zarr_frames(path: Path, part: str | None) -> Frames:
         sides = {letter: length(size, unit) for letter, size, unit in stated}
     metadata = zarr_metadata(image.attributes, sides)
     planes = _ZarrPlanes(path, array, tuple(letters.index(letter) for letter in order))
-    missing, total = planes.chunks.missing(files)
-    if missing == total:
-        raise ValueError(f"it lacks all of its {total} chunks: copy the whole folder")
-    notes += [
-        f"{missing} of the {total} chunks of the folder are missing and count as {array.fill_value}: they were "
-        "empty, or the copy is not complete."
-    ] * (missing > 0)
+    notes += planes.chunks.missing(files)
     stack_shape = tuple(array.shape[letters.index(letter)] for letter in order[:-2])
     numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
     return Frames(planes, numbers, order, metadata | {"format": "OME-Zarr"}, tuple(notes))

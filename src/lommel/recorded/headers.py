@@ -16,6 +16,7 @@ from lommel.base.arrays import Json
 from lommel.base.quantities import ANGLES, BARE, EVEN, LENGTHS, metres_of, spacings, stated_unit
 from lommel.base.units import ARCSEC, format_length
 from lommel.io import fits_images
+from lommel.io.zarr_folders import missing_chunks
 from lommel.recorded.noise import Noise
 
 # Names of FITS header cards in common use.
@@ -244,7 +245,10 @@ def without_compared(notes: Sequence[str]) -> list[str]:
 
 
 def metadata_of(name: str, images: Any) -> Metadata:
-    """Return what images state of their recording: frames, headers and units of astropy, coordinates of xarray."""
+    """Return what images state of their recording: frames, headers and units of astropy, coordinates of xarray.
+
+    Chunks that an array of Zarr lacks are told; ValueError if it lacks all.
+    """
     if type(images).__module__.partition(".")[0] == "lommel":
         return dict(getattr(images, "metadata", {}))
     if isinstance(images, list | tuple):
@@ -252,6 +256,11 @@ def metadata_of(name: str, images: Any) -> Metadata:
         return combined_metadata(each) if each else {}
     if type(images) in BARE:
         return {}
+    try:
+        for note in missing_chunks(images):
+            validation.tell(f"{name}: {note}")
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
     header = getattr(images, "header", getattr(images, "meta", None))
     cards = {str(key).upper(): value for key, value in header.items()} if isinstance(header, Mapping) else {}
     if (unit := stated_unit(images)) is not None:

@@ -13,6 +13,7 @@ import scipy
 from lommel.base.arrays import Array
 from lommel.estimation.focal_model import Spectrum, pupil_curve
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
+from lommel.imaging.edge_spread import sharper_edges
 from lommel.imaging.motion import Motion, likely_motion
 from lommel.measures.transfer import otf
 from lommel.optics.pupil import Pupil
@@ -25,9 +26,12 @@ _SPHERICAL = -1.0, -0.5, 0.5, 1.0  # waves of spherical aberration that are comp
 # restoration has more fine detail than scenes.
 _FLAT, _FLAT_GAIN, _WHITE = 1.75, 3.0, 1.25
 _WEAK_GAIN = 2.0  # gain of a wider blur from which a weak one is no doubt
-# Variation is compared in windows (pixels) with more of it than this share of them; gain from which edges ring, and
-# from which they agree with a likelier blur that a weak one is stated too wide.
-_EDGE_WINDOW, _EDGES, _RINGS, _SHARPER = 7, 0.9, 0.75, 0.4
+# Variation is compared in windows (pixels) with more of it than this share of them; gain from which edges ring, where
+# their profiles do not or do agree with the stated blur, and from which they agree with a likelier blur.
+_EDGE_WINDOW, _EDGES, _RINGS, _SHARPER = 7, 0.9, (0.7, 0.8), 0.4
+_OF_EDGES = [_SCALES.index(0.3), _SCALES.index(0.6), 0]  # blurs to which profiles of edges are compared
+# Evidence of the profiles of edges from which they are sharper than behind the stated blur, and as soft.
+_SHARP_EDGES, _SOFT_EDGES = 2.5, -6.0
 _SHARPENED = 3.0  # gain in log-likelihood from which a photograph counts as sharpened
 _MIN_GAIN = 6.0  # gain in log-likelihood from which another blur is preferred
 _NYQUIST = 0.5  # cycles per pixel
@@ -68,8 +72,9 @@ class BlurVerdict(NamedTuple):
     `sharpening` is the gain of an unsharp mask over these blurs. `noise` is the most likely variance of the noise
     above the stated one, by the stated blur, and `noise_gain` its gain. Of a mask and noise the less likely
     explanation has a gain of 0. `slope` is the exponent of the texture behind the stated blur. A photograph that was
-    moved has its `motion`. A `weak` blur has no zeros at the frequencies of pixels. `edges` is the gain of the total
-    variation at strong edges by restoration, over that of the height of a thin line.
+    moved has its `motion`. A `weak` blur has no zeros at the frequencies of pixels: its `edges` are the gain of the
+    total variation at strong edges by restoration, over that of the height of a thin line, and its `profiles` the
+    evidence of those of edges for less blur.
     """
 
     factor: float
@@ -83,6 +88,7 @@ class BlurVerdict(NamedTuple):
     weak: bool = False
     motion: Motion | None = None
     edges: float = 0.0
+    profiles: float = 0.0
 
     @property
     def doubtful(self) -> bool:
@@ -104,12 +110,18 @@ class BlurVerdict(NamedTuple):
         return self.weak and self.slope <= _FLAT and not softer and not self.doubtful
 
     @property
+    def soft_edges(self) -> bool:
+        """True if steps in the photograph are as soft as a weak blur makes them."""
+        return self.profiles < _SOFT_EDGES
+
+    @property
     def ringing(self) -> bool:
-        """True if the restoration by a weak blur makes edges ring: the photograph is sharper than stated.
+        """True if edges are sharper than behind a weak blur, or its restoration makes them ring.
 
         Blur keeps the total variation of a monotonic edge, and restoration therefore does not raise it.
         """
-        return self.weak and not self.doubtful and self.edges > _RINGS
+        sharp = self.profiles > _SHARP_EDGES or self.edges > _RINGS[self.soft_edges]
+        return self.weak and not self.doubtful and sharp
 
     @property
     def implausible(self) -> bool:
@@ -154,7 +166,9 @@ def compare_blurs(
     texture = rings.texture(curves[0], 0)
     noise = texture.noise
     likelihood = rings.likelihood(curves, 0, noise)
-    sharpening = rings.sharpening(curves[[0, int(np.argmax(likelihood))]], 0, noise)
+    weak = bool(curves[0][FREQUENCIES < _NYQUIST].min() > 0.0)
+    # The texture behind a weak blur looks like a sharpened one.
+    sharpening = 0.0 if weak else rings.sharpening(curves[[0, int(np.argmax(likelihood))]], 0, noise)
     if spherical is not None and likelihood.max() - likelihood[0] > _MIN_GAIN:
         # Spherical aberration takes more time: it is compared where the stated blur is not the best one.
         factors, waves = np.append(factors, np.ones(len(_SPHERICAL))), np.append(waves, _SPHERICAL)
@@ -171,8 +185,8 @@ def compare_blurs(
         sharpening = 0.0
     return BlurVerdict(
         float(factors[best]), float(waves[best]), gain, sharpness, sharpening, more, noise_gain, texture.slope,
-        bool(curves[0][FREQUENCIES < _NYQUIST].min() > 0.0), likely_motion(curves, plane, variance),
-        _edge_gain(curves[0], plane, restored),
+        weak, likely_motion(curves, plane, variance), _edge_gain(curves[0], plane, restored) if weak else 0.0,
+        sharper_edges(curves[_OF_EDGES], plane, variance) if weak else 0.0,
     )  # fmt: skip
 
 

@@ -359,7 +359,8 @@ def restore(
                 share, stopped = 1.0, MISFIT
     if verdict is not None and verdict.weak:
         fit = observed.mean(observed.discrepancies_of(result.light)) - observed.slack
-        misfit = fit > _MAX_DISCREPANCY and not (verdict.doubtful or verdict.noisier)
+        most = _MAX_RINGING if verdict.soft_edges else _MAX_DISCREPANCY
+        misfit = fit > most and not (verdict.doubtful or verdict.noisier)
         if verdict.ringing or verdict.flat or misfit:
             share, stopped = 1.0, MISFIT
     restored = blend(observed, result.light, share)
@@ -483,7 +484,7 @@ def _findings(
     if verdict is not None:
         untested = (_UNTESTED_WEAK if verdict.weak else ()) + _UNTESTED_BESIDES
     findings = [untested_finding(untested, {})]
-    untested_fit = verdict is None or verdict.doubtful or verdict.noisier
+    untested_fit = verdict is None or verdict.doubtful or verdict.noisier or verdict.soft_edges
     if discrepancy > (_MAX_RINGING if untested_fit else limit - 1.0 + _MAX_DISCREPANCY):
         text = (
             f"the result fits less well than noise allows (discrepancy {discrepancy:.3g}): blur or noise are not as "
@@ -571,10 +572,11 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
         return [Finding("blur_doubtful", "doubt", text, numbers)]
     if verdict.ringing:
         text = (
-            "the stated blur has no zeros, and its restoration makes edges ring: the photograph is sharper than "
-            "stated, or was moved; check distance, f-number and focus"
+            "edges are sharper than behind the stated blur, or ring in its restoration: the photograph is sharper "
+            "than stated, was sharpened or moved; check distance, f-number and focus"
         )
-        return [Finding("blur_doubtful", "doubt", text, numbers | {"edges": verdict.edges})]
+        numbers |= {"edges": verdict.edges, "profiles": verdict.profiles}
+        return [Finding("blur_doubtful", "doubt", text, numbers)]
     if verdict.flat:
         text = (
             "the stated blur has no zeros, and behind it the scene has more fine detail than most scenes (power "

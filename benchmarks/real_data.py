@@ -184,14 +184,16 @@ def measured(one: Set, pictures: Path | None) -> Result:
 
 
 def judged(rows: list[Row], facts: list[Facts], seconds: float = math.nan) -> Result:
-    """Return what rows and the verdicts of commands amount to."""
+    """Return what rows and the verdicts of commands amount to; results without a verdict count as good."""
     verdicts = [fact for fact in facts if "status" in fact]
     said = []
     for fact in verdicts:
         grave = [one for one in fact.get("findings", ()) if one["severity"] in ("error", "doubt")]
         said += [brief(one["text"]) for one in sorted(grave, key=lambda one: one["severity"] != "error")[:1]]
     statuses = list(dict.fromkeys(str(fact["status"]) for fact in verdicts))
-    return Result(rows, statuses, any(fact["reliable"] for fact in verdicts), list(dict.fromkeys(said)), seconds)
+    return Result(
+        rows, statuses, not verdicts or any(fact["reliable"] for fact in verdicts), list(dict.fromkeys(said)), seconds
+    )
 
 
 def brief(text: str) -> str:
@@ -223,7 +225,7 @@ def number(value: float, error: float = math.nan) -> str:
         return "–"
     if not (math.isfinite(error) and error > 0.0):
         return f"{value:.4g}"
-    decimals = min(max(0, 1 - math.floor(math.log10(error))), 4)
+    decimals = max(0, 1 - math.floor(math.log10(error)))
     return f"{value:.{decimals}f}"
 
 
@@ -247,8 +249,11 @@ _MEANS = {
 
 
 def verdict(result: Result) -> str:
-    """Return the verdicts in words."""
-    return ", ".join(dict.fromkeys(_MEANS.get(status, status.replace("_", " ")) for status in result.statuses))
+    """Return the verdicts in words; without one a result counts as good."""
+    return (
+        ", ".join(dict.fromkeys(_MEANS.get(status, status.replace("_", " ")) for status in result.statuses))
+        or "none, counts as good"
+    )
 
 
 def summary(sets: Iterable[Set], results: dict[str, Result]) -> list[str]:

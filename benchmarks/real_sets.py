@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import re
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -37,7 +38,7 @@ _CWFS_NM = (
     (-6.26481943, 137.74661812, 40.99011616, 37.98610521, -38.14227693, -2.27884537, -7.45553831),
     (41.73833098, 42.61086748, 29.83620146, -6.23734934, -27.33510745, -20.39833327, -16.31023311),
 )
-_AUXTEL_NM = 670.0
+_AUXTEL_NM, _RUBIN_NM = 670.0, 3850.0
 _FREQUENCIES = (0.1, 0.2, 0.3, 0.4)
 _PUPIL = 22.5e-3
 """Metres from the front of the 50 mm lens to its entrance pupil, by rf50mm.zmx of the same repository."""
@@ -60,6 +61,32 @@ def change_of_terms(facts: list[Facts]) -> Iterator[Row]:
         error = math.hypot(first["errors"][name], second["errors"][name])
         change = second["coefficients"][name] - first["coefficients"][name]
         yield Row(f"Noll {noll}", before - after, nm * change, nm * error)
+
+
+def rubin_donuts(places: dict[str, Path]) -> None:
+    """Write the donuts as arrays, of a million counts each."""
+    for name, place in places.items():
+        np.save(Path(name).stem, 1e3 * np.loadtxt(place))
+
+
+def simulated_terms(facts: list[Facts]) -> Iterator[Row]:
+    """Yield Noll 5 to 11 beside the one simulated; CWFS has the opposite sign, and turns the rows of texts."""
+    (fact,) = facts
+    nm = _RUBIN_NM / (2.0 * math.pi)
+    for noll, name in _NOLL.items():
+        reference = -0.25 * 770.0 if noll == 7 else 0.0
+        yield Row(f"Noll {noll}", reference, nm * fact["coefficients"][name], nm * fact["errors"][name])
+
+
+def listed_rms(facts: list[Facts]) -> Iterator[Row]:
+    """Yield the rms of the wavefront beside that of the listing, from its coefficients, with and without tilt."""
+    fitted = Path("listing.txt").read_text(encoding="utf-16").partition("fitted coefficients:")[2]
+    for name, label, key in (
+        ("chief", "rms", "rms_waves"),
+        ("centroid", "rms without tilt", "rms_waves_without_tilt"),
+    ):
+        (listed,) = re.findall(rf"RMS \(to {name}\)\s*:\s*([\d.]+) waves", fitted)
+        yield Row(label, float(listed), facts[0][key], 1e-8)
 
 
 def bead(places: dict[str, Path]) -> None:
@@ -250,6 +277,7 @@ def star_places(facts: list[Facts]) -> Iterator[Row]:
 
 PREPARE: dict[str, Callable[[dict[str, Path]], None]] = {
     "bead": bead,
+    "lsst": rubin_donuts,
     "decam": decam_stars,
     "picasso": picasso_movie,
     "storm": storm_movie,
@@ -260,6 +288,8 @@ MEASURE: dict[str, Callable[[list[Facts]], Iterator[Row]]] = {
     "edges": edge_responses,
     "rf50": plane_depths,
     "decam": star_places,
+    "lsst": simulated_terms,
+    "opticstudio": listed_rms,
     "picasso": picasso_positions,
     "storm": storm_positions,
 }

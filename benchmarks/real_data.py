@@ -344,10 +344,10 @@ def kept() -> dict[str, Result]:
 
 
 def keep(results: dict[str, Result]) -> None:
-    """Store results, numbers with six digits."""
+    """Store results, numbers with ten digits."""
 
     def plain(value: Any) -> Any:
-        return value if isinstance(value, str) else float(f"{value:.6g}") if math.isfinite(value) else None
+        return value if isinstance(value, str) else float(f"{value:.10g}") if math.isfinite(value) else None
 
     stored = {
         key: vars(one) | {"rows": [[plain(part) for part in row] for row in one.rows], "seconds": round(one.seconds)}

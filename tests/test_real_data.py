@@ -125,10 +125,10 @@ def test_rows_have_the_digits_of_their_errors():
 def test_results_are_stored_and_read(tmp_path, monkeypatch):
     monkeypatch.setattr(real_data, "KEPT", tmp_path / "kept.json")
     assert real_data.kept() == {}
-    rows = [Row("a", 1.23456789, 2.0, 0.5), Row("b", 3.0, 4.0, math.nan)]
+    rows = [Row("a", 1.234567890123, 2.0, 0.5), Row("b", 3.0, 4.0, math.nan)]
     real_data.keep({"x": Result(rows, ["misfit"], False, ["chi2"], 12.4)})
     (again,) = real_data.kept().values()
-    assert again.rows[0] == Row("a", 1.23457, 2.0, 0.5)
+    assert again.rows[0] == Row("a", 1.23456789, 2.0, 0.5)
     assert math.isnan(again.rows[1].error)
     assert (again.statuses, again.said, again.seconds) == (["misfit"], ["chi2"], 12)
 

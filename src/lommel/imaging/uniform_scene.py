@@ -110,7 +110,7 @@ class MeasuredScene(NamedTuple):
 
         # A measured PSF may itself have a direction.
         verdict = compare_blurs(of_factors, None, *_compared(observed, light))
-        return verdict._replace(motion=None)
+        return verdict._replace(motion=None, profiles=0.0)
 
 
 class SceneEstimate(NamedTuple):

@@ -251,7 +251,7 @@ def test_effects_are_fitted_that_are_nearly_as_likely_as_the_best(evidence, coun
     fit = Made(quality=(1.0, 0.1), log_posterior=0.0, fits=lambda _: fits)
     tests = [score(str(k), one) for k, one in enumerate(evidence)]
     monkeypatch.setattr(bead_checks, "missing_tests", lambda *_: (tests, None, []))
-    free = lambda model, fit, names, *_: asked.append([*names]) or (model, Made(log_posterior=2.0))  # noqa: E731
+    free = lambda model, fit, names, *_: asked.append([*names]) or (model, Made(log_posterior=2.0, settled=False))  # noqa: E731
     monkeypatch.setattr(bead_checks, "_refit_with_free", lambda *a: free(*a) if len(a) == 5 else None)
     monkeypatch.setattr(bead_checks, "brightest_beads", lambda *pair: fewer.append(pair) or pair)
     monkeypatch.setattr(bead_checks, "_in_words", lambda *_: "")

@@ -432,9 +432,11 @@ class PhotographLikelihood(PoissonLikelihood):
 
     def blurred(self, light: Values) -> Values:
         """Return the image of a scene `light`; it is kept for the last two, which must not change."""
-        kept = [pair for pair in self._blurred if pair[0] is light] or [(light, np.array(self.blur.forward(light)))]
-        self._blurred = kept + [pair for pair in self._blurred if pair[0] is not light][:1]
-        return kept[0][1]
+        image = next((image for scene, image in self._blurred if scene is light), None)
+        if image is None:
+            image = np.array(self.blur.forward(light))
+        self._blurred = [(light, image), *(pair for pair in self._blurred if pair[0] is not light)][:2]
+        return image
 
     def model(self, light: Values) -> Values:
         """Return the expected counts of a scene `light`."""

@@ -441,7 +441,8 @@ class PhotographLikelihood(PoissonLikelihood):
     def model(self, light: Values) -> Values:
         """Return the expected counts of a scene `light`."""
         model = self.blurred(light) + self.added
-        return np.maximum(model, TINY, out=model)
+        np.maximum(model, TINY, out=model)
+        return model
 
     def discrepancies_of(self, light: Values) -> Array:
         """Return the discrepancy of each channel for a scene `light`."""

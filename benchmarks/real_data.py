@@ -291,7 +291,7 @@ def section(one: Set, result: Result) -> list[str]:
     said = [f"- lommel: {text}{'' if text.endswith('...') else '.'}" for text in result.said]
     picture = [f"![{one.title}: {one.task}](real/{one.key}.png)", ""]
     return [
-        f"## {one.title}", "", one.data, "", *shown, *picture, *table(result, one.unit), "",
+        f"### {one.title}", "", one.data, "", *shown, *picture, *table(result, one.unit), "",
         *said, *([""] if said else []), " ".join(one.says), "",
     ]  # fmt: skip
 
@@ -305,7 +305,7 @@ Measured data, and data that other programs made, with the numbers of another pr
 lommel's. All other figures of these pages are of simulations ([the proving ground](trust.md)).
 """
 
-_TAIL = """## Details
+_DETAILS = """## Details
 
 The error of a number is its difference from the reference, over the standard error that lommel states. Wrong is an
 error of more than four, or a number of a good result without a standard error, as on
@@ -314,10 +314,6 @@ error of more than four, or a number of a good result without a standard error, 
 `make real-data` fetches the {count} files, each with a checksum, into a cache outside the repository, runs the
 commands and writes this page; without a network set `LOMMEL_REAL_DATA` to a folder that has them. None of these
 files is part of this package.
-
-The lens files of the commands:
-
-{lenses}
 """
 
 
@@ -327,9 +323,9 @@ def page(sets: Iterable[Set], results: dict[str, Result]) -> str:
     lenses = {name: text for one in done for name, text in one.lenses.items()}
     blocks = "\n\n".join(f"```toml\n# {name}\n{text}```" for name, text in lenses.items())
     minutes = sum(result.seconds for result in results.values()) / 60.0
-    tail = _TAIL.format(minutes=minutes, count=sum(len(one.files) for one in done), lenses=blocks)
+    details = _DETAILS.format(minutes=minutes, count=sum(len(one.files) for one in done))
     sections = [line for one in done for line in section(one, results[one.key])]
-    return "\n".join([_HEAD, *summary(done, results), "", *sections, tail])
+    return "\n".join([_HEAD, *summary(done, results), "", details, *sections, "### Lens files", "", blocks, ""])
 
 
 def kept() -> dict[str, Result]:

@@ -10,6 +10,7 @@
 #include "lommel/imaging/depth_layers.hpp"
 #include "lommel/imaging/field_spread.hpp"
 #include "lommel/imaging/plane_filter.hpp"
+#include "lommel/imaging/shrinkage.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/imaging/spread.hpp"
 
@@ -158,6 +159,39 @@ void filter_planes(Out<std::complex<float>, 3> room, const nb::typed<nb::list, n
     });
 }
 
+template <class Values>
+lommel::Planes planes_of(const Values& planes, bool periodic = false) {
+    return {planes.shape(0), planes.shape(1), planes.shape(2), periodic};
+}
+
+double gradient_sum(In<float, 3> light, bool periodic) {
+    require(light.size() > 0, "planes must not be empty");
+    return released([&] { return lommel::gradient_sum(planes_of(light, periodic), light.data()); });
+}
+
+// One step of the total variation, see shrinkage.hpp.
+Out<float, 3> shrink_gradient(In<float, 3> light, Out<float, 4> dual, float factor, float limit, bool periodic) {
+    const lommel::Planes planes = planes_of(light, periodic);
+    require(light.size() > 0 && dual.size() == 2 * light.size() && limit > 0.0F,
+            "the dual must have two planes for each of the light, and the limit must be positive");
+    auto out = new_array<float, 3>({planes.count, planes.height, planes.width});
+    released([&] { lommel::shrink_gradient(planes, light.data(), dual.data(), factor, limit, out.data()); });
+    return out;
+}
+
+// Shrink the coefficients of a frame by their own energy or, if given, by that of an estimate, in place.
+void shrink_bands(Out<float, 3> values, In<float, 2> relative, In<float, 1> noise, In<float, 1> taps,
+                  std::optional<In<float, 3>> seen, std::optional<In<float, 3>> sharp) {
+    const lommel::Planes planes = planes_of(values);
+    require(values.size() > 0 && relative.size() == planes.size() && noise.size() == planes.count && taps.size() > 0 &&
+                (!seen || (sharp && seen->size() == values.size() && sharp->size() == values.size())),
+            "coefficients, estimates and noise must have the same shape");
+    released([&] {
+        lommel::Shrinkage shrinkage(planes, relative.data(), noise.data(), taps.data(), taps.size() - 1);
+        seen ? shrinkage.by_estimate(values.data(), seen->data(), sharp->data()) : shrinkage.by_own_energy(values.data());
+    });
+}
+
 }  // namespace
 
 void bindings::define_imaging(nb::module_& m) {
@@ -170,6 +204,11 @@ void bindings::define_imaging(nb::module_& m) {
     m.def("filter_planes", &filter_planes, "room"_a.noconvert(), "transfers"_a, "weights"_a, "recording"_a, "first"_a,
           "before"_a, "after"_a, "length"_a, "transposed"_a, "threads"_a,
           "Convolves the first planes of a room along all planes, at each lateral frequency, or applies the transpose.");
+    m.def("gradient_sum", &gradient_sum, "light"_a, "periodic"_a, "The sum of the lengths of the gradients of planes.");
+    m.def("shrink_gradient", &shrink_gradient, "light"_a, "dual"_a.noconvert(), "factor"_a, "limit"_a, "periodic"_a,
+          "One step of the total variation: the gradient that it subtracts from twice, transposed; the dual is overwritten.");
+    m.def("shrink_bands", &shrink_bands, "values"_a.noconvert(), "relative"_a, "noise"_a, "taps"_a, "seen"_a = nb::none(),
+          "sharp"_a = nb::none(), "Shrinks coefficients by their energy around them, or that of an estimate, in place.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
         m.def("composite", &composite<T>, "bank"_a.noconvert(), "positions"_a, "layering"_a.noconvert(),

@@ -303,6 +303,19 @@ def filter_planes(room: Annotated[NDArray[numpy.complex64], dict(shape=(None, No
     Convolves the first planes of a room along all planes, at each lateral frequency, or applies the transpose.
     """
 
+def gradient_sum(light: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], periodic: bool) -> float:
+    """The sum of the lengths of the gradients of planes."""
+
+def shrink_gradient(light: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], dual: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None, None), order='C', device='cpu')], factor: float, limit: float, periodic: bool) -> Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')]:
+    """
+    One step of the total variation: the gradient that it subtracts from twice, transposed; the dual is overwritten.
+    """
+
+def shrink_bands(values: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], relative: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu', writable=False)], noise: Annotated[NDArray[numpy.float32], dict(shape=(None,), order='C', device='cpu', writable=False)], taps: Annotated[NDArray[numpy.float32], dict(shape=(None,), order='C', device='cpu', writable=False)], seen: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)] | None = None, sharp: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)] | None = None) -> None:
+    """
+    Shrinks coefficients by their energy around them, or that of an estimate, in place.
+    """
+
 @overload
 def composite(bank: tuple[Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]], positions: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], layering: tuple[Annotated[NDArray[numpy.uint8], dict(shape=(None, None), order='C', device='cpu', writable=False)], Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)] | None, int], image: Annotated[NDArray[numpy.float32], dict(shape=(None, None), device='cpu', writable=False)] | None, range: tuple[int, int], known: bool, threads: int, seen: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')], total: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')], out: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')] | None = None) -> None: ...
 

@@ -40,12 +40,15 @@ field_spread = _core.field_spread
 filter_planes = _core.filter_planes
 gauss_error = _core.gauss_error
 gauss_legendre = _core.gauss_legendre
+gradient_sum = _core.gradient_sum
 huygens_sum = _core.huygens_sum
 least_average = _core.least_average
 least_squares = _core.least_squares
 polynomial_fields = _core.polynomial_fields
 product = _core.product
 scatter = _core.scatter
+shrink_bands = _core.shrink_bands
+shrink_gradient = _core.shrink_gradient
 spread = _core.spread
 transfer_rule = _core.transfer_rule
 

@@ -23,7 +23,7 @@ import itertools
 import math
 import time
 from collections.abc import Callable, Sequence
-from functools import lru_cache, partial
+from functools import cache, lru_cache, partial
 from typing import NamedTuple, Self, TypeGuard
 
 import numpy as np
@@ -31,9 +31,10 @@ import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
+from lommel.core import engine
 from lommel.deconvolve.algorithms import ONE_PASS, ProgressCallback, silent
 from lommel.deconvolve.iterations import Solution
-from lommel.deconvolve.likelihood import PhotographLikelihood, at_least
+from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.deconvolve.linear import LinearBlur, copies
 from lommel.estimation.focal_model import Spectrum, pupil_curve
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum, cosine_axes
@@ -195,12 +196,20 @@ def uniform_over_field(blur: LinearBlur) -> TypeGuard[FieldBlur | MeasuredBlur]:
     return isinstance(blur, MeasuredBlur) or (isinstance(blur, FieldBlur) and float(np.ptp(blur.defocus)) == 0.0)
 
 
-def _cosines(planes: Values) -> Values:
-    return np.asarray(scipy.fft.dctn(planes, axes=(-2, -1), norm="ortho"))
+def _cosines(planes: Values, overwrite: bool = False) -> Values:
+    return np.asarray(scipy.fft.dctn(planes, axes=(-2, -1), norm="ortho", overwrite_x=overwrite))
 
 
-def _inverse(planes: Values) -> Values:
-    return np.asarray(scipy.fft.idctn(planes, axes=(-2, -1), norm="ortho"))
+def _inverse(spectra: Values) -> Values:
+    """Return the planes of cosine spectra, which are overwritten."""
+    return np.asarray(scipy.fft.idctn(spectra, axes=(-2, -1), norm="ortho", overwrite_x=True))
+
+
+@cache
+def _taps(rms: float) -> Values:
+    """Return the weights of a Gaussian at distances from 0, pixels."""
+    weights = np.exp(-0.5 * np.square(np.arange(int(2.5 * rms + 0.5) + 1) / rms))
+    return np.asarray(weights / (2.0 * weights.sum() - 1.0), dtype=_Real)
 
 
 def _smooth(planes: Values, rms: float) -> Values:
@@ -336,8 +345,8 @@ class _Problem:
         """Return the part of other planes."""
         return np.asarray(planes[:, *self.place])
 
-    def _transformed(self, planes: Values) -> Values:
-        return _cosines(planes)
+    def _transformed(self, planes: Values, overwrite: bool = False) -> Values:
+        return _cosines(planes, overwrite)
 
     def _inverted(self, spectra: Values) -> Values:
         return _inverse(spectra)
@@ -450,18 +459,17 @@ class _Problem:
         result, coefficients = low * start, []
         for b in bands:
             values = _inverse(b.gain * start[b.part])
-            passed = np.mean(np.square(b.gain * filtered[b.part]), axis=(1, 2), keepdims=True)
-            noise = variances[b.sides] * (self.mean[channel] * passed)
-            energy = _smooth(np.square(values), _LOCAL_RMS[0] * b.scale)
-            shrunk = values * np.maximum(energy - noise, 0.0) / np.maximum(energy, 1e-30)
-            result[b.part] += b.joined(_cosines(shrunk))
+            noise = self.mean[channel, 0, 0] * np.square(b.gain * filtered[b.part]).mean((1, 2))
+            shrunk = values.copy()
+            engine.shrink_bands(shrunk, variances[b.sides], noise, _taps(_LOCAL_RMS[0] * b.scale))
+            result[b.part] += b.joined(_cosines(shrunk, overwrite=True))
             coefficients.append((values, noise))
         pilot, result = result, low * start
         for b, (values, noise) in zip(bands, coefficients, strict=True):
             sharp = _inverse(b.gain * pilot[b.part])
             seen = _inverse(b.gain * transmitted[b.part] * pilot[b.part])
-            energy, product = (_smooth(seen * other, _LOCAL_RMS[1] * b.scale) for other in (seen, sharp))
-            result[b.part] += b.joined(_cosines(values * product / np.maximum(energy + noise, 1e-30)))
+            engine.shrink_bands(values, variances[b.sides], noise, _taps(_LOCAL_RMS[1] * b.scale), seen, sharp)
+            result[b.part] += b.joined(_cosines(values, overwrite=True))
         return _inverse(result)
 
     def _variation(
@@ -473,54 +481,27 @@ class _Problem:
         precision, weighted = self._squared / self.mean, self.h.conj() / self.mean
         data = weighted * spectrum
         light, penalty, target = start, _Real(0.0), len(start) * _STRENGTH
-        gradient = self._gradient(light)
-        dual, field, norm = np.zeros_like(gradient), np.empty_like(gradient), np.empty_like(light[0])
+        dual = np.zeros((2, *light.shape), light.dtype)
+        before, strength = _Real(1.0), 0.0
         for k in range(steps):
+            factor = 1.0
             if k % _RENEWED == 0:
-                mean = max(float(np.sqrt(np.square(gradient).sum((0, 1))).mean(dtype=np.float64)), 1e-9)
+                mean = max(engine.gradient_sum(light, self._periodic) / light[0].size, 1e-9)
                 strength = target / mean
                 if k < _TUNED:
                     before, penalty = penalty, _Real(2.0 * strength / mean)
-                    dual *= before / penalty
+                    factor = float(before / penalty)
                     inverse = 1.0 / (precision + penalty * laplacian + _Real(1e-12))
                 if renewed is not None and k:
                     data = weighted * renewed(self._transformed(light))
-            # Shrinkage of the gradient by lambda / penalty, for all channels together; in place, which is faster.
-            dual += gradient
-            np.sqrt(np.einsum("gcyx,gcyx->yx", dual, dual, out=norm), out=norm)
-            kept = np.divide(_Real(strength / penalty), at_least(norm, 1e-12), out=norm)
-            np.minimum(kept, np.ones_like(kept[0]), out=kept)
-            np.multiply(dual, _Real(1.0) - _Real(2.0) * kept, out=field)
-            dual *= kept
-            spectrum = self._transformed(_divergence(field))
-            spectrum *= penalty
-            spectrum += data
-            spectrum *= inverse
+                fixed, share = data * inverse, penalty * inverse
+            # Shrinkage of the gradient by lambda / penalty, for all channels together.
+            field = engine.shrink_gradient(light, dual, factor, float(strength / penalty), self._periodic)
+            spectrum = self._transformed(field, overwrite=True)
+            spectrum *= share
+            spectrum += fixed
             light = self._inverted(spectrum)
-            self._gradient(light, gradient)
         return light
-
-    def _gradient(self, planes: Values, out: Values | None = None) -> Values:
-        """Return the differences to the next row and column; at the last ones they are 0 unless periodic."""
-        gradient = np.zeros((2, *planes.shape), planes.dtype) if out is None else out
-        np.subtract(planes[:, 1:], planes[:, :-1], out=gradient[0, :, :-1])
-        np.subtract(planes[:, :, 1:], planes[:, :, :-1], out=gradient[1, :, :, :-1])
-        if self._periodic:
-            gradient[0, :, -1] = planes[:, 0] - planes[:, -1]
-            gradient[1, :, :, -1] = planes[:, :, 0] - planes[:, :, -1]
-        return gradient
-
-
-def _divergence(field: Values) -> Values:
-    """Return the transpose of the gradient."""
-    planes = np.add(field[0], field[1])
-    np.negative(planes, out=planes)
-    planes[:, 1:] += field[0, :, :-1]
-    planes[:, :, 1:] += field[1, :, :, :-1]
-    # 0 unless periodic
-    planes[:, 0] += field[0, :, -1]
-    planes[:, :, 0] += field[1, :, :, -1]
-    return np.asarray(planes)
 
 
 class _FieldProblem(_Problem):
@@ -540,8 +521,8 @@ class _FieldProblem(_Problem):
         transfer = partial(_window_transfer, windows)
         return cls(photo, tile, max(2 * half, _FIELD_MARGIN), transfer, _radial(transfer, half))
 
-    def _transformed(self, planes: Values) -> Values:
-        return np.asarray(scipy.fft.rfft2(planes))
+    def _transformed(self, planes: Values, overwrite: bool = False) -> Values:
+        return np.asarray(scipy.fft.rfft2(planes, overwrite_x=overwrite))
 
     def _inverted(self, spectra: Values) -> Values:
         return np.asarray(scipy.fft.irfft2(spectra, self.shape))

@@ -9,9 +9,10 @@ import pytest
 import scipy
 
 from lommel import Noise
+from lommel.core import engine
 from lommel.deconvolve.likelihood import PhotographLikelihood
 from lommel.imaging import Blend, DepthBlur, RichardsonLucy, restore
-from lommel.imaging.blended import TiledBlur, UniformBlur, _core, _frame, tiles_of
+from lommel.imaging.blended import TiledBlur, UniformBlur, _core, _frame, _taps, tiles_of
 from lommel.imaging.blur_spectrum import FREQUENCIES, BlurSpectrum
 from scenes import ThinLens, averaged, lommel_lens, plane, texture
 
@@ -123,6 +124,47 @@ def test_uniform_blur_is_its_own_transpose_and_mirrors():
     rms = 9.0 * np.sqrt(2.0) / (2.0 * np.pi)
     expected = scipy.ndimage.gaussian_filter(a.astype(float), rms, mode="reflect", truncate=8.0)
     np.testing.assert_allclose(blur.forward(a), expected, atol=2e-4)
+
+
+@pytest.mark.parametrize("periodic", [False, True])
+def test_gradients_of_all_channels_are_shrunk_together(periodic):
+    draw = np.random.default_rng(3)
+    light, dual = draw.normal(size=(2, 7, 19)).astype(np.float32), draw.normal(size=(2, 2, 7, 19)).astype(np.float32)
+    identity = np.eye(light[0].size).reshape(-1, 7, 19)
+    steps = [np.roll(identity, -1, axis) - identity for axis in (1, 2)]
+    if not periodic:
+        for each in (steps, dual):  # as a dual of gradients alone has it
+            each[0][:, -1], each[1][:, :, -1] = 0.0, 0.0
+    matrix = np.concatenate([each.reshape(len(identity), -1) for each in steps], axis=1).T  # of the gradient
+    gradient = (light.reshape(2, -1).astype(float) @ matrix.T).reshape(2, 2, 7, 19).swapaxes(0, 1)
+    assert engine.gradient_sum(light, periodic) == pytest.approx(np.sqrt(np.square(gradient).sum((0, 1))).sum())
+    moved = 0.6 * dual + gradient
+    length = np.sqrt(np.square(moved).sum((0, 1)))
+    kept = moved * (2.5 / np.maximum(length, 2.5))
+    assert 0.2 < np.mean(length > 2.5) < 0.9
+    result = engine.shrink_gradient(light, dual, 0.6, 2.5, periodic)
+    expected = (moved - 2.0 * kept).swapaxes(0, 1).reshape(2, -1) @ matrix
+    np.testing.assert_allclose(dual, kept, atol=1e-6)
+    np.testing.assert_allclose(result.reshape(2, -1), expected, atol=1e-5)
+
+
+@pytest.mark.parametrize(("rms", "shape"), [(1.2, (3, 9, 21)), (2.4, (2, 4, 5))])
+def test_coefficients_are_shrunk_by_the_energy_around_them(rms, shape):
+    values, seen, sharp = np.random.default_rng(5).normal(size=(3, *shape)).astype(np.float32)
+    relative = np.random.default_rng(6).uniform(0.5, 1.5, shape[1:]).astype(np.float32)
+    noise = np.linspace(0.6, 0.9, shape[0]).astype(np.float32)
+    stated = noise[:, None, None] * relative
+
+    def mean(planes):
+        return scipy.ndimage.gaussian_filter(planes.astype(float), (0.0, rms, rms), mode="reflect", truncate=2.5)
+
+    energy, shrunk = mean(np.square(values)), values.copy()
+    engine.shrink_bands(shrunk, relative, noise, _taps(rms))
+    np.testing.assert_allclose(shrunk, values * np.maximum(energy - stated, 0.0) / energy, atol=2e-6)
+    assert 0.05 < np.mean(shrunk == 0.0) < 0.95
+    expected = values * mean(seen * sharp) / (mean(np.square(seen)) + stated)
+    engine.shrink_bands(values, relative, noise, _taps(rms), seen, sharp)
+    np.testing.assert_allclose(values, expected, atol=2e-6)
 
 
 def test_frame_is_tight_and_tiles_sum_to_one():

@@ -134,6 +134,13 @@ def test_folders_that_workers_do_not_see_or_that_were_replaced_are_told(files, m
         monkeypatch.setattr("lommel.imaging.datasets.atomic.whole_files", lambda _: elsewhere(files / "none"))
         with pytest.raises(ValueError, match=r"a worker does not see .*set: choose a folder that all workers reach"):
             rendered(files, client=client)
+        hidden = FileNotFoundError(2, "No such file or directory", str(files / "photos" / "a.png"))
+        monkeypatch.setattr(datasets, "_render", lambda *_: (_ for _ in ()).throw(hidden))
+        monkeypatch.setattr(datasets.Path, "exists", lambda _: True)
+        with pytest.raises(
+            ValueError, match=r"a worker does not see .*photos: choose a folder that all workers reach"
+        ):
+            rendered(files, client=client)
 
 
 def test_a_worker_that_outlives_its_call_writes_nothing(files):

@@ -431,6 +431,10 @@ def _render_missing(folder: Path, job: _Job, pairs: list[tuple[Path, Path]]) -> 
             if client is not None and scratch.is_dir():
                 raise ValueError(executors.unseen(folder)) from None
             raise
+        except FileNotFoundError as error:
+            if client is not None and error.filename and Path(error.filename).exists():
+                raise ValueError(executors.unseen(Path(error.filename).parent)) from None
+            raise
 
 
 _Output = tuple[list[str], Json, str | None, list[str]]  # names of the files, facts, reason of a failure, warnings

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,17 @@ from lommel.base import executors, validation
 from lommel.base.arrays import Values
 from lommel.base.optional import library
 from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, Source, block_size, sizes_of_chunks
+
+
+@dataclass(frozen=True, eq=False)
+class _InFile:
+    """Images of a file that is opened where they are read: an error while they are unpickled would end a worker."""
+
+    source: Source
+    planes: NDArray[np.intp]
+
+    def opened(self) -> Frames:
+        return replace(self.source.opened(), numbers=self.planes, axes=f"{UNKNOWN}YX")
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,9 +43,12 @@ class Part:
 
     def read(self) -> Values:
         """Return the images, with a mask if the array has one."""
-        images = self.images[self._within]
-        if isinstance(self.images, Frames):
-            self.images.planes.release()
+        source = self.images.opened() if isinstance(self.images, _InFile) else self.images
+        if self.at_worker:
+            _check_seen(source)
+        images = source[self._within]
+        if isinstance(source, Frames):
+            source.planes.release()
             return np.asarray(images)
         if self.at_worker and _is_dask(images):
             images = images.compute(scheduler="synchronous")  # not by the cluster, which waits for this worker
@@ -45,36 +59,30 @@ class Part:
     def _within(self) -> slice:
         return slice(self.first - self.start, self.last - self.start)
 
-    def __reduce__(self) -> tuple[Callable[..., Part], tuple[Any, ...]]:
+    def __reduce__(self) -> tuple[type[Part], tuple[Any, ...]]:
         images, numbers = self.images, (self.first, self.last)
+        if self.at_worker or type(images).__module__.partition(".")[0] == "zarr":
+            return Part, (images, *numbers, self.start, True)
         if isinstance(images, Frames) and images.planes.source is not None:
-            return _part_of_file, (images.planes.source, images.numbers[self._within], *numbers)
-        if type(images).__module__.partition(".")[0] == "zarr":
-            return _part_at_worker, (images, *numbers, self.start)
+            return Part, (_InFile(images.planes.source, images.numbers[self._within]), *numbers, self.first, True)
         if not _is_dask(images):
             return Part, (self.read(), *numbers, self.first)
         (part,) = library("dask", "arrays of dask need", "").optimize(
             images[self._within]
         )  # without the other chunks
-        return _part_at_worker, (part, *numbers, self.first)
+        return Part, (part, *numbers, self.first, True)
 
 
 def _is_dask(images: Any) -> bool:
     return type(images).__module__.partition(".")[0] == "dask"
 
 
-def _part_of_file(source: Source, planes: NDArray[np.intp], first: int, last: int) -> Part:
-    images = replace(source.opened(), numbers=planes, axes=f"{UNKNOWN}YX")
-    return Part(images, first, last, first, at_worker=True)
-
-
-def _part_at_worker(images: Any, first: int, last: int, start: int) -> Part:
+def _check_seen(images: Any) -> None:
     # Chunks of a Zarr array that are missing count as empty: without its folder all would.
     for stored in (images, *(_values_of(images.__dask_graph__()) if _is_dask(images) else ())):
         root = getattr(getattr(stored, "store", None), "root", None)
         if root is not None and not Path(root).exists():
             raise RecordingError(executors.unseen(Path(root)))
-    return Part(images, first, last, start, at_worker=True)
 
 
 def _values_of(graph: Mapping[Any, Any]) -> Iterator[Any]:

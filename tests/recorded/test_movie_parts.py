@@ -86,3 +86,17 @@ def test_arrays_in_memory_are_sent_with_their_mask():
     read = [pickle.loads(pickle.dumps(part)).read() for part, _ in parts_of(hidden, 4)]
     np.testing.assert_array_equal(np.ma.concatenate(read).mask, hidden.mask)
     assert [len(each) for each in read] == [4] * 5 + [3]
+
+
+def test_damaged_chunks_are_named_with_their_images(tmp_path):
+    zarr = pytest.importorskip("zarr")
+    array = zarr.open(str(tmp_path / "a.zarr"), mode="w", shape=MOVIE.shape, chunks=(4, 6, 5), dtype=MOVIE.dtype)
+    array[...] = MOVIE
+    (chunk,) = [
+        file for file in (tmp_path / "a.zarr").rglob("*") if file.name == "0" and file.parent.parent.name == "1"
+    ]
+    chunk.write_bytes(chunk.read_bytes()[:4] + b"damaged, damaged")
+    parts = [pickle.loads(pickle.dumps(part)) for part, _ in parts_of(array, 4)]
+    np.testing.assert_array_equal(parts[0].read(), MOVIE[:4])
+    with pytest.raises(RecordingError, match=r"images 4 to 7 of .*a\.zarr.*: "):
+        parts[1].read()

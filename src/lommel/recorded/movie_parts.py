@@ -46,12 +46,16 @@ class Part:
         source = self.images.opened() if isinstance(self.images, _InFile) else self.images
         if self.at_worker:
             _check_seen(source)
-        images = source[self._within]
+        try:
+            images: Any = source[self._within]
+            if self.at_worker and _is_dask(images):
+                images = images.compute(scheduler="synchronous")  # not by the cluster, which waits for this worker
+        except RuntimeError as error:  # of damaged chunks, which codecs do not name
+            message = f"images {self.first} to {self.last - 1} of {validation.line(source)}: {error}"
+            raise RecordingError(message) from None
         if isinstance(source, Frames):
             source.planes.release()
             return np.asarray(images)
-        if self.at_worker and _is_dask(images):
-            images = images.compute(scheduler="synchronous")  # not by the cluster, which waits for this worker
         values, mask = validation.parted("movie", images, "counts")
         return values if mask is None else np.ma.masked_array(values, mask)
 

@@ -312,13 +312,16 @@ class BeadImages:
         """Return images and, unless `by` is None, their derivatives as well; `by` are names in `AMPLITUDES`."""
         objective, pixel_v, count = setup.objective, setup.pixel_v, len(stack.z)
         layers = layers_of(objective, setup.wavelength)
-        center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
-        samples = Samples(stack.shape, center, pixel_v, _filter_half_width(setup))
+        center = np.array([stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column])
+        half_width, whole = _filter_half_width(setup), np.round(center)
         edge = np.concatenate([waves * self.factors, self._fixed_coefficients, np.zeros(2)])[None]
         if any(place.drift):
             edge = np.repeat(edge, count, axis=0)
             edge[:, -2:] = pixel_v * np.outer(stack.times, place.drift)
-        rule = self.rule(samples, edge)
+        rule = self.rule(Samples(stack.shape, (center[0], center[1]), pixel_v, half_width), edge)
+        # The fraction of a pixel is a tilt: all beads share the large tables of a lattice.
+        samples = Samples(stack.shape, (whole[0], whole[1]), pixel_v, half_width)
+        edge[:, -2:] += pixel_v * (center - whole)
         u, fractions = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
         # No disc may lie inside the cover glass: a bead nearer than its radius is flattened, and images are smooth.
         depths = place.depth + min(0.5 * setup.diameter, place.depth) * u

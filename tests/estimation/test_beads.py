@@ -13,6 +13,7 @@ import pytest
 import lommel as lm
 import plane_waves
 import searches
+from lommel import _core
 from lommel.estimation import bead_checks, bead_images, beads
 from lommel.estimation.bead_checks import is_possible, missing_findings
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed_objective
@@ -182,6 +183,16 @@ def test_images_of_planes_computed_in_groups_are_those_of_single_planes(monkeypa
             single = of(setup, waves(1), alone, one)[..., 0, :, :]
             largest = np.abs(single).max(axis=(-2, -1), keepdims=True)
             np.testing.assert_array_less(np.abs(found[..., k, :, :] - single) / largest, 2e-3)
+
+
+def test_beads_at_fractions_of_a_pixel_share_their_tables():
+    setup, images = Setup(OIL, WAVE, emitter_of("isotropic"), PIXEL, 0.1e-6), BeadImages(TERMS, {}, 1)
+    stack = Stack(np.zeros((4, 2, 121)), (11, 11), np.array([0.0, 2e-7]))
+    kept = []
+    for place in (Place(0.0, 0.0, 0.0, 1e-7), Place(0.2, -0.3, 0.0, 1e-7), Place(-0.4, 0.1, 0.0, 1e-7)):
+        images.values(setup, waves(1), place, stack)
+        kept.append(_core.cached_bytes()[0])
+    assert kept[0] == kept[1] == kept[2]
 
 
 def test_images_are_smooth_in_the_depth_of_a_bead_that_reaches_the_glass():

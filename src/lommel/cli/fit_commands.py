@@ -485,7 +485,7 @@ def beads(
     folder
         Folder of a report: table.csv with a row for each bead, and report.html to print. Further runs with the same
         folder, of other channels and dates, add rows, chromatic shifts and a trend. The date is that in the name of
-        a file, such as 2026-12-01, otherwise that of the file.
+        a file, such as 2026-12-01, otherwise that of the file; each date has its own fit.
     figure
         Figure of planes, model, residuals and terms: .png, .pdf or .svg.
 
@@ -505,7 +505,8 @@ def beads(
 
     require_file(output, ".toml")
     stacks = _bead_files(stacks)
-    earlier = None if folder is None else _earlier(folder)
+    if folder is not None:
+        _earlier(folder)  # whose table is refused before the fits
     microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
     if options.depth is None and microscope.depth > 0.5 * options.diameter:
@@ -579,25 +580,34 @@ def beads(
                 options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share), **known),
             )
 
-        result = fitted(cut_out, microscope)
-        files_of = [bead.file for bead in windows]
-        relative = heights(result.z_covariance, np.array([bead.z for bead in result.beads]), files_of)
-        if folder is not None and earlier is not None:
+        dates = {} if folder is None else {path.name: _date(path) for path in stacks}
+        by_date, rows, table = dict[str, list[_Bead]](), list[Facts](), dict[str, Any]()
+        for bead in windows:
+            by_date.setdefault(dates.get(bead.file, ""), []).append(bead)
+        if len(by_date) > 1:
+            notes.append(f"Each date has its own fit, of which that of {max(by_date)} is told.")
+        for day, windows in sorted(by_date.items()):  # microscopes change between days
+            cut_out = [bead.window for bead in windows]
+            result = fitted(cut_out, microscope)
+            files_of = [bead.file for bead in windows]
+            relative = heights(result.z_covariance, np.array([bead.z for bead in result.beads]), files_of)
+            if folder is None:
+                continue
             report = _BeadReport(lens.stem, microscope, result, windows, relative, noise, used_step)
             if not result.reliable:
-                status.tell(f"{result.message}.")
+                status.tell(f"{f'{day}: ' if len(by_date) > 1 else ''}{result.message}.")
             # Bad constants are bad for each bead: fits of single beads would find that again.
             if not result.converged or len(cut_out) == 1:
                 each: Iterable[BeadFit] = (replace(result, beads=(bead,)) for bead in result.beads)
             elif not {"estimated", "contradiction"}.isdisjoint(result.findings.codes):
                 factor = float(result.coefficients.get("step", 1.0))
                 alone = microscope.fitted(result)
-                each = (fitted([bead], alone, factor, diameter=result.diameter) for bead in cut_out)
+                each = [fitted([bead], alone, factor, diameter=result.diameter) for bead in cut_out]
             else:
                 alone = replace(microscope, aberrations=result.aberrations)
-                each = (fitted([bead], alone) for bead in cut_out)
-            dates = {path.name: _date(path) for path in stacks}
-            table = report.write(folder, each, earlier, dates)
+                each = [fitted([bead], alone) for bead in cut_out]
+            table = report.write(folder, each, _earlier(folder), dates)
+            rows += table["table"]
     result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))
     if output is not None:
         _fitted(microscope, result, used_step).save(output)
@@ -616,7 +626,7 @@ def beads(
             place["height"], place["errors"] = height, place["errors"] | {"height": error}
     facts["beads"] = [window.name for window in windows]
     if folder is not None:
-        facts["report"] = plain(table)
+        facts["report"] = plain(table | {"table": rows})
     status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
     pages = [] if folder is None else [folder / _TABLE, folder / _PAGE]
     files = written([output, figure, *pages], lambda path: status_text if path == output else "")
@@ -773,8 +783,8 @@ class _BeadReport(NamedTuple):
             ("pixel in the sample", format_length(pixel, digits=4)),
             ("step between planes", format_length(abs(self.step), digits=4)),
             ("diameter of beads, estimated", format_length(result.diameter, digits=3)),
-            ("files of the last run", ", ".join(dict.fromkeys(window.file for window in self.windows))),
-            ("dates of the last run", ", ".join(sorted({row["date"] for row in rows}))),
+            ("files of this date", ", ".join(dict.fromkeys(window.file for window in self.windows))),
+            ("date", rows[0]["date"]),
         ]
         title, notes = f"Beads: {name}", [f"{one.severity}: {one.text}" for one in result.findings]
         folder.mkdir(exist_ok=True)

@@ -1118,6 +1118,8 @@ def _exchanged(search: _Search, at: Array, seen: Sequence[CalibratedPlane], othe
     needed = np.abs(best[1:3] / other.foci).max()
     # One plane between two foci agrees about as well in either order, with another shift of the foci.
     nearer = stated > max(_MAX_SHIFT, 1.5 * needed) if one else needed < stated
+    # A misfit that only a far lens reduces is of the photographs, such as those that a camera has sharpened.
+    misfit &= needed < max(stated, _MAX_SHIFT)
     if (nearer and one) or (deviation > _DOUBTFUL and (misfit or (nearer and not one))):
         text = (
             f"the photographs seem exchanged: in the other order foci are off by {percent(needed, 1)}, in this order "

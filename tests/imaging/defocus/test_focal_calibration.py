@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from PIL import Image
+from scipy.ndimage import gaussian_filter
 
 import lommel as lm
 from lommel.fit.findings import Findings
@@ -228,6 +229,18 @@ def test_exchanged_photographs_are_an_error(pairs):
     assert "the order of the photographs" in found.findings.get("untested").text  # about midway between the foci
     found = lm.imaging.calibrate_focus([pairs[0][::-1]], DISTANCES[:1], STATED, PIXEL, **OPTIONS)
     assert found.status == "exchanged"
+
+
+def test_photographs_that_a_camera_sharpened_do_not_seem_exchanged():
+    wide, quiet = replace(TRUE[0], aperture_diameter=35e-3 / 5.6), lm.Noise(white=1e6, read=3.0)
+    lenses = [wide, wide.stopped(20.0)]
+    pair = shoot(texture(side=192, seed=3), 1.6, lenses, noise=quiet)
+    sharpened = [photo + 2.0 * (photo - gaussian_filter(photo, 2.0)) for photo in pair]
+    found = lm.imaging.calibrate_focus([sharpened], [1.6], lenses, PIXEL, encoding="linear", noise=quiet, origin=0.0)
+    assert found.findings.get("misfit").severity == "doubt"
+    assert "exchanged" not in found.findings.codes
+    with pytest.raises(ValueError, match="in the other order they agree"):
+        lm.imaging.calibrate_focus([pair[::-1]], [1.6], lenses, PIXEL, encoding="linear", noise=quiet, origin=0.0)
 
 
 def test_a_tilted_plane_is_a_doubt():

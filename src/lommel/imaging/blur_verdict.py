@@ -99,6 +99,12 @@ class BlurVerdict(NamedTuple):
         return self.motion is not None or (self.sharper and not (self.weak and self.edges <= _SHARPER))
 
     @property
+    def as_stated(self) -> bool:
+        """True if a blur with zeros is about the likeliest, and leaves no more fine detail than scenes have."""
+        unlikely = self.doubtful or self.softer or self.noisier or is_sharpened(self.sharpening)
+        return not (unlikely or self.weak) and self.slope >= _WHITE
+
+    @property
     def sharper(self) -> bool:
         """True if the texture agrees better with a sharper blur."""
         return self.gain > (_FLAT_GAIN if self.slope < _FLAT else _MIN_GAIN) and self.sharpness > 1.0

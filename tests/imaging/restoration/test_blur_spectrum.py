@@ -78,6 +78,18 @@ def test_a_weak_blur_of_a_flat_texture_is_told(slope, gain, sharpness, expected)
     assert not verdict._replace(weak=False).flat
 
 
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        ({}, True), ({"slope": 1.0}, False), ({"weak": True}, False), ({"gain": 7.0}, False),
+        ({"gain": 7.0, "sharpness": 0.9}, False), ({"noise_gain": 7.0}, False), ({"sharpening": 4.0}, False),
+    ],
+)  # fmt: skip
+def test_a_blur_is_as_stated_where_none_is_likelier_and_scenes_explain_the_detail(change, expected):
+    verdict = BlurVerdict(0.9, 0.0, 2.0, 1.1, 0.0, 1.0, 0.0, 1.25)
+    assert verdict._replace(**change).as_stated == expected
+
+
 @pytest.mark.parametrize(("diameter", "weak"), [(2.0, True), (3.0, False)])
 def test_a_blur_without_zeros_at_the_frequencies_of_pixels_is_weak(diameter, weak):
     light = np.random.default_rng(0).normal(0.5, 0.1, (48, 48))

@@ -63,6 +63,21 @@ def test_blur_that_is_stated_too_wide_is_a_doubt(method):
     assert decibels(accepted.light, truth) > decibels(found.light, truth) + 0.3
 
 
+@pytest.mark.parametrize(("stated", "gain"), [(8.0, 5.0), (9.6, 0.0)])
+def test_fine_pattern_is_restored_by_the_right_blur_alone(stated, gain):
+    """Its contrast is near a zero of the transfer function: restoration changes it by far more than blur."""
+    y, x = np.mgrid[: SIDE * POINTS, : SIDE * POINTS] / POINTS
+    x, y = x * np.cos(0.1) + y * np.sin(0.1), y * np.cos(0.1) - x * np.sin(0.1)
+    up = np.sin(2.0 * np.pi * y / 5.2) > 0.0
+    fabric = 1.5 + np.where(up, 0.9 * np.sign(np.sin(2.0 * np.pi * x / 7.4)), -0.5)
+    seen = plane(fabric, [LENS], distance_of(8.0), LIGHT)[0]
+    draw = np.random.default_rng(4)
+    photo = (draw.poisson(seen) + draw.normal(0.0, READ, seen.shape)) / (3.0 * LIGHT)
+    found, truth = restored(photo, distance_of(stated)), averaged(fabric) / 3.0
+    assert found.reliable == (gain > 0.0)
+    assert decibels(found.light, truth) > decibels(photo, truth) + gain - 0.01
+
+
 @pytest.mark.parametrize(("pixels", "stated"), [(0.5, 2.0), (0.5, 3.0)])
 def test_nearly_sharp_photograph_is_returned(pixels, stated):
     """What the stated blur would leave has more fine detail than scenes: no share of the result is mixed in."""

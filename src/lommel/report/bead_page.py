@@ -49,7 +49,9 @@ _STYLE = """
 :root { color-scheme: light dark; --line: #8886; --mark: #8882; }
 body { font: 15px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 76rem; padding: 1rem; }
 h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.15rem; margin: 2rem 0 .5rem; }
-figure, .table { margin: .5rem 0; overflow-x: auto; }
+figure, .table { margin: .5rem 0; overflow-x: auto; /* the right edge is shaded while there is more beyond it */
+  background: linear-gradient(to left, Canvas 1rem, transparent) right / 2rem 100% no-repeat local,
+    linear-gradient(to left, #888a, transparent) right / 1rem 100% no-repeat; }
 svg { max-width: max(100%, 38rem); height: auto; } svg text { fill: currentColor; }
 table { border-collapse: collapse; font-size: .86rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .2rem .5rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
@@ -64,7 +66,7 @@ tr:nth-child(even) td:first-child { background: linear-gradient(var(--mark), var
   .text td { border: 0; } .text tr { border-bottom: 1px solid var(--line); } }
 @media print { @page { size: A4 landscape; margin: 12mm; } :root { color-scheme: light; }
   body { max-width: none; padding: 0; font-size: 9pt; } table { font-size: 7pt; } th, td { padding: .1rem .3rem; }
-  figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .table { overflow: visible; }
+  figure, tr { break-inside: avoid; } h2 { break-after: avoid; } figure, .table { overflow: visible; background: none; }
   svg { max-width: 100%; } th:first-child, td:first-child { position: static; } }
 """
 
@@ -236,7 +238,7 @@ def _verdicts(rows: Sequence[Row]) -> str:
         found = Counter(row["verdict"].replace("_", " ") for row in beads)
         counts = ", ".join(f"{count} {verdict}" for verdict, count in found.most_common())
         lines.append([file, _nanometres(wave), counts, beads[0].get(_JOINT) or "–"])
-    head = "file", "channel", "fit of each bead alone", "fit of one wavefront to the beads of the run"
+    head = "file", "channel", "fit of each bead alone", "fit of one wavefront to all beads"
     return _table(head, lines, " text")
 
 

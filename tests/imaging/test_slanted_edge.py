@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 import pytest
+from PIL import Image, ImageDraw
+from scipy.special import ndtr
 
 import lommel as lm
 from lommel.imaging.slanted_edge import EdgeResponse
@@ -22,6 +24,41 @@ def test_the_response_is_that_of_blur_and_pixel(degrees):
     assert found.frequencies[-1] == pytest.approx(0.5 / PIXEL)
     np.testing.assert_allclose(found.values, gaussian(found.frequencies * PIXEL, found.angle), atol=1e-3)
     assert found.errors.max() < 1e-4
+
+
+@pytest.mark.parametrize("degrees", [3.0, 8.0, 31.0])  # 31: near 3/5, gaps of 0.17 pixels
+@pytest.mark.parametrize("width", [0.3, 1.2])
+def test_gaussian_edges_integrated_over_pixels_have_their_response(degrees, width):
+    across, down = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    rows, columns = np.indices((90, 120)) - np.reshape([44.5, 59.3], (2, 1, 1))
+
+    def twice(distance):
+        """Integrate the normal distribution twice, which makes differences those of pixels."""
+        u = distance / width
+        return 0.5 * width**2 * ((u * u + 1.0) * ndtr(u) + u * np.exp(-0.5 * u * u) / math.sqrt(2.0 * np.pi))
+
+    signs = (-1, 1)
+    corners = [(a * b, 0.5 * (a * across + b * down)) for a in signs for b in signs]
+    d = columns * across + rows * down
+    found = lm.sfr(0.1 + 0.8 * sum(sign * twice(d + shift) for sign, shift in corners) / (across * down))
+    f = found.frequencies
+    expected = np.exp(-2.0 * (np.pi * width * f) ** 2) * np.sinc(f * across) * np.sinc(f * down)
+    np.testing.assert_allclose(found.values, expected, atol=1e-3)
+
+
+@pytest.mark.parametrize("degrees", [5.0, 17.0, 31.0, 44.0])
+def test_edges_of_another_rasteriser_have_the_response_of_pixels(degrees):
+    fine, (height, width) = 16, (90, 120)
+    drawn = Image.new("L", (width * fine, height * fine), 20)
+    middle, shift = 0.5 * width * fine + 3.7, 0.5 * height * fine * math.tan(math.radians(degrees))
+    right, bottom = width * fine, height * fine
+    ImageDraw.Draw(drawn).polygon(
+        [(middle + shift, 0), (right, 0), (right, bottom), (middle - shift, bottom)], fill=200
+    )
+    found = lm.sfr(np.asarray(drawn, float).reshape(height, fine, width, fine).mean(axis=(1, 3)))
+    f = found.frequencies
+    expected = np.sinc(f * np.cos(found.angle)) * np.sinc(f * np.sin(found.angle))
+    np.testing.assert_allclose(found.values, expected, atol=2e-3)
 
 
 def test_edges_of_all_orientations_and_signs_have_one_response():

@@ -203,7 +203,7 @@ def sfr(
     -----
     ISO 12233:2017, e-SFR; P. D. Burns, Proc. IS&T PICS, 135 (2000). Their algorithms average the profile in bins of a
     quarter pixel, which can change the response by up to 0.05 if the bins are filled unevenly. This function avoids
-    this error by bins of 1/32 pixel and by the mean position of the samples in each bin. In place of a Hamming
+    this error by bins of 1/16 pixel and by the mean position of the samples in each bin. In place of a Hamming
     window, which would suppress the halo of the blur, the window function is 1 over the middle half of the profile.
 
     Findings name sharpening (overshoot on both sides, or noise of neighbours of opposite sign), denoising,

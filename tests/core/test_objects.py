@@ -21,9 +21,11 @@ NOT_ARITHMETIC = re.compile(
     r"_Zd[al]|_Zn[aw]|_ZS|_ZNS|_Z.*D[012]Ev$|_ZN6lommel(?:\d+run_|13LimitExceeded|5Watch4look)"
 )
 # What computes little beside the kernels that call it: Bessel functions where no table serves, a table that is made
-# once, the coefficients of a ring from those of its piece, pixels of frames that are not known.
+# once, the coefficients of a ring from those of its piece, pixels of frames that are not known, blocks beside plain
+# walls.
 FEW = re.compile(
-    r"_ZN6lommel(?:5Field3sum|15bessel_sequence)E|_ZN6lommel5BendsC|_ZN6lommel8resampleI|_ZNK6lommel11FocalReader"
+    r"_ZN6lommel(?:5Field3sum|15bessel_sequence)E|_ZN6lommel5BendsC|_ZN6lommel8resampleI"
+    r"|_ZNK6lommel11Focal(?:Reader|Stream8borrowed)"
 )
 
 

@@ -43,7 +43,7 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
     )  # fmt: skip
     assert result.returncode == 0, result.stderr
     lines = result.stdout.splitlines()
-    assert "0.01 dioptre of all foci by 23 mm" in " ".join(lines)
+    assert "0.01 dioptre of all focus distances by 23 mm" in " ".join(lines)
     assert lines[-4:] == [f"wrote {name}" for name in ("depth.tif", "error.npy", "sharp.tif", "found.png")]
     depth, errors = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "error.npy")
     assert np.nanmedian(depth) == pytest.approx(1.5, abs=2e-3)

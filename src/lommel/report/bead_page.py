@@ -66,7 +66,8 @@ tr:nth-child(even) td:first-child { background: linear-gradient(var(--mark), var
   .text td { border: 0; } .text tr { border-bottom: 1px solid var(--line); } }
 @media print { @page { size: A4 landscape; margin: 12mm; } :root { color-scheme: light; }
   body { max-width: none; padding: 0; font-size: 9pt; } table { font-size: 7pt; } th, td { padding: .1rem .3rem; }
-  figure, tr { break-inside: avoid; } h2 { break-after: avoid; } figure, .table { overflow: visible; background: none; }
+  figure, tr { break-inside: avoid; } h2 { break-after: avoid; }
+  figure, .table { overflow: visible; background: none; }
   svg { max-width: 100%; } th:first-child, td:first-child { position: static; } }
 """
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import pytest
+import tifffile
 from scipy.special import erf
 
 import lommel as lm
@@ -54,6 +57,19 @@ def test_beads_are_found_and_averaged():
     assert found.values.min() == 0.0
     assert wrong(found.values, centred(found.values.shape)) < 0.03
     assert 0.005 < numbers["measured_psf"]["noise"] < 0.05
+
+
+def test_a_step_unlike_that_of_the_file_is_told(tmp_path):
+    light = (1e5 * centred((9, 15, 15))).astype(np.float32)
+    facts = {"spacing": 1e6 * STEP, "unit": "um", "axes": "ZYX"}
+    tifffile.imwrite(
+        tmp_path / "bead.tif", light, imagej=True, resolution=(1e-6 / PIXEL, 1e-6 / PIXEL), metadata=facts
+    )
+    with pytest.warns(UserWarning, match=r"images of the PSF state .* 200 nm.*, but 220 nm was used"):
+        assert measured_psf(tmp_path / "bead.tif", PIXEL, 1.1 * STEP).step == 1.1 * STEP
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert measured_psf(tmp_path / "bead.tif").step == pytest.approx(STEP)
 
 
 def test_a_bead_unlike_the_others_is_left_out():

@@ -22,6 +22,7 @@ from lommel.optics.layers.objective import Objective
 from lommel.psf import psf
 from lommel.recorded.camera_noise import measured_noise
 from lommel.recorded.frames import Frames, frames_of
+from lommel.recorded.headers import size_notes
 
 MOST_ON_RIM = 0.2
 """Largest fraction of the light of a measured PSF on the outermost pixels of its planes."""
@@ -82,6 +83,9 @@ def measured_psf(
                 f"{name} of the PSF must be stated (--psf-{name}), metres in the sample: {recording.name} states none"
             )
         sizes[name] = validation.real(name, stated, above=0.0, most=1e-4, unit="metres")
+    if not channel:  # told once, before a restoration that takes minutes
+        for note in size_notes(metadata, **sizes).values():
+            validation.tell(note.replace("The images state", "The images of the PSF state"))
     sides = stack.shape if len(stack) > 1 else stack.shape[1:]
     if min(sides) < 2 * _LEAST_HALF + 1 or not np.isfinite(stack).all():
         raise ValueError(f"array must be finite and have 5 voxels or more in each direction, got {sides}")

@@ -102,8 +102,14 @@ def test_a_stack_of_beads_is_the_psf(run, files):
     assert "must be stated (--psf-pixel)" in run(*words, *measured).stderr
     assert "need --psf" in run(*words, "--bead", "0.1um").stderr
     alone = [word for word in words if word != files / "lens.toml"]
-    found = run(*alone, *measured, "--psf-pixel", "0.1um", "--psf-step", "0.2um")
+    facts = {"spacing": 0.22, "unit": "um", "axes": "ZYX"}
+    tifffile.imwrite(
+        files / "beads.tif", np.load(files / "beads.npy").astype(np.float32), imagej=True, metadata=facts
+    )
+    stated = ("--psf", files / "beads.tif", "--psf-pixel", "0.1um", "--psf-step", "0.2um")
+    found = run(*alone, *stated)
     assert "the PSF was resampled" in " ".join(found.stdout.split())
+    assert "state planes 220 nm apart, but 200 nm was used" in " ".join(found.stderr.split())
     assert "LENS is missing: give the file of the objective, or --psf" in run(*alone).stderr
 
 

@@ -18,6 +18,7 @@ _MAX_DARK = 0.9  # largest fraction of the noise that is put down to read noise
 MOSTLY_ROUNDING = 0.5
 """Fraction of the variance that is of rounding, above which the electrons at 1 of the noise are a lower bound."""
 _LEAST_ALIASED = 0.25  # fraction of blocks, those with the least aliases, that determine the noise
+_MIN_KNOWN = 0.1  # fraction of blocks with a depth below which all determine the noise: these few are of least misfit
 
 
 def starting_noise(images: Values) -> tuple[Array, float]:
@@ -87,11 +88,14 @@ def residual_variance(misfit: Values, aliases: Values) -> float:
     """Return the variance of the residuals of images relative to that of the noise, without that of `aliases`.
 
     These are details finer than binned pixels, and add as much to the misfit of each block, within a factor of about
-    2: it is taken from the quarter of blocks with the least of them.
+    2: it is taken from the quarter of blocks with the least of them. `aliases` are NaN where depth is unknown.
     """
-    known = np.isfinite(misfit + aliases)
-    if not known.any():
+    examined, known = np.isfinite(misfit), np.isfinite(misfit + aliases)
+    if not examined.any():
         return 1.0
+    # Where frames differ by many times the noise assumed, as sharpened ones do, hardly any block has a depth.
+    if known.sum() < _MIN_KNOWN * examined.sum():
+        return float(np.median(misfit[examined]))
     least = known & (aliases <= np.quantile(aliases[known], _LEAST_ALIASED))
     return float(np.median((misfit / (1.0 + aliases))[least]))
 

@@ -8,7 +8,7 @@ import pytest
 import lommel as lm
 from lommel.imaging import defocus_depth, focal_engine
 from lommel.imaging.defocus_verdict import noise_finding
-from lommel.imaging.pair_noise import without_rounding
+from lommel.imaging.pair_noise import residual_variance, without_rounding
 from planes import CAMERA, LENS, NOISE, PAIR, PIXEL, pixels, shoot, texture
 from scenes import averaged, hopkins
 
@@ -411,3 +411,11 @@ def test_channels_of_different_noise_unknown_pixels_and_exposures_need_no_noise_
     assert found.exposures == pytest.approx((1.0, 0.7), rel=0.01)
     assert electrons(found, 0.5) == pytest.approx(0.5 * np.mean(whites), rel=0.15)
     assert np.nanmedian(found.sharp) == pytest.approx(0.5, rel=0.05)
+
+
+def test_the_noise_is_that_of_all_blocks_where_few_have_a_depth():
+    misfit, aliases = np.full(100, 9.0), np.full(100, np.nan)
+    misfit[:4], aliases[:4] = 0.5, 0.0
+    assert residual_variance(misfit, aliases) == 9.0
+    misfit[:20], aliases[:20] = 0.5, 0.0
+    assert residual_variance(misfit, aliases) == 0.5

@@ -156,7 +156,7 @@ def _of_symmetry(
 
     def change_by(power: float, values: Array = profile) -> float:
         """Return the change of the response if values are encoded by another power."""
-        other = response(position, (np.maximum(values, 0.0) / bright) ** power, variances, 0.5)[0]
+        other = response(position, (np.maximum(values, 0.0) / bright) ** power, variances, 0.5, edge.tail)[0]
         size = min(other.size, found[0].size)
         return float(np.abs(other[:size] - found[0][:size]).max())
 

@@ -32,7 +32,7 @@ _PLATEAU = 0.5  # fraction of the profile over which its window function is 1; i
 _FEW = 24  # least number of pixels of a side
 _FAR_OFF = 8.0  # mean absolute deviations of pixels of a side that are left out of its plane
 _TAIL = 0.35  # fraction of the profile beyond which its approach to the sides is fitted
-_HIDDEN = 1.5  # its ratio to the fitted light: halos of other edges, at two reaches, hide a part
+_UNSURE = 0.5  # relative error of the fitted light: other blurs, and halos of other edges, at two reaches
 _FAR = 0.6  # fraction of the profile beyond which pixels show the uniform sides
 _STEPS, _TERMS = 3, 4  # of the fit of the edge, and number of its Legendre polynomials
 SIGMA = 4.5
@@ -185,10 +185,13 @@ def require_measurable(edge: Edge, pitch: float) -> None:
         )
 
 
-def response(position: Array, profile: Array, variances: Array, most: float = 0.5) -> tuple[Array, Array]:
+def response(
+    position: Array, profile: Array, variances: Array, most: float = 0.5, tail: float = 0.0
+) -> tuple[Array, Array]:
     """Return the response at frequencies from 0 to `most` cycles per pixel, and its standard errors.
 
-    Errors contain the noise and, by its size, the effect of the light beyond the profile.
+    The effect of the light beyond the profile is estimated and subtracted; errors contain the noise and half of it.
+    With a `tail`, which may be uneven light as well, it is not subtracted, and errors contain all of it.
     """
     reach, gaps, middle = float(np.abs(position).max()), np.diff(position), 0.5 * (position[1:] + position[:-1])
     window = _window(middle / reach)
@@ -208,8 +211,10 @@ def response(position: Array, profile: Array, variances: Array, most: float = 0.
     values: Array = np.abs(found) / abs(found[0])
     derivative -= np.outer(values, derivative[0])
     noise = np.sqrt(np.square(derivative) @ variances) / abs(found[0])
-    errors: Array = np.hypot(noise, _beyond(position, profile, variances, frequencies, values))
-    return values, errors
+    beyond, error = _beyond(position, profile, variances, frequencies, values)
+    if tail:
+        return values, np.hypot(noise, np.hypot(beyond, error))
+    return values - beyond, np.hypot(noise, error)
 
 
 def _window(share: Array) -> Array:
@@ -217,8 +222,10 @@ def _window(share: Array) -> Array:
     return np.asarray(np.sin(0.5 * math.pi * np.clip((1.0 - np.abs(share)) / (1.0 - _PLATEAU), 0.0, 1.0)) ** 2)
 
 
-def _beyond(position: Array, profile: Array, variances: Array, frequencies: Array, values: Array) -> Array:
-    """Return the change of the response by light that the window function hides, if it exceeds the noise.
+def _beyond(
+    position: Array, profile: Array, variances: Array, frequencies: Array, values: Array
+) -> tuple[Array, Array]:
+    """Return the change of the response by light that the window function hides, and its error.
 
     Line spread functions of apertures fall like a / distance^2, and the profile approaches its sides like a /
     distance; a is fitted to its outer parts.
@@ -228,7 +235,7 @@ def _beyond(position: Array, profile: Array, variances: Array, frequencies: Arra
     for sign in (-1.0, 1.0):
         outer = sign * position > _TAIL * reach
         if outer.sum() < _FEW:
-            return np.zeros_like(values)
+            return np.zeros_like(values), np.zeros_like(values)
         weights = 1.0 / np.maximum(variances[outer], 1e-12 * float(np.ptp(profile)) ** 2)
         inverse = 1.0 / position[outer]
         inverse -= weights @ inverse / weights.sum()
@@ -237,13 +244,15 @@ def _beyond(position: Array, profile: Array, variances: Array, frequencies: Arra
         errors.append(1.0 / square)
     step = float(np.median(profile[position > _TAIL * reach]) - np.median(profile[position < -_TAIL * reach]))
     size, error = -0.5 * sum(sizes) / step, 0.5 * math.sqrt(sum(errors)) / abs(step)
-    if size <= error:
-        return np.zeros_like(values)
+    if size <= 0.0:
+        return np.zeros_like(values), np.zeros_like(values)
+    size *= (likely := size**2 / (size**2 + error**2))
     x = np.linspace(_PLATEAU, 1.0, 65)
     weight = (1.0 - _window(x)) / np.square(x) * np.where((x == _PLATEAU) | (x == 1.0), 0.5, 1.0) * (x[1] - x[0])
     phase = 2.0 * math.pi * reach * frequencies
     lost = np.cos(np.outer(phase, x)) @ weight + np.cos(phase) - phase * (0.5 * math.pi - sici(phase)[0])
-    return np.asarray(_HIDDEN * 2.0 * size / reach * (values * lost[0] - lost))
+    change = 2.0 / reach * (values * lost[0] - lost)
+    return size * change, np.abs(change) * math.hypot(likely * error, _UNSURE * size)
 
 
 def _bin_profile(distance: Array, samples: Array) -> tuple[Array, Array, Array]:

@@ -62,7 +62,7 @@ class EdgeResponse(Judged):
     values : ndarray
         Modulation at each frequency, 1 at frequency 0.
     errors : ndarray
-        Standard error of each value: noise of the picture, and the effect of the light beyond it, as estimated.
+        Standard error of each value: noise of the picture, and half of the correction for the light beyond it.
     angle : float
         Direction of the normal of the edge, radians from x (increasing columns) to y (increasing rows). The MTF of a
         lens in this direction is ``lm.mtf(pupil, f * cos(angle), f * sin(angle), pixel=pixel)``.
@@ -186,10 +186,10 @@ def sfr(
     -------
     EdgeResponse
         Response of optics, pixels and processing. Its values have three errors. The first is due to noise. The
-        second, below 0.001, is due to the fit of the line. The third is due to light that falls outside the picture:
-        values are too large by about its fraction. Diffraction alone spreads about 0.3 % of the light beyond 45
-        pixels if pixels are 2 lambda*N wide. `errors` contain the first and, extrapolated as line spread functions
-        of apertures fall, like 1 / distance^2, the third.
+        second, below 0.001, is due to the fit of the line. The third is due to light that falls outside the picture,
+        of which diffraction alone spreads about 0.3 % beyond 45 pixels if pixels are 2 lambda*N wide. It is
+        extrapolated as line spread functions of apertures fall, like 1 / distance^2, and values, which would be too
+        large by about its fraction, are corrected. `errors` contain the first, and half of the correction.
 
     Raises
     ------
@@ -380,7 +380,7 @@ def _measured(
     edge = locate(upright[0], upright[2], line)
     require_measurable(edge, pitch)
     position, profile, counts, variances = edge.profile
-    values, errors = response(position, profile, variances + added_variance(edge) / counts, 0.5 / pitch)
+    values, errors = response(position, profile, variances + added_variance(edge) / counts, 0.5 / pitch, edge.tail)
     frequencies = np.linspace(0.0, 0.5 / pitch, values.size) / (pixel or 1.0)
     # The normal of the line x = start + slope y is along (1, -slope).
     angle = math.atan2(1.0, -edge.slope) if horizontal else math.atan2(-edge.slope, 1.0)

@@ -99,7 +99,8 @@ def edge_findings(
             f"both sides change by {100 * edge.tail:.0f} % of the step over the picture: part of the light lies "
             "beyond it, or the light is uneven; take a larger picture"
             if edge.tail > 0.0
-            else f"both sides fall by {-100 * edge.tail:.0f} % of the step: a linear trend was subtracted"
+            else f"both sides fall by {-100 * edge.tail:.0f} % of the step, as where a black level is left: a linear "
+            "trend was subtracted"
         )
         findings.append(Finding("uneven_light", "doubt" if edge.tail > 0.0 else "note", text, {"tail": edge.tail}))
     if edge.curvature > _CURVATURE:

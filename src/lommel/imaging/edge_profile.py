@@ -40,6 +40,7 @@ SIGMA = 4.5
 _SETTLED = 0.01  # change in a step at which the fit of the edge ends, pixels
 _MIN_CURVATURE = 0.01  # smallest that is corrected, pixels
 _REST = 3.0  # standard errors of the slope of both sides beside that of a trend
+_FALL = 2.0  # the same where both sides would fall, as by no blur: the black level was not subtracted
 _ALIKE = 4.0  # largest ratio of the quadratic fall-off of light across and along an edge
 MIN_TREND = 0.02
 """Smallest trend of the light over the picture, as a fraction, that is corrected: it changes responses by 0.007."""
@@ -393,6 +394,7 @@ def _evened(
         common_error = 0.5 * math.sqrt(float(dark_errors[1] + bright_errors[1]))
     tail = common * 2.0 * reach / step
     is_common = abs(common) > SIGMA * common_error and abs(rest) > _REST * rest_error
+    is_common |= bool(across) and tail < -_FALL * abs(rest_error * 2.0 * reach / step)
     tail *= float(is_common)
     square, along_square = 0.0, 1.5 * bend / (0.5 * height) ** 2
     if tail and along_square and min(dark[0], bright[0]) > 0.0:

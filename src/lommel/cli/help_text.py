@@ -36,10 +36,11 @@ def section(title: str, rows: Iterable[tuple[str, str]]) -> str:
 
 def examples(rows: str) -> str:
     """Return the section of examples; lines wider than the help at 80 columns are continued before an option."""
-    return "Examples:\n" + "\n".join(map(_continued, rows.rstrip().split("\n")))
+    return "Examples:\n" + "\n".join(map(continued, rows.rstrip().split("\n")))
 
 
-def _continued(row: str) -> str:
+def continued(row: str) -> str:
+    """Return a command, indented by two blanks, of which lines wider than the help are continued before an option."""
     if not row.startswith("  lommel ") or len(row) <= _EXAMPLE:
         return row
     rows, current = [], ""

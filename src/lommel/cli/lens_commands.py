@@ -16,6 +16,8 @@ from lommel.base.options import In, Shown, near
 from lommel.base.units import pitch_in_words
 from lommel.base.validation import shown
 from lommel.cli.command import PLOT, command
+from lommel.cli.example_data import SETS
+from lommel.cli.help_text import continued
 from lommel.cli.instruments import WINDOW, Optics, instrument_of, microscope_of
 from lommel.cli.output import progress, save_figure, written
 from lommel.lensfiles import KINDS, example_files
@@ -34,11 +36,12 @@ def examples(
     folder: Annotated[Path, Shown(("--output", "-o"), metavar="DIRECTORY")] = Path(),
     text: Annotated[str | None, Shown(("--find",), metavar="TEXT")] = None,
 ) -> Report:
-    """List or copy example files of lenses, objectives, cameras.
+    """List or copy example files of lenses, objectives, cameras; make data sets.
 
     NAMES are the names of the files to copy. Notebooks are for Jupyter; the other files describe real instruments and
-    state the source of their numbers. Cameras need no copy: --camera takes their names. Existing files are not
-    overwritten: unchanged copies are left alone, and files that differ are refused.
+    state the source of their numbers. Cameras need no copy: --camera takes their names. Data are simulated recordings
+    with noise, one set for each field: the command to run with them is printed, and the true numbers. Existing files
+    are not overwritten: unchanged copies are left alone, and files that differ are refused.
 
     Parameters
     ----------
@@ -52,6 +55,7 @@ def examples(
       lommel examples                      # list them
       lommel examples --find "nikon oil"   # those with both words
       lommel examples phone                # copy phone.toml to the current folder
+      lommel examples chart                # a picture of a chart, for lommel sfr
       lommel examples exercises            # a Jupyter notebook for class
       lommel examples first-psf            # a notebook to start with
     """
@@ -62,9 +66,13 @@ def examples(
         return _list_examples(files, (text or "").lower().split())
     stems = [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
     for name in stems:
-        if name not in files:
-            raise ValueError(f"NAMES must be names of examples, got {shown(name)}; {_suggest(name, files)}")
-    copies = {folder / files[name].name: files[name].read_bytes() for name in stems}
+        if name not in files and name not in SETS:
+            raise ValueError(f"NAMES must be names of examples, got {shown(name)}; {_suggest(name, [*files, *SETS])}")
+    sets = [SETS[name] for name in stems if name in SETS]
+    copied = [name for name in stems if name in files] + [one.instrument for one in sets if one.instrument]
+    copies = {folder / files[name].name: files[name].read_bytes() for name in copied}
+    for one in sets:
+        copies |= {folder / name: data for name, data in one.make().items()}
     existing = [path for path in copies if path.exists()]
     for path in existing:
         if path.is_dir() or path.read_bytes() != copies[path]:
@@ -74,12 +82,20 @@ def examples(
         for path in copies.keys() - existing:
             write(path, copies[path])
     report = written(path for path in copies if path not in existing)
-    return Report(report.facts, [*report.parts, *(f"{path} is already there, unchanged" for path in existing)])
+    unchanged = (f"{path} is already there, unchanged" for path in existing)
+    data = [{"commands": list(one.commands), "truth": one.truth} for one in sets]
+    told = (
+        line
+        for one in sets
+        for line in (*(Text(continued(f"  {each}")) for each in one.commands), f"true: {one.truth}")
+    )
+    return Report(report.facts | ({"data": data} if data else {}), [*report.parts, *unchanged, *told])
 
 
 def _list_examples(files: dict[str, Path], terms: list[str]) -> Report:
     """Return the list of the examples that contain all `terms`, a table for each kind."""
-    named = ((KINDS[path.parent.name][0], name, _title(path)) for name, path in files.items())
+    named = [(KINDS[path.parent.name][0], name, _title(path)) for name, path in files.items()]
+    named += [("data", name, one.title) for name, one in SETS.items()]
     rows = [
         {"name": name, "kind": kind, "what": title}
         for kind, name, title in named
@@ -92,12 +108,18 @@ def _list_examples(files: dict[str, Path], terms: list[str]) -> Report:
     return Report({"examples": rows}, parts or ["No example has these words."])
 
 
-_HEADINGS = {"lens": "Lenses", "objective": "Objectives", "camera": "Cameras", "notebook": "Notebooks"}
+_HEADINGS = {
+    "lens": "Lenses",
+    "objective": "Objectives",
+    "camera": "Cameras",
+    "notebook": "Notebooks",
+    "data": "Data",
+}
 
 
-def _suggest(name: str, files: dict[str, Path]) -> str:
+def _suggest(name: str, names: list[str]) -> str:
     """Return a suggestion for a misspelt name of an example, or how to list the names."""
-    suggestion = near(name, files)
+    suggestion = near(name, names)
     return suggestion if suggestion.startswith("did") else "`lommel examples` lists them"
 
 

@@ -272,7 +272,8 @@ class DefocusVerdict(FitReport):
             errors = " within their stated errors" if stated > scale_error else ""
             unseen = percent(_DOUBTFUL_DEVIATION * math.hypot(scale_error, stated))
             agreements.append(
-                f"blurs differ as the lenses state{errors} ({ratio} times that; f-numbers off by {unseen} would agree too)"
+                f"blurs differ as the lenses state{errors} ({ratio} times that; f-numbers off by {unseen} would agree "
+                "too)"
             )
         worst = {finding.severity for finding in findings}
         if not agreements and worst <= {"note"}:
@@ -296,8 +297,8 @@ class DefocusVerdict(FitReport):
         if all(map(math.isfinite, changes)):
             details |= {"by_f_number": changes[0], "by_foci": changes[1]}
             stop, foci = (format_length(abs(change), digits=2) for change in changes)
-            text = f"1 % of the f-number changes the median depth by {stop}, 0.01 dioptre of all focus distances by {foci}"
-            parts.append(text)
+            part = f"1 % of the f-number changes the median depth by {stop}, "
+            parts.append(f"{part}0.01 dioptre of all focus distances by {foci}")
         if lens_error:
             details |= {"lens_error": lens_error}
             f_number, focus = map(percent, UNMEASURED)

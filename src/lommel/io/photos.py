@@ -714,7 +714,7 @@ def write_tiff(values: Values, profile: bytes | None, block: bytes | None = None
     """Return a TIFF file, without loss."""
     import tifffile
 
-    options = {"photometric": "rgb" if values.ndim == 3 else "minisblack", "software": f"lommel {version()}"}
+    options = {"photometric": "rgb" if values.shape[2:] == (3,) else "minisblack", "software": f"lommel {version()}"}
     file = atomic.contents(tifffile.imwrite, values, byteorder="<", iccprofile=profile, metadata=None, **options)
     return file if block is None else in_tiff(file, block)
 

@@ -335,6 +335,13 @@ def command_here(lines: str, where: str) -> str:
     return "".join(printed)
 
 
+def test_code_that_is_not_run_is_python():
+    shown = [block for path in PAGES for block in blocks(path, r"\{code-block\} python")]
+    assert len(shown) > 2
+    for code, where in shown:
+        compile(code, where, "exec")
+
+
 @pytest.mark.parametrize("path", drawn.TUTORIALS, ids=lambda path: path.stem)
 def test_code_and_commands_of_a_tutorial_run_in_an_empty_folder_and_print_and_draw(path, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -1,6 +1,7 @@
 // What buttons and menus of a page do, beyond a change of its state.
 
 import { saveCsv, savePng, saveTiff } from "./downloads.js";
+import { english } from "./language.js";
 import { ownPicture } from "./pictures.js";
 import { decodedText, MOST_BYTES, readFile, SUFFIXES } from "./lensfiles.js";
 import { PRESETS } from "./presets.js";
@@ -14,7 +15,7 @@ const LONG = 2000; // characters of an address that all programs take
 export function actions(view) {
   const done = (button, text) => {
     const { page } = view;
-    const before = (button.dataset.text ??= button.textContent);
+    const before = (button.dataset.text ??= english(button));
     button.style.minWidth = `${button.offsetWidth}px`;
     button.textContent = text;
     page.said.textContent = text;

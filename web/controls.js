@@ -1,6 +1,7 @@
 // The controls: each a label, a number box and a slider, all native inputs. What they hold is the state alone.
 
 import { el, menu, unique } from "./dom.js";
+import { english, inLanguage } from "./language.js";
 import { short } from "./plots.js";
 import { DIRECTED, FIELDS } from "./fields.js";
 import { furtherTerms, INFINITE } from "./state.js";
@@ -174,7 +175,7 @@ export class Controls {
     let fresh = false;
     box.addEventListener("focus", () => {
       row.before = this.state[key];
-      if (row.kept === undefined) box.value = textOf(row, row.before, 12);
+      if (row.kept === undefined) box.value = inLanguage(textOf(row, row.before, 12));
       box.select();
       fresh = true;
     });
@@ -258,7 +259,7 @@ export class Controls {
     this.fill(row);
     const text = textOf(row, value, Math.abs(value * factor) < 0.1 ? 3 : 4); // what the box has room for
     // What is typed stays until the typing is over.
-    if (this.edited !== box && row.kept === undefined) box.value = box.matches(":focus") ? textOf(row, value, 12) : text;
+    if (this.edited !== box && row.kept === undefined) box.value = inLanguage(box.matches(":focus") ? textOf(row, value, 12) : text);
     row.unit.textContent = name;
     slider.setAttribute("aria-valuetext", withUnit(text, spec.waves ? name : spec.said).trim());
     const said = spec.waves ? `${row.name}, ${name}` : [row.name, spec.said].filter(Boolean).join(", ");
@@ -301,7 +302,7 @@ function faultOf(row) {
   const inside = value >= low - 1e-12 * Math.abs(low) && value <= high + 1e-12 * Math.abs(high);
   if (inside && !(whole && value % 1)) return "";
   const [least, most] = [low, high].map((limit) => short(limit * factor));
-  const range = `${whole ? "a whole number, " : ""}${least} to ${infinite ? "∞ (or inf)" : most} ${spec.waves ? unit.textContent : spec.said}`.trim();
+  const range = `${whole ? "a whole number, " : ""}${least} to ${infinite ? "∞ (or inf)" : most} ${spec.waves ? english(unit) : spec.said}`.trim();
   const turned = value < 0 && DIRECTED.find((term) => term.name === key);
   return `${name} is ${range}${turned ? `; for the other sign turn its angle by ${180 / turned.m}°` : ""}. Still ${textOf(row, row.before, 4)}.`;
 }

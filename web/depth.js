@@ -4,6 +4,7 @@ import { CAMERA } from "./camera.js";
 import { seenAt } from "./depths.js";
 import { el, menu, unique } from "./dom.js";
 import { colour, drawPicture } from "./draw.js";
+import { tell } from "./language.js";
 import { unpacked } from "./load.js";
 import { depthText } from "./packed.js";
 import { linear, scratch } from "./pictures.js";
@@ -173,7 +174,7 @@ export class Depth {
   }
 
   tell(text) {
-    if (this.message.textContent !== text) this.message.textContent = text;
+    tell(this.message, text);
   }
 
   // One picture after the other while they play; otherwise that which was asked for.

@@ -3,6 +3,7 @@
 import { compose, RAYS_SAID, rulerOf } from "./stage.js";
 import { placesOfRays, RAYS } from "./draw.js";
 import { FIELDS } from "./fields.js";
+import { inLanguage } from "./language.js";
 import { DEFAULTS } from "./state.js";
 import { numbersSaid, withMinus } from "./sentences.js";
 import { short } from "./plots.js";
@@ -55,7 +56,7 @@ export function figureOf(given) {
   const wrapped = (text, size, wide, weight = "") => {
     context.font = `${weight} ${size}px ${FONT}`;
     const lines = [""];
-    for (const word of text.split(" ")) {
+    for (const word of inLanguage(text).split(" ")) {
       const longer = lines.at(-1) ? `${lines.at(-1)} ${word}` : word;
       if (context.measureText(longer).width > wide && lines.at(-1)) lines.push(word);
       else lines[lines.length - 1] = longer;
@@ -97,7 +98,7 @@ export function figureOf(given) {
     context.fillRect(left + 18, bottom - 8, share * PANEL + 4, 12);
     context.fillStyle = "#fff";
     context.fillRect(left + 20, bottom - 6, share * PANEL, 8);
-    label(context, text, left + 18, bottom - 54);
+    label(context, inLanguage(text), left + 18, bottom - 54);
     context.strokeStyle = "#888";
     context.lineWidth = 1;
     context.strokeRect(left - 0.5, top - 0.5, PANEL + 1, PANEL + 1);
@@ -111,14 +112,15 @@ export function figureOf(given) {
   context.strokeRect(PADDING - 0.5, y - 0.5, width + 1, 27);
   context.font = `22px ${FONT}`;
   context.fillStyle = "#111";
-  for (const [at, word] of drawn.ticks) {
+  for (const [at, tick] of drawn.ticks) {
+    const word = inLanguage(tick);
     const x = PADDING + at * width;
     context.fillRect(Math.min(x, PADDING + width - 1), y + 26, 2, 7);
     const wide = context.measureText(word).width;
     context.fillText(word, Math.min(PADDING + width - wide, Math.max(PADDING, x - wide / 2)), y + 36);
   }
   const rays = state.rays === "on" && !drawn.signed && panels.some((panel) => panel.shown.rays);
-  context.fillText(`${drawn.label}, ${STRETCHED[state.stretch]}`, PADDING, y + 70);
+  context.fillText(inLanguage(`${drawn.label}, ${STRETCHED[state.stretch]}`), PADDING, y + 70);
   context.textAlign = "right";
   const made = "lommel";
   context.fillStyle = "#666";
@@ -126,8 +128,9 @@ export function figureOf(given) {
   if (rays) {
     const right = PADDING + width - context.measureText(made).width - 40;
     context.fillStyle = "#111";
-    context.fillText(RAYS_SAID, right, y + 70);
-    dot(context, right - context.measureText(RAYS_SAID).width - 16, y + 82, 7);
+    const said = inLanguage(RAYS_SAID);
+    context.fillText(said, right, y + 70);
+    dot(context, right - context.measureText(said).width - 16, y + 82, 7);
   }
   return whole;
 }

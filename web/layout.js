@@ -173,6 +173,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     { class: "header" },
     page.name,
     docs ? el("a", { class: "brand", href: docs }, "lommel") : el("span", { class: "brand" }, "lommel"),
+    button("language", "DE", "Deutsch / English", actions.language, { translate: "no", "aria-label": "Deutsch / English" }),
     button("explain", "?", "What every word means", unfold, { "aria-label": "Help", "aria-expanded": "false" }),
   );
   const hands = el(
@@ -186,7 +187,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
   page.side = el("div", { class: "side" }, lessons.node, hands, controls);
   for (const box of [page.side, lessons.body]) cueMore(box);
 
-  page.code = el("pre", { tabindex: 0, "aria-label": "The call of lommel that makes the same array" });
+  page.code = el("pre", { translate: "no", tabindex: 0, "aria-label": "The call of lommel that makes the same array" });
   const code = el("details", { class: "code", open: true }, el("summary", {}, "As Python"), page.code);
 
   // Where some of these are named among what to show, the others are not shown.

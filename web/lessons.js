@@ -235,7 +235,7 @@ export class Lessons {
   // turn(depth) is called when the view of depth is to be shown, or no longer.
   constructor(set, level = 2, turn = () => {}) {
     Object.assign(this, { set, turn });
-    const titles = NAMES.map((name, index) => [name, `${index + 1} ${LESSONS[name].title}`]);
+    const titles = NAMES.map((name, index) => [name, `${index + 1}: ${LESSONS[name].title}`]);
     this.menu = menu("Lessons", { "": "Lessons …", ...Object.fromEntries(titles) }, "", (name) => this.open(name));
     const button = (text, label, onclick) => el("button", { type: "button", "aria-label": label, title: label, onclick }, text);
     const by = (step) => this.open(NAMES[NAMES.indexOf(this.name) + step]);

@@ -76,6 +76,7 @@ function mountScripts() {
       left_out: script.dataset.lommelWithout,
       heading: script.dataset.lommelHeading,
       docs: script.dataset.lommelDocs,
+      language: script.dataset.lommelLanguage,
     });
   });
 }

@@ -7,6 +7,7 @@ import { Controls, Play } from "./controls.js";
 import { Depth } from "./depth.js";
 import { el } from "./dom.js";
 import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
+import { english, follow, isGerman, speak, tell } from "./language.js";
 import { layout, UNNAMED } from "./layout.js";
 import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { STAR, testPicture } from "./pictures.js";
@@ -75,7 +76,7 @@ function longSaid({ view, light }) {
 
 export class View {
   // name: of the lens in the initial state, and what of it is left out; heading: level of the page's heading; docs: address of the documentation.
-  constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "", name = "", left_out = "", heading = 2, docs = "" } = {}) {
+  constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "", name = "", left_out = "", heading = 2, docs = "", language = "" } = {}) {
     this.onchange = onchange;
     this.url = url;
     this.title = document.title;
@@ -92,6 +93,8 @@ export class View {
     if (url) this.nameFromLink();
     const set = (change, moving, gesture) => this.set(change, moving, gesture);
     const level = Math.min(5, Math.max(1, Number(heading) || 2));
+    const spokenAs = (url && new URLSearchParams(location.search).get("lang")) || language;
+    if (spokenAs) speak(spokenAs);
     const touched = (key) => key !== this.play.key && this.play.choose(key);
     this.controls = new Controls({ state: this.state, set, touched, only, level });
     const does = {
@@ -100,6 +103,7 @@ export class View {
       redo: () => this.travel(this.history.redo(this.state)),
       stop: () => (this.stopped ? this.settle() : this.stop()),
       play: () => this.play.press(),
+      language: () => this.speak(isGerman() ? "en" : "de"),
     };
     this.lessons = new Lessons((name, state) => this.learn(name, state), level, (shown) => this.showDepth(shown, level));
     const { lessons } = this;
@@ -132,7 +136,17 @@ export class View {
     };
     document.addEventListener("keydown", this.keys);
     element.append(this.host);
-    this.unfollow = followTheme(this.page.node, theme);
+    const { node, language: button } = this.page;
+    const unfollow = [followTheme(node, theme)];
+    // What is shown by other means than texts is shown anew.
+    const spoken = () => {
+      node.lang = isGerman() ? "de" : "en";
+      button.textContent = isGerman() ? "EN" : "DE";
+      this.controls.forget();
+    };
+    unfollow.push(follow(node, spoken));
+    spoken();
+    this.unfollow = () => unfollow.forEach((stop) => stop());
     this.fromLink = () => {
       const change = fromText(location.hash), said = refused(change, location.hash);
       if (!Object.keys(change).length && !said) return; // it leads to a heading of the page
@@ -240,9 +254,9 @@ export class View {
     const busy = "busy" in this.host.dataset;
     page.node.classList.toggle("working", busy && most > GREY);
     const said = this.stopped ? "Stopped: nothing is computed for this setting." : busy && most > WORDS ? `Computing: ${longSaid(this.state)} …` : "";
-    if (page.working.textContent !== said) page.working.textContent = said;
+    tell(page.working, said);
     page.work.classList.toggle("shown", Boolean(said));
-    page.stop.textContent = this.stopped ? "Compute" : "Stop";
+    tell(page.stop, this.stopped ? "Compute" : "Stop");
     const kept = { undo: this.history.back.length, redo: this.history.forth.length };
     for (const name of FINISHED) kept[name] = this.current("code");
     for (const [name, there] of Object.entries(kept)) page[name].setAttribute("aria-disabled", String(!there));
@@ -336,9 +350,9 @@ export class View {
     if (this.url) document.title = heading || this.title;
     const plain = this.depth || exact?.name === PRESETS[0].name; // where a lesson starts: its title says more
     page.name.textContent = plain && heading ? heading : exact ? exact.name : from || heading || UNNAMED;
-    page.name.title = page.name.textContent; // the heading is cut where there is no room
+    page.name.title = english(page.name); // the heading is cut where there is no room
     page.preset.value = String(PRESETS.findIndex(({ name }) => name === exact?.name)).replace("-1", "");
-    page.preset.title = page.preset.selectedOptions[0].text;
+    page.preset.title = english(page.preset.selectedOptions[0]);
     // What was left out stays so however the lens is changed.
     const without = (exact ?? this.lens)?.left_out;
     const said = [without && `Left out here: ${without}. All that is shown is of the rest.`, exact?.source].filter(Boolean).join(" ");
@@ -528,14 +542,14 @@ export class View {
     this.stage.draw({ state, shown, held: compare.held, mode: compare.shown, shared: compare.shared });
     const said = computedSaid(state, shown.psf);
     this.page.computed.hidden = !said;
-    if (this.page.computed.textContent !== said) this.page.computed.textContent = said;
+    tell(this.page.computed, said);
   }
 
   // What figureOf draws: settled answers, as they look now.
   figure() {
     const { settled, compare, page } = this;
     const looks = Object.fromEntries([...LOOKS].map((key) => [key, this.state[key]]));
-    const name = page.name.textContent === UNNAMED ? "" : page.name.textContent;
+    const name = english(page.name) === UNNAMED ? "" : english(page.name);
     return { state: { ...settled.state, ...looks }, shown: settled, held: compare.held, mode: compare.shown, shared: compare.shared, name };
   }
 
@@ -665,7 +679,8 @@ export class View {
     page.psf.setAttribute("aria-label", this.compare.shown === "difference" ? `Difference, B minus A. B: ${said}` : said);
     if (!shown.wavefront) page.wavefront.setAttribute("aria-label", none("Wavefront over the pupil"));
     else if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
-    const name = page.selects.picture.selectedOptions[0]?.text ?? "Picture";
+    const [picked] = page.selects.picture.selectedOptions;
+    const name = picked ? english(picked) : "Picture";
     const { width, height, reduced = 1 } = shown.picture ?? {};
     const pitch = `a sensor with pixels of ${short(sensorOf(state, { reduced }).pixel)} micrometres`;
     page.recorded.setAttribute("aria-label", shown.recorded ? `${name}, blurred as ${pitch} records it.` : none(name));
@@ -677,11 +692,24 @@ export class View {
     this.telling = setTimeout(() => (page.said.textContent = said), 700);
   }
 
+  // In another language, which the address then names.
+  speak(language) {
+    speak(language);
+    if (!this.url) return;
+    const address = new URL(location.href);
+    address.searchParams.set("lang", language);
+    try {
+      history.replaceState(history.state, "", address);
+    } catch {
+      // A page that has no address of its own, as within a frame.
+    }
+  }
+
   tell(text) {
     this.said = text;
     const whole = [this.remarked, text].filter(Boolean).join(" ");
     this.page.notice.hidden = !whole;
-    if (this.page.notice.textContent !== whole) this.page.notice.textContent = whole;
+    tell(this.page.notice, whole);
   }
 
   // What is told until the next change.
@@ -693,7 +721,7 @@ export class View {
 
   // The fragment of a link, with the name of a lens that is not among the presets.
   linkText() {
-    const { name, state, left_out } = this.exact ?? (this.lens?.left_out ? { ...this.lens, name: this.page.name.textContent } : {});
+    const { name, state, left_out } = this.exact ?? (this.lens?.left_out ? { ...this.lens, name: english(this.page.name) } : {});
     const own = name && (left_out || state !== this.given) && !PRESETS.some((preset) => preset.name === name);
     const words = own ? { name, without: left_out } : {};
     return [toText(this.state, this.start), ...Object.keys(words).map((key) => words[key] && `${key}=${encodeURIComponent(words[key])}`)].filter(Boolean).join("&");

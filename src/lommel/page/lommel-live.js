@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 91b1b300d4d72d8995776bfbefe6051f0de55e03d7fa355f9b8df0dfc81c1554
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 6f5b72e9115090a9e2f6ac1fb58f256cfce566650bbc4bc4ddbc16077f431f28
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {
@@ -2093,6 +2093,525 @@ if (!held || mode !== "difference") return said;
 return `B: ${said}`;
 }
 }
+const GERMAN = {
+"Point spread function, live": "Punktbildfunktion, live",
+"Point spread functions, live": "Punktbildfunktionen, live",
+"Point spread function": "Punktbildfunktion (PSF)",
+"Drag a slider, or type a number; double-click for the default. {0}": "Regler ziehen oder Zahl eingeben; Doppelklick stellt den Anfangswert her. Ein Klick auf ein Wort, oder auf „?“, erklärt es.",
+"Presets …": "Beispiele …",
+Preset: "Beispiel",
+"Open …": "Öffnen …",
+"A lens file (TOML) or Zernike coefficients {0}": "Eine Linsendatei (TOML) oder Zernike-Koeffizienten (CSV, TXT, INT, TOML, JSON). Oder irgendwo ablegen; sie bleibt in diesem Browser",
+File: "Datei",
+"Hold as A": "Als A merken",
+"Keep this lens to compare others with; {0}": "Diese Linse zum Vergleich behalten; Abtastung, Fenster und Pixel sind die von B",
+Compare: "Vergleich",
+"How to compare": "Art des Vergleichs",
+"side by side": "nebeneinander",
+"in turn": "abwechselnd",
+"difference, B − A": "Differenz, B − A",
+"Scale of A and B": "Skala von A und B",
+"one scale": "eine Skala",
+"each its own scale": "je eigene Skala",
+"Show A": "A zeigen",
+"Show B": "B zeigen",
+"Change between A and B by hand": "Von Hand zwischen A und B wechseln",
+"Exchange: go back to A, and hold what is here now": "Tauschen: zurück zu A; was jetzt da ist, wird gemerkt",
+Exchange: "Tauschen",
+"Let go: forget A": "Loslassen: A vergessen",
+"Let go": "Loslassen",
+Save: "Sichern",
+"Copy link": "Link",
+Copied: "Kopiert",
+"To copy": "Zum Kopieren",
+"The clipboard is refused here; copy this:": "Die Zwischenablage ist hier gesperrt; bitte kopieren:",
+"An address that restores this setting; {0}": "Eine Adresse, die diese Einstellung wiederherstellt; weder A noch ein eigenes Bild sind darin",
+"Copy as Python": "Python kopieren",
+"The call of lommel that makes the same array": "Der Aufruf von lommel, der dieselben Werte ergibt",
+"The point spread function as it is seen": "Die Punktbildfunktion, wie man sie sieht",
+"Profile, encircled energy and MTF": "Profil, eingeschlossene Energie und MTF",
+"The values, float32, with their description; {0}": "Die Werte, float32, mit ihrer Beschreibung; lm.PSF.load liest sie",
+"What every word means": "Was jedes Wort bedeutet",
+Help: "Hilfe",
+Changes: "Änderungen",
+Settings: "Einstellungen",
+"Undo (Ctrl+Z)": "Rückgängig (Strg+Z)",
+Undo: "Rückgängig",
+"Redo (Ctrl+Shift+Z)": "Wiederholen (Strg+Umschalt+Z)",
+Redo: "Wiederholen",
+Reset: "Zurück",
+"All settings as at the start": "Alle Einstellungen wie am Anfang",
+"▶ Move {0}": "▶ {0}",
+"▶ Step: {0}": "▶ Schritt: {0}",
+"❚❚ Pause {0}": "❚❚ {0}",
+"Move {0} (Escape stops): run the slider used last through its range": "{0} bewegen (Esc hält an): der zuletzt benutzte Regler läuft durch seinen Bereich",
+"Pause {0} (Escape stops): run the slider used last through its range": "{0} anhalten (Esc): der zuletzt benutzte Regler läuft durch seinen Bereich",
+"Step: one step each time, since your system asks for reduced motion": "Schritt: jedes Mal ein Schritt, da Ihr System weniger Bewegung wünscht",
+"Move {0}": "{0} bewegen",
+"Pause {0}": "{0} anhalten",
+"Step {0}": "Schritt: {0}",
+"As Python": "Als Python",
+Stop: "Anhalten",
+"Stop computing": "Rechnung anhalten",
+Compute: "Rechnen",
+"Computing: {0} …": "Rechnet: {0} …",
+"averages over pixels": "Mittel über Pixel",
+"white light, seven wavelengths": "weißes Licht, sieben Wellenlängen",
+"large aberrations": "große Aberrationen",
+"Stopped: nothing is computed for this setting.": "Angehalten: für diese Einstellung ist nichts berechnet.",
+"Still computing: possible when it is done.": "Rechnet noch: möglich, wenn es fertig ist.",
+"Changed from: {0}": "Geändert aus: {0}",
+"Left out here: {0}. All that is shown is of the rest.": "Hier weggelassen: {0}. Alles Gezeigte gilt für den Rest.",
+"Left out here: {0}. All that is shown is of the rest. {1}": "Hier weggelassen: {0}. Alles Gezeigte gilt für den Rest. {1}",
+"Not as in the address: {0}.": "Nicht wie in der Adresse: {0}.",
+"{0} is not understood": "{0} wird nicht verstanden",
+"{0} is unknown": "{0} ist unbekannt",
+"This setting cannot be computed: {0}": "Diese Einstellung lässt sich nicht berechnen: {0}",
+"it would take too long. {0}": "es würde zu lange dauern. {0}",
+"This cannot be saved: {0}": "Das lässt sich nicht sichern: {0}",
+"nothing is computed yet": "es ist noch nichts berechnet",
+"Not in the link: {0}.": "Nicht im Link: {0}.",
+"your own picture": "Ihr eigenes Bild",
+"A was let go, for with this sampling it cannot be computed: {0}": "A wurde losgelassen, denn mit dieser Abtastung ist es nicht berechenbar: {0}",
+Sampling: "Abtastung",
+"finely sampled": "fein abgetastet",
+"at the pixels’ centres": "in den Pixelmitten",
+"averaged by pixels": "über Pixel gemittelt",
+Stretch: "Helligkeitsskala",
+linear: "linear",
+"square root": "Wurzel",
+logarithm: "Logarithmus",
+Colours: "Farben",
+automatic: "automatisch",
+"true colour": "Echtfarben",
+grey: "Grau",
+"Colours from nothing to the brightest value": "Farben von nichts bis zum hellsten Wert",
+"The held setting A": "Die gemerkte Einstellung A",
+"of the brightest point": "des hellsten Punktes",
+"of the brightest point of each": "des jeweils hellsten Punktes",
+"of the brightest point of A and B, for equal light; {0}": "des hellsten Punktes von A und B, bei gleichem Licht; die Zahlen gelten je für den eigenen",
+"B minus A, of the brightest point of both": "B minus A, des hellsten Punktes beider",
+"electrons per pixel": "Elektronen pro Pixel",
+"without noise: that is of the sensor's pixels": "ohne Rauschen: dieses haben die Pixel des Sensors",
+"rays (geometrical optics)": "Strahlen (geometrische Optik)",
+"beyond the window of B": "außerhalb des Fensters von B",
+"computed: {0} × {1} of {2} × {3} pixels": "berechnet: {0} × {1} von {2} × {3} Pixeln",
+"while it moves {0} × {1} samples": "in Bewegung {0} × {1} Werte",
+"On the sensor": "Auf dem Sensor",
+Picture: "Bild",
+"Open a picture": "Ein Bild öffnen",
+"A picture of your own; {0}": "Ein eigenes Bild; es bleibt in diesem Browser. Oder hier ablegen",
+"without lens": "ohne Linse",
+"through A": "durch A",
+"Test picture": "Testbild",
+"Siemens star": "Siemensstern",
+Bars: "Balken",
+Text: "Text",
+"Stars at night": "Sternenhimmel",
+"Own picture …": "Eigenes Bild …",
+"Reduced to {0} × {1} pixels, of {2} µm each": "Verkleinert auf {0} × {1} Pixel von je {2} µm",
+"{0}, blurred as a sensor with pixels of {1} micrometres records it.": "{0}, unscharf wie auf einem Sensor mit Pixeln von {1} Mikrometern.",
+"{0}: not computed for this setting.": "{0}: für diese Einstellung nicht berechnet.",
+"Pupil, one fringe per wave": "Pupille, ein Streifen je Wellenlänge",
+"Wavefront over the pupil": "Wellenfront über der Pupille",
+"no central obscuration": "ohne zentrale Abschattung",
+"inner {0} of the radius obscured": "innere {0} des Radius abgeschattet",
+"grey: too many fringes to draw": "grau: zu viele Streifen",
+"{0} P–V, {1} rms": "{0} P–V, {1} rms",
+Profile: "Profil",
+"Encircled energy": "Eingeschlossene Energie",
+"mean over angle": "Mittel über alle Richtungen",
+"share of light": "Anteil des Lichts",
+unaberrated: "ohne Aberration",
+"with pixel": "mit Pixel",
+limit: "Grenze",
+mean: "Mittel",
+light: "Licht",
+"radius ({0})": "Radius ({0})",
+"cycles/mm": "Perioden/mm",
+"cycles/{0}": "Perioden/{0}",
+"80 % about the axis: {0}": "80 % um die Achse: {0}",
+"Nyquist {0} cycles/{1}: beyond the diffraction limit": "Nyquist {0} Perioden/{1}: jenseits der Beugungsgrenze",
+"Nyquist {0} cycles/{1}: MTF {2}; with pixel {3}": "Nyquist {0} Perioden/{1}: MTF {2}; mit Pixel {3}",
+"{0} cycles/{1}: {2}": "{0} Perioden/{1}: {2}",
+"No MTF: {0}": "Keine MTF: {0}",
+"x, y with pixel {0}": "x, y mit Pixel {0}",
+"x with pixel": "x mit Pixel",
+"y with pixel": "y mit Pixel",
+"{0} cycles/{1}": "{0} Perioden/{1}",
+"{0} waves rms": "{0} Wellenlängen rms",
+"waves rms": "Wellenlängen rms",
+"x with pixel {0}": "x mit Pixel {0}",
+"y with pixel {0}": "y mit Pixel {0}",
+"B x with pixel {0}": "B x mit Pixel {0}",
+"limit {0}": "Grenze {0}",
+"mean {0}": "Mittel {0}",
+"light {0}": "Licht {0}",
+"unaberrated {0}": "ohne Aberration {0}",
+"{0} passes half its value on the axis at {1}": "{0} erreicht den halben Wert der Achse bei {1}",
+"{0} passes one half at {1}": "{0} erreicht ein Halb bei {1}",
+"Strehl on the axis": "Strehl auf der Achse",
+"Strehl ratio: the intensity {0}": "Strehl-Zahl: die Intensität auf der Achse, geteilt durch die derselben Öffnung ohne Aberrationen.",
+"Largest value": "Größter Wert",
+"The brightest value of the image over the unaberrated peak. {0}": "Der hellste Wert des Bildes, geteilt durch das Maximum ohne Aberrationen. Mittel über Pixel sind kleiner als die Intensität in einem Punkt; mit „über Pixel gemittelt“ kann er also unter der Strehl-Zahl liegen.",
+"80 % diameter": "80-%-Durchmesser",
+"Diameter of the circle around the centroid {0}": "Durchmesser des Kreises um den Schwerpunkt des Lichts, der 80 % davon enthält, wie bei `lommel info`. Die Kurve der eingeschlossenen Energie gilt um die Achse.",
+FWHM: "Halbwertsbreite",
+"Full width at half maximum of the optics, {0}": "Halbwertsbreite (FWHM) der Optik, ohne Pixel: die Ausdehnung dessen, was heller ist als die Hälfte des hellsten Punktes, Mittel aus x und y, wie bei `lommel info`.",
+"Light in the window": "Licht im Fenster",
+"Share of all light that falls into the window, {0}": "Anteil allen Lichts, der in das Fenster fällt, gleich wie es abgetastet ist; auf weniger als die letzte Stelle genau.",
+"Proven error": "Bewiesener Fehler",
+"Upper bound on the error {0}": "Obere Schranke für den Fehler jedes gezeigten Wertes, geteilt durch das Maximum ohne Aberrationen: mathematisch bewiesen, nicht geschätzt.",
+Time: "Zeit",
+"Computing time of the last {0}": "Rechenzeit der letzten Punktbildfunktion auf diesem Rechner.",
+none: "keiner",
+"more than {0}": "mehr als {0}",
+"as A": "wie A",
+"{0} points from A": "{0} Punkte gegen A",
+"{0} from A": "{0} gegen A",
+"Why no error is proven": "Warum kein Fehler bewiesen ist",
+"No bound is proven {0}: the page integrates along rows of the aperture. The call “As Python” states one.": "{0} ist keine Schranke bewiesen: die Seite integriert entlang von Zeilen der Öffnung. Der Aufruf „Als Python“ nennt eine.",
+"with vanes": "Mit Streben",
+"with aberrations this large": "Bei so großen Aberrationen",
+"Point spread function over {0}: {1} of the light within {2} across; Strehl ratio on the axis {3}, brightest point {4}.": "Punktbildfunktion über {0}: {1} des Lichts in einem Kreis von {2} Durchmesser; Strehl-Zahl auf der Achse {3}, hellster Punkt {4}.",
+"{0} micrometres": "{0} Mikrometer",
+"{0} arcseconds": "{0} Bogensekunden",
+"{0} lambda N": "{0} Lambda N",
+"less than {0}": "weniger als {0}",
+"x, y = {0}, {1}: {2}": "x; y = {0}; {1}: {2}",
+"{0} electrons": "{0} Elektronen",
+"{0} of the brightest": "{0} des hellsten",
+"{0} of the unaberrated peak": "{0} des Maximums ohne Aberrationen",
+"{0} of the unaberrated peak ± {1}": "{0} ± {1} des Maximums ohne Aberrationen",
+"{0} of the radius": "{0} des Radius",
+"no light": "kein Licht",
+Wavefront: "Wellenfront",
+"Lens and light": "Linse und Licht",
+Sensor: "Sensor",
+Focus: "Fokus",
+"defocus in waves": "Defokus in Wellenlängen",
+"by distances": "aus Entfernungen",
+Rays: "Strahlen",
+"not shown": "nicht gezeigt",
+"over the image": "über dem Bild",
+Noise: "Rauschen",
+"photons and read noise": "Photonen und Ausleserauschen",
+"at the edge, in": "am Rand, in",
+"Unit of the wavefront": "Einheit der Wellenfront",
+waves: "Wellen",
+"{0} waves": "{0} Wellen",
+"{0} wave": "{0} Welle",
+"{0} nm": "{0} nm",
+radians: "Radiant",
+"{0} rad": "{0} rad",
+nanometres: "Nanometern",
+Light: "Licht",
+"one wavelength": "eine Wellenlänge",
+"white light": "weißes Licht",
+"lengths in": "Längen in",
+"Unit of lengths": "Einheit der Längen",
+micrometres: "Mikrometern",
+arcseconds: "Bogensekunden",
+metres: "Meter",
+"{0} metres": "{0} Meter",
+millimetres: "Millimeter",
+"{0} millimetres": "{0} Millimeter",
+degrees: "Grad",
+"{0} degrees": "{0} Grad",
+"{0} nanometres": "{0} Nanometer",
+Remove: "Entfernen",
+"Further Zernike terms: {0} waves rms": "Weitere Zernike-Terme: {0} Wellenlängen rms",
+"Further Zernike terms": "Weitere Zernike-Terme",
+"{0} Double click, or Delete, for the default": "{0} Doppelklick oder Entf: Anfangswert",
+"{0}. Still {1}.": "{0}. Weiterhin {1}.",
+Defocus: "Defokus",
+"Seidel term W020 ρ², {0}": "Seidel-Term W020 ρ², in Wellenlängen am Rand der Pupille; positiv: der Sensor liegt zwischen Linse und Fokus.",
+"Focused at": "Scharf bei",
+"Focus distance": "Einstellentfernung",
+"Distance from the lens to objects in focus, {0}": "Entfernung von der Linse zu scharf abgebildeten Gegenständen, Meter, größer als die Brennweite; inf für unendlich.",
+"Object at": "Gegenstand bei",
+"Object distance": "Gegenstandsweite",
+"Distance from the lens to the point object, {0}": "Entfernung von der Linse zum Gegenstandspunkt, Meter, inf für unendlich; näher als die Einstellentfernung ist positiver Defokus.",
+Spherical: "Sphärisch",
+"Seidel term W040 ρ⁴, {0}": "Seidel-Term W040 ρ⁴ (Öffnungsfehler), in Wellenlängen am Rand der Pupille, anders als der Zernike-Term (4, 0) ohne Defokus; positiv: Randstrahlen vereinigen sich hinter den paraxialen.",
+Coma: "Koma",
+coma: "Koma",
+"Zernike term (3, 1), {0}": "Zernike-Term (3, 1), (3ρ³ − 2ρ) cos θ, in Wellenlängen am Rand der Pupille: ein Drittel von Seidels W131; W131 = 0,75 ist hier also 0,25.",
+angle: "Winkel",
+width: "Breite",
+"Direction of coma": "Richtung der Koma",
+"Direction in which the tail of the image points, {0}": "Richtung, in die der Schweif des Bildes zeigt, Grad von rechts, im Uhrzeigersinn.",
+Astigmatism: "Astigmat.",
+astigmatism: "Astigmatismus",
+"Zernike term (2, 2), {0}": "Zernike-Term (2, 2), ρ² cos 2θ, in Wellenlängen am Rand der Pupille: die Hälfte von Seidels W222, dessen andere Hälfte Defokus ist.",
+"Direction of astigmatism": "Richtung des Astigmatismus",
+"Direction in which the image is wide {0}": "Richtung, in der das Bild bei positivem Defokus breit ist, Grad von rechts, im Uhrzeigersinn.",
+Trefoil: "Dreiblatt",
+"Zernike term (3, 3), {0}": "Zernike-Term (3, 3), ρ³ cos 3θ, in Wellenlängen am Rand der Pupille.",
+"Direction of trefoil": "Richtung des Dreiblatts",
+"Direction in which the first ring {0}": "Richtung, in der der erste Ring bei kleinem Dreiblatt am hellsten ist, Grad von rechts, im Uhrzeigersinn.",
+"Focal length": "Brennweite",
+"Focal length of the lens, {0}": "Brennweite der Linse, Millimeter; rechnet Längen auf dem Sensor in Winkel um.",
+"f-number": "Blendenzahl",
+"Sensor distance divided by {0}": "Bildweite durch Durchmesser der Öffnung; bei Entfernungen Brennweite durch diesen.",
+Obscuration: "Abschattung",
+"of the radius": "des Radius",
+"Radius of the central obscuration {0}": "Radius der zentralen Abschattung, geteilt durch den Radius der Öffnung.",
+Vanes: "Streben",
+"Number of vanes": "Zahl der Streben",
+"Number of straight vanes {0}": "Zahl gerader Streben von der Achse zum Rand der Öffnung, unter gleichen Winkeln; eine logarithmische Skala zeigt ihre Strahlen.",
+"Vane width": "Breite der Streben",
+"Width of each vane {0}": "Breite jeder Strebe, geteilt durch den Radius der Öffnung.",
+"Direction of the first vane": "Richtung der ersten Strebe",
+"Direction of the first vane, degrees {0}": "Richtung der ersten Strebe, Grad von rechts, im Uhrzeigersinn.",
+Wavelength: "Wellenlänge",
+"Wavelength of the light, {0}": "Wellenlänge des Lichts, Nanometer; in weißem Licht die, bei der die Wellenfront in Wellenlängen angegeben ist.",
+"Pixel of the sensor": "Pixel des Sensors",
+"Pitch of the square pixels {0}": "Abstand der quadratischen Pixel des Sensors, Mikrometer.",
+Window: "Fenster",
+"pixels wide": "Pixel breit",
+"{0} pixels wide": "{0} Pixel breit",
+"Height and width of the computed image, pixels.": "Höhe und Breite des berechneten Bildes, Pixel.",
+Photons: "Photonen",
+electrons: "Elektronen",
+"Expected number of detected photons: {0}": "Erwartete Zahl nachgewiesener Photonen: der ganzen PSF, und in einem weißen Pixel des Bildes.",
+"Read noise": "Ausleserauschen",
+"electrons rms": "Elektronen rms",
+"{0} electrons rms": "{0} Elektronen rms",
+"Standard deviation of the read noise {0}": "Standardabweichung des Ausleserauschens jedes Pixels, Elektronen.",
+"Input of defocus: {0}": "Eingabe des Defokus: in Wellenlängen, oder durch Brennweite, Blendenzahl, Einstellentfernung und Gegenstandsweite.",
+"Zernike terms without a slider, {0}": "Zernike-Terme ohne Regler, aus einer geöffneten Datei oder der Adresse (zernike=4,2:0.05;6,0:-0.01): n,m:Wellenlängen rms.",
+"One wavelength, or seven lines {0}": "Eine Wellenlänge, oder sieben Linien gleicher Energie, 450 bis 650 nm, mit denselben optischen Wegen.",
+"A fine grid over the whole image, {0}": "Ein feines Gitter über das ganze Bild, oder die Pixel des Sensors: Werte in ihren Mitten, oder Mittel.",
+"Photon noise and read noise {0}": "Photonenrauschen und Ausleserauschen des Sensors in den gezeigten Bildern.",
+"Points where rays through the pupil {0}": "Punkte, in denen Strahlen durch die Pupille den Sensor treffen, ohne Beugung.",
+"Brightness scale of the PSF: {0}": "Helligkeitsskala der PSF: Wurzel, linear oder logarithmisch.",
+"Colours of the PSF; automatic: {0}": "Farben der PSF; automatisch: Echtfarben in weißem Licht, inferno bei einer Wellenlänge.",
+"Unit of the wavefront: {0}": "Einheit der Wellenfront: Wellenlängen, Radiant oder Nanometer des Weges.",
+"Unit of lengths on the sensor: {0}": "Einheit der Längen auf dem Sensor: Mikrometer, Bogensekunden, Wellenlänge mal Blendenzahl.",
+"Picture that the sensor records through the lens.": "Bild, das der Sensor durch die Linse aufnimmt.",
+"Notes on wavefronts": "Zur Wellenfront",
+Numbers: "Zahlen",
+"Pictures and curves": "Bilder und Kurven",
+Choices: "Auswahl",
+"Image of a point of light on the sensor. {0}": "Bild eines Lichtpunktes auf dem Sensor. Sein hellster Wert hat die letzte Farbe des Balkens.",
+"Intensity over the distance from the axis, {0}": "Intensität über dem Abstand von der Achse, gemittelt über alle Richtungen, als Anteil des Maximums ohne Aberrationen.",
+"Share of the light within a circle {0}": "Anteil des Lichts in einem Kreis um die Achse, über dessen Radius.",
+"Modulation transfer function: {0}": "Modulationsübertragungsfunktion: Kontrast eines Sinusmusters im Bild, über dessen Frequenz, längs x und längs y.",
+"A picture as the pixels of the sensor {0}": "Ein Bild, wie es die Pixel des Sensors durch diese Linse aufnehmen.",
+"Optical path difference over the pupil, {0}": "Optischer Wegunterschied über der Pupille, rot über, blau unter null: P–V vom tiefsten zum höchsten, rms um das Mittel.",
+"Interferogram of the pupil: {0}": "Interferogramm der Pupille: von einem hellen Streifen zum nächsten ändert sich die Wellenfront um eine Wellenlänge.",
+"At the edge": "Am Rand",
+"Coefficients are given at the edge {0}": "Koeffizienten gelten am Rand der Pupille (Radius 1), in Wellenlängen. Defokus und sphärische Aberration sind die Seidel-Koeffizienten W020 und W040, von ρ² und ρ⁴. Koma, Astigmatismus und Dreiblatt sind die Zernike-Terme (3, 1), (2, 2) und (3, 3), die am Rand 1 sind. Der Zernike-Term (4, 0), 6ρ⁴ − 6ρ² + 1, enthält Defokus: eine Wellenlänge davon ist W040 = 6 und W020 = −6.",
+Signs: "Vorzeichen",
+"Positive defocus: the sensor lies between {0}": "Positiver Defokus: der Sensor liegt zwischen Linse und Fokus. Man sieht das Bild wie auf dem Sensor, x nach rechts, y nach unten.",
+"A lens without aberration": "Linse ohne Aberration",
+"35 mm f/2 camera lens at full aperture, over a full-frame sensor": "Kameraobjektiv 35 mm f/2 bei voller Öffnung, über einem Vollformatsensor",
+"85 mm f/1.4 portrait lens": "Porträtobjektiv 85 mm f/1,4",
+"Hubble Space Telescope before its 1993 repair, at its best focus": "Hubble-Weltraumteleskop vor der Reparatur 1993, im besten Fokus",
+"20x/0.75 microscope objective, quarter wave of spherical aberration": "Mikroskopobjektiv 20x/0,75, eine Viertelwelle sphärische Aberration",
+"200 mm f/4 Newtonian telescope, a star 0.25 degrees off the axis": "Newton-Teleskop 200 mm f/4, ein Stern 0,25 Grad neben der Achse",
+"50 mm f/1.8 camera lens": "Kameraobjektiv 50 mm f/1,8",
+"Phone camera, 3.99 mm f/1.8": "Telefonkamera, 3,99 mm f/1,8",
+"linear scale": "lineare Skala",
+"square-root scale": "Wurzelskala",
+"logarithmic scale": "logarithmische Skala",
+"Strehl ratio on the axis {0}": "Strehl-Zahl auf der Achse {0}",
+"80 % of the light within {0}": "80 % des Lichts in {0}",
+"defocus {0}": "Defokus {0}",
+"spherical {0}": "sphärische Aberration {0}",
+"coma {0}": "Koma {0}",
+"astigmatism {0}": "Astigmatismus {0}",
+"trefoil {0}": "Dreiblatt {0}",
+"direction of coma {0}": "Richtung der Koma {0}",
+"direction of astigmatism {0}": "Richtung des Astigmatismus {0}",
+"direction of trefoil {0}": "Richtung des Dreiblatts {0}",
+"obscuration {0}": "zentrale Abschattung {0}",
+"pixel of the sensor {0}": "Pixel des Sensors {0}",
+"focus distance {0}": "Einstellentfernung {0}",
+"object distance {0}": "Gegenstandsweite {0}",
+"Lessons …": "Lektionen …",
+Lessons: "Lektionen",
+Lesson: "Lektion",
+"Previous lesson": "Vorige Lektion",
+"Next lesson": "Nächste Lektion",
+"Close the lesson": "Lektion schließen",
+"Show everything": "Alles zeigen",
+Answer: "Antwort",
+"Source: {0}": "Quelle: {0}",
+"(done)": "(erledigt)",
+"{0} of {1}: {2}": "{0} von {1}: {2}",
+"Airy pattern": "Airy-Muster",
+"Rayleigh’s quarter wave": "Rayleighs Viertelwelle",
+"The zero on the axis": "Die Nullstelle auf der Achse",
+"Contrast reversal": "Kontrastumkehr",
+"Hubble, 1990": "Hubble, 1990",
+"Coma against astigmatism": "Koma oder Astigmatismus",
+"Depth from two pictures": "Tiefe aus zwei Bildern",
+"A lens without aberration images a star {0}": "Eine Linse ohne Aberration bildet einen Stern nicht als Punkt ab, sondern als helles Scheibchen mit dunklen Ringen: Licht aus allen Teilen ihrer runden Öffnung interferiert (Beugung). Längen sind in λN angegeben, Wellenlänge mal Blendenzahl.",
+"Above the picture, set “square root” to {0}": "Stellen Sie über dem Bild „Wurzel“ auf „Logarithmus“ und zählen Sie die Ringe. Zeigen Sie auf das Profil: wo ist die erste Nullstelle?",
+"Set lengths to micrometres and drag {0}": "Stellen Sie die Längen auf Mikrometer und ziehen Sie die Blendenzahl über 8. Das Fenster folgt dem Muster: achten Sie auf den Maßstab, nicht auf die Größe des Scheibchens.",
+"Drag the obscuration to 0.33, {0}": "Ziehen Sie die zentrale Abschattung auf 0,33, wie bei einem Spiegelteleskop. Was geschieht mit Scheibchen und Ringen?",
+"How wide is the first dark ring {0}": "Wie groß ist der erste dunkle Ring bei f/4 und 550 nm? Hängt der Anteil des Lichts außerhalb von der Blendenzahl ab?",
+"The diameter is 2.44 λN, {0}": "Der Durchmesser ist 2,44 λN, hier 5,4 µm. Der Ring umschließt 83,8 % des Lichts; 16,2 % liegen außerhalb, bei jeder Blendenzahl und Wellenlänge, denn diese ändern nur den Maßstab des Musters. Mit einer Abschattung von 0,33 ist der erste dunkle Ring kleiner, bei 1,10 λN, umschließt aber nur 65,4 %: ein schmaleres Scheibchen, hellere Ringe, weniger Kontrast.",
+"How good is good enough? {0}": "Wie gut ist gut genug? Die Strehl-Zahl ist die Intensität auf der Achse, geteilt durch die einer vollkommenen Linse. Rayleighs Regel: eine Wellenfront, die um höchstens eine Viertelwelle von einer Kugel abweicht, gibt ein kaum schlechteres Bild als eine vollkommene.",
+"Drag defocus (arrow keys {0}": "Ziehen Sie den Defokus (fein mit den Pfeiltasten), bis die Strehl-Zahl 0,8 ist. Wie viele Wellenlängen sind das?",
+"Set defocus to 0, and drag spherical {0}": "Stellen Sie den Defokus auf 0 und ziehen Sie die sphärische Aberration, bis die Strehl-Zahl wieder 0,8 ist.",
+"Set spherical to 1 wave. {0}": "Stellen Sie die sphärische Aberration auf 1 Wellenlänge. Ziehen Sie nun den Defokus dorthin, wo die Strehl-Zahl am größten ist.",
+"Read P–V below the wavefront: {0}": "Lesen Sie P–V unter der Wellenfront ab: warum lässt die vierfache sphärische Aberration dieselbe Strehl-Zahl übrig?",
+"With −1 wave of defocus the wavefront {0}": "Mit −1 Wellenlänge Defokus ist die Wellenfront ρ⁴ − ρ²: sie bleibt wieder innerhalb einer Viertelwelle, und ihr rms σ ist 0,075 Wellenlängen, also 1/13,4; Maréchals Näherung gibt S = 0,803, genau ist es 0,800. Eine Viertelwelle Defokus lässt 0,811 übrig, eine von sphärischer Aberration allein 0,800. Auf dem Sensor ist eine Viertelwelle Defokus eine Verschiebung um 2 λN²; die Schärfentiefe im Bildraum ist hier also ±18 µm, zu beiden Seiten des Fokus.",
+"Out of focus, rays fill a disk evenly, {0}": "Außerhalb des Fokus füllen Strahlen einen Zerstreuungskreis gleichmäßig, auch seine Mitte. Doch bei einer Wellenlänge Defokus ist die Achse dunkel.",
+"Drag defocus from 0 to 1 wave. {0}": "Ziehen Sie den Defokus von 0 auf 1 Wellenlänge. Achten Sie auf die Bildmitte und die Strehl-Zahl.",
+"Go on to 2 waves: {0}": "Weiter bis 2 Wellenlängen: die Mitte wird hell, dann wieder dunkel.",
+"Go back to 1 wave and drag {0}": "Gehen Sie auf 1 Wellenlänge zurück und ziehen Sie die Abschattung auf 0,5: die Mitte ist hell. Bei welchem Defokus ist sie jetzt dunkel?",
+"No ray is missing on the axis. {0}": "Auf der Achse fehlt kein Strahl. Warum ist sie dunkel, und warum verschiebt eine zentrale Abschattung die Nullstellen?",
+"Defocus is W₀₂₀ρ², and rings {0}": "Defokus ist W₀₂₀ρ², und Ringe gleicher Breite in ρ² haben gleiche Fläche: über eine Wellenlänge kommt jede Phase gleich oft vor, und alle Beiträge heben sich auf. (Die Pupille enthält zwei Fresnel-Zonen.) Dasselbe geschieht bei 2, 3, … Wellenlängen; dazwischen, bei 1,5, ist die Strehl-Zahl 0,045. Hinter einer Abschattung ε = 0,5 durchläuft die Phase nur 1 − ε² = 0,75 des Defokus; die erste Nullstelle liegt also bei 1/0,75 = 1,33 Wellenlängen; bei 1 Wellenlänge ist die Strehl-Zahl 0,090. Das Licht ist nicht verloren: es ist in den Ringen.",
+"In focus, a Siemens star is grey {0}": "Im Fokus ist ein Siemensstern nur nahe der Mitte grau, wo die Speichen zu fein sind. Außerhalb hat er graue Ringe, und weiter innen erscheinen die Speichen wieder, Schwarz und Weiß vertauscht. Die MTF zeigt, wie viel Kontrast bleibt, nicht sein Vorzeichen.",
+"Drag defocus to 2 waves and follow {0}": "Ziehen Sie den Defokus auf 2 Wellenlängen und folgen Sie einer weißen Speiche des Sterns nach innen, durch den ersten grauen Ring.",
+"Set lengths to λN and point at the MTF: {0}": "Stellen Sie die Längen auf λN und zeigen Sie auf die MTF: wo sind ihre ersten Minima? Es sind Nullstellen: graue Ringe. Marken auf dem Stern geben die Frequenz an, die nach innen steigt.",
+"Drag defocus to 3 waves. {0}": "Ziehen Sie den Defokus auf 3 Wellenlängen. Wohin wandern die grauen Ringe?",
+"Between the first two grey rings {0}": "Zwischen den ersten zwei grauen Ringen lassen sich die Speichen zählen. Hat die Linse sie aufgelöst?",
+"Not truly: the transfer function {0}": "Nicht wirklich: die Übertragungsfunktion (OTF) ist dort negativ, und weiße Speichen erscheinen schwarz: Scheinauflösung. Mit 2 Wellenlängen wechselt das Vorzeichen bei ν = 0,084 und 0,167 Perioden/λN, hier 38 und 76 Perioden/mm. Die Formel, die der Strahlen, ist null bei a = 3,83: sie gibt 0,076 für 2 Wellenlängen und 0,051 für 3, wo Wellen 0,054 geben. Zwischen den ersten zwei Nullstellen erreicht der umgekehrte Kontrast bei 2 Wellenlängen 11 %. Kein Schärfen, das vom Vorzeichen absieht, stellt ein solches Bild wieder her.",
+"The mirror of the Hubble Space Telescope {0}": "Der Spiegel des Hubble-Weltraumteleskops war falsch geschliffen: 8 Wellenlängen sphärische Aberration. Vom Boden aus ließ sich nur der Fokus ändern. Hier beginnt er dort, wo das meiste Licht in einen Radius von 0,1″ fällt.",
+"Point at the curve of encircled energy: {0}": "Zeigen Sie auf die Kurve der eingeschlossenen Energie: welcher Anteil des Lichts liegt in einem Radius von 0,1″?",
+"Drag defocus from −1 to −10. {0}": "Ziehen Sie den Defokus von −1 bis −10. Bekommen Sie mehr Licht in diesen Radius, oder eine Strehl-Zahl von 0,2?",
+"Set spherical and defocus to 0: {0}": "Stellen Sie sphärische Aberration und Defokus auf 0: der Spiegel wie entworfen, und die Wirkung der Korrekturoptik von 1993.",
+"Why could no focus repair the image?": "Warum konnte kein Fokus das Bild reparieren?",
+"A term in ρ² cannot cancel {0}": "Ein Term in ρ² kann keinen in ρ⁴ aufheben. Der kleinste rms-Wellenfrontfehler, bei −9,0 Wellenlängen Defokus, ist noch σ = 0,48 Wellenlängen; für eine Strehl-Zahl von 0,8 braucht es 0,075. Der Fokus tauscht nur: bestenfalls 16 % des Lichts liegen in einem Radius von 0,1″, wie entworfen 89 %. Etwas Licht bildet immer einen scharfen Kern; darum ließen sich helle Sterne noch messen und Bilder entfalten. 1993 wurden Spiegel mit dem entgegengesetzten Fehler eingebaut.",
+"Off the axis, stars become {0}": "Abseits der Achse werden Sterne zu Kometen oder kurzen Strichen. Ein einziges Bild kann täuschen; erst der Gang durch den Fokus unterscheidet beide.",
+"Drag defocus from −1 to 1: {0}": "Ziehen Sie den Defokus von −1 bis 1: wie unterscheiden sich die zwei Seiten des Fokus?",
+"Set coma to 0, astigmatism to 0.6, {0}": "Stellen Sie Koma auf 0, Astigmatismus auf 0,6, und ziehen Sie den Defokus wieder von −1 bis 1. Wo ist der Stern ein Strich?",
+"Mix them: coma 0.4, {0}": "Mischen Sie: Koma 0,4, Astigmatismus 0,4. Ziehen Sie den Defokus: welche von beiden sehen Sie wo?",
+"A star in your telescope is elongated. {0}": "Ein Stern in Ihrem Teleskop ist länglich. Wie finden Sie heraus, ob durch Koma oder durch Astigmatismus?",
+"Focus in and out. {0}": "Stellen Sie vor und hinter den Fokus. Bei Koma sind beide Seiten gleich, und der Schweif zeigt in jedem Fokus in eine Richtung: eine Wellenfront, die bei Drehung um 180° das Vorzeichen wechselt, hat dieselbe PSF für +d und −d Wellenlängen Defokus. Bei Astigmatismus dreht sich der Strich um 90°; am schärfsten sind die Striche bei einem Defokus von plus und minus dem Koeffizienten. In der Mitte füllen Strahlen einen Kreis, den Kreis kleinster Verwirrung; Wellen so kleiner Aberration bilden dort ein Kreuz. Eine Strehl-Zahl von 0,8 lassen 0,21 Wellenlängen Koma oder 0,18 Wellenlängen Astigmatismus übrig (Zernike-Terme, am Rand der Pupille).",
+"A lens blurs what is out of focus, {0}": "Eine Linse macht unscharf, was außerhalb des Fokus liegt, je nach Entfernung verschieden stark. Ein unscharfes Bild verrät die Entfernung nicht, denn der Gegenstand selbst kann glatt sein. Zwei Bilder mit verschiedenem Fokus verraten sie: das Verhältnis ihrer Kontraste hängt von der Entfernung ab, nicht von der Textur. Hier sieht man eine Wand mit Bild, ein Buch, einen Ball und eine bewegte Karte durch ein Objektiv von 35 mm, mit dem Rauschen des Lichts.",
+"Point at the card in the map of depth, {0}": "Zeigen Sie in der Tiefenkarte auf die Karte, oder gehen Sie mit den Pfeiltasten dorthin. Liegt die wahre Entfernung innerhalb des Standardfehlers, der Zahl nach ±? Das sollte in zwei von drei Fällen so sein.",
+"Set the f-number to 5.6, then to 16. {0}": "Stellen Sie die Blendenzahl auf 5,6, dann auf 16. Was geschieht mit dem Standardfehler?",
+"Reduce the light to 300 electrons per pixel. {0}": "Verringern Sie das Licht auf 300 Elektronen pro Pixel. Wo geht die Tiefe zuerst verloren?",
+"Exchange the two pictures. Depth is wrong now: {0}": "Vertauschen Sie die zwei Bilder. Die Tiefe ist nun falsch: sagt das die Abweichung?",
+"At which distances is depth most exact, {0}": "Bei welchen Entfernungen ist die Tiefe am genauesten, und was kann kein Bildpaar verraten?",
+"Between the two foci, where one picture {0}": "Zwischen den beiden Fokuslagen, wo ein Bild schärfer wird, während das andere verschwimmt. In einem Fokus ändert sich der Kontrast kaum mit der Entfernung, so dass nur das andere Bild etwas aussagt, und jenseits beider verschwimmen beide gleich: bei f/8 und 3000 Elektronen ist der Standardfehler 5 mm bei 1,5 m, aber 13 mm bei 1,8 m und 17 mm bei 1,9 m. Er wächst mit dem Rauschen, und wo Textur darin untergeht, ist die Tiefe unbekannt. Kein Paar verrät, welches Bild näher fokussiert ist: vertauschte passen ebenso gut, Abweichung etwa 1, mit um etwa 1,54 m gespiegelten Entfernungen. Auch nicht den Maßstab, der aus Blendenzahl, Brennweite und Pixeln folgt, wie sie angegeben sind. Eine Ebene bekannter Entfernung prüft beides.",
+Pictures: "Bilder",
+"Two pictures (computed clip)": "Zwei Bilder (berechnete Szene)",
+"Camera, one picture": "Kamera, ein Bild",
+Pause: "Pause",
+Play: "Abspielen",
+"Exchange the two pictures": "Die zwei Bilder vertauschen",
+"f-number (defocus)": "Blendenzahl (Defokus)",
+"Light (noise)": "Licht (Rauschen)",
+"Radius of the blur": "Radius der Unschärfe",
+"{0} pixels": "{0} Pixel",
+"First picture": "Erstes Bild",
+"Second picture": "Zweites Bild",
+Depth: "Tiefe",
+"Sharp picture of both": "Scharfes Bild aus beiden",
+"As taken": "Wie aufgenommen",
+Sharpened: "Geschärft",
+"focused at {0}": "scharf bei {0}",
+"stated focus {0}": "angegebener Fokus {0}",
+"grey: not known": "grau: unbekannt",
+"Colours of distances from {0} to {1}; grey: not known": "Farben der Entfernungen von {0} bis {1}; grau: unbekannt",
+"Rendering the scene at {0} …": "Die Szene bei {0} wird berechnet …",
+"{0} frames/s": "{0} Bilder/s",
+"depth known at {0} %": "Tiefe bekannt bei {0} %",
+"misfit {0}": "Abweichung {0}",
+"depth and sharp picture take {0} ms": "Tiefe und scharfes Bild dauern {0} ms",
+"sharpened in {0} ms": "geschärft in {0} ms",
+"brightness only": "nur die Helligkeit",
+"true {0}": "wahr {0}",
+"found {0}": "gefunden {0}",
+"not known": "unbekannt",
+"No picture leaves this page: frames are filtered here and forgotten.": "Kein Bild verlässt diese Seite: Bilder werden hier gefiltert und vergessen.",
+"The browser asks for the camera.": "Der Browser fragt nach der Kamera.",
+"The browser was not allowed to use a camera. {0}": "Der Browser durfte keine Kamera benutzen. Erlauben Sie es für diese Seite, neben der Adresse, und wählen Sie sie noch einmal.",
+"There is no camera here.": "Hier ist keine Kamera.",
+"The camera is in use by another program.": "Ein anderes Programm benutzt die Kamera.",
+"There is no picture of a camera: {0}": "Es gibt kein Kamerabild: {0}",
+"The browser gives the camera only to pages {0}": "Der Browser gibt die Kamera nur Seiten über https oder von diesem Rechner.",
+};
+const ATTRIBUTES = ["title", "aria-label", "aria-valuetext"];
+const SEPARATORS = [/(?<=[^.]\.) (?=\p{Lu})/u, "; ", " — ", ": ", ", "];
+let german = isIt(globalThis.navigator?.language);
+const known = new Map(); // what was looked up
+const written = new WeakMap(); // node -> {attribute or "data": [English, as shown]}
+const followed = new Map(); // root -> what to call when the language changes
+const plain = (text) => text.replace(/\s+/g, " ").trim();
+const place = (key) => [key.startsWith("{") ? 0 : 1, key.length];
+const patterns = Object.keys(GERMAN)
+.filter((key) => key.includes("{0}"))
+.sort((a, b) => place(b)[0] - place(a)[0] || place(b)[1] - place(a)[1])
+.map((key) => {
+const part = /^\{0\} \S+$/.test(key) ? "([-−\\d.e∞<> ]*[\\d∞])" : "(.*?[^\\s,;:])"; // before a unit a number
+return [new RegExp(`^${key.replace(/[.*+?^$()|[\]\\]/g, "\\$&").replace(/\{\d\}/g, part)}$`, "u"), GERMAN[key]];
+});
+const numbers = (text) => (/doi:/.test(text) ? text : text.replace(/(\d)\.(?=\d)/g, "$1,"));
+function translated(text) {
+if (Object.hasOwn(GERMAN, text)) return GERMAN[text];
+for (const [pattern, to] of patterns) {
+const parts = pattern.exec(text);
+if (parts) return to.replace(/\{(\d)\}/g, (_, k) => translated(parts[Number(k) + 1]));
+}
+if (/[^.]\.$/.test(text)) return `${translated(text.slice(0, -1))}.`;
+const between = /\p{L}{2}/u.test(text) && SEPARATORS.find((separator) => text.split(separator).length > 1);
+const sign = typeof between === "string" ? between : " ";
+return between ? text.split(between).map(translated).join(sign) : numbers(text);
+}
+function inLanguage(text) {
+if (!german) return text;
+const key = plain(text);
+if (!key) return text;
+if (known.size > 5000) known.clear();
+if (!known.has(key)) known.set(key, translated(key));
+return text.replace(/\S.*\S|\S/s, () => known.get(key));
+}
+function write(node, name) {
+const now = name === "data" ? node.data : node.getAttribute(name);
+if (now === null || (node.parentElement ?? node).closest?.("[translate=no]")) return;
+const of = written.get(node) ?? {};
+const text = of[name]?.[1] === now ? of[name][0] : now;
+const said = inLanguage(text);
+written.set(node, { ...of, [name]: [text, said] });
+if (said === now) return;
+if (name === "data") node.data = said;
+else node.setAttribute(name, said);
+}
+function writeAll(node) {
+if (node.nodeType === 3) write(node, "data");
+if (node.nodeType !== 1 || node.localName === "style") return;
+for (const name of ATTRIBUTES) write(node, name);
+node.childNodes.forEach(writeAll);
+}
+function follow(node, changed) {
+const watch = new MutationObserver((changes) => {
+for (const { type, target, attributeName, addedNodes } of german ? changes : []) {
+if (type === "childList") addedNodes.forEach(writeAll);
+else write(target, attributeName ?? "data");
+}
+});
+watch.observe(node, { subtree: true, childList: true, characterData: true, attributeFilter: ATTRIBUTES });
+followed.set(node, changed);
+if (german) writeAll(node);
+return () => {
+watch.disconnect();
+followed.delete(node);
+};
+}
+const english = (node) => written.get(node.firstChild)?.data?.[0] ?? node.textContent;
+function tell(node, text) {
+if (english(node) !== text) node.textContent = text;
+}
+function isIt(language) {
+return /^de\b/i.test(language ?? "");
+}
+const isGerman = () => german;
+function speak(language) {
+german = isIt(language);
+known.clear();
+followed.forEach((changed, node) => {
+writeAll(node);
+changed();
+});
+}
 const PANEL = 1024;
 const PADDING = 48;
 const FONT = '"Helvetica Neue", Arial, "Liberation Sans", system-ui, sans-serif';
@@ -2132,7 +2651,7 @@ const width = whole.width - 2 * PADDING;
 const wrapped = (text, size, wide, weight = "") => {
 context.font = `${weight} ${size}px ${FONT}`;
 const lines = [""];
-for (const word of text.split(" ")) {
+for (const word of inLanguage(text).split(" ")) {
 const longer = lines.at(-1) ? `${lines.at(-1)} ${word}` : word;
 if (context.measureText(longer).width > wide && lines.at(-1)) lines.push(word);
 else lines[lines.length - 1] = longer;
@@ -2173,7 +2692,7 @@ context.fillStyle = "#000";
 context.fillRect(left + 18, bottom - 8, share * PANEL + 4, 12);
 context.fillStyle = "#fff";
 context.fillRect(left + 20, bottom - 6, share * PANEL, 8);
-label(context, text, left + 18, bottom - 54);
+label(context, inLanguage(text), left + 18, bottom - 54);
 context.strokeStyle = "#888";
 context.lineWidth = 1;
 context.strokeRect(left - 0.5, top - 0.5, PANEL + 1, PANEL + 1);
@@ -2185,14 +2704,15 @@ context.strokeStyle = "#888";
 context.strokeRect(PADDING - 0.5, y - 0.5, width + 1, 27);
 context.font = `22px ${FONT}`;
 context.fillStyle = "#111";
-for (const [at, word] of drawn.ticks) {
+for (const [at, tick] of drawn.ticks) {
+const word = inLanguage(tick);
 const x = PADDING + at * width;
 context.fillRect(Math.min(x, PADDING + width - 1), y + 26, 2, 7);
 const wide = context.measureText(word).width;
 context.fillText(word, Math.min(PADDING + width - wide, Math.max(PADDING, x - wide / 2)), y + 36);
 }
 const rays = state.rays === "on" && !drawn.signed && panels.some((panel) => panel.shown.rays);
-context.fillText(`${drawn.label}, ${STRETCHED[state.stretch]}`, PADDING, y + 70);
+context.fillText(inLanguage(`${drawn.label}, ${STRETCHED[state.stretch]}`), PADDING, y + 70);
 context.textAlign = "right";
 const made = "lommel";
 context.fillStyle = "#666";
@@ -2200,8 +2720,9 @@ context.fillText(made, PADDING + width, y + 70);
 if (rays) {
 const right = PADDING + width - context.measureText(made).width - 40;
 context.fillStyle = "#111";
-context.fillText(RAYS_SAID, right, y + 70);
-dot(context, right - context.measureText(RAYS_SAID).width - 16, y + 82, 7);
+const said = inLanguage(RAYS_SAID);
+context.fillText(said, right, y + 70);
+dot(context, right - context.measureText(said).width - 16, y + 82, 7);
 }
 return whole;
 }
@@ -3211,7 +3732,7 @@ const LONG = 2000; // characters of an address that all programs take
 function actions(view) {
 const done = (button, text) => {
 const { page } = view;
-const before = (button.dataset.text ??= button.textContent);
+const before = (button.dataset.text ??= english(button));
 button.style.minWidth = `${button.offsetWidth}px`;
 button.textContent = text;
 page.said.textContent = text;
@@ -3661,7 +4182,7 @@ const { key, box } = row;
 let fresh = false;
 box.addEventListener("focus", () => {
 row.before = this.state[key];
-if (row.kept === undefined) box.value = textOf(row, row.before, 12);
+if (row.kept === undefined) box.value = inLanguage(textOf(row, row.before, 12));
 box.select();
 fresh = true;
 });
@@ -3735,7 +4256,7 @@ if (!row.dragging) this.range(row, value);
 slider.value = placeOf(row, value);
 this.fill(row);
 const text = textOf(row, value, Math.abs(value * factor) < 0.1 ? 3 : 4); // what the box has room for
-if (this.edited !== box && row.kept === undefined) box.value = box.matches(":focus") ? textOf(row, value, 12) : text;
+if (this.edited !== box && row.kept === undefined) box.value = inLanguage(box.matches(":focus") ? textOf(row, value, 12) : text);
 row.unit.textContent = name;
 slider.setAttribute("aria-valuetext", withUnit(text, spec.waves ? name : spec.said).trim());
 const said = spec.waves ? `${row.name}, ${name}` : [row.name, spec.said].filter(Boolean).join(", ");
@@ -3768,7 +4289,7 @@ const value = typedIn(row);
 const inside = value >= low - 1e-12 * Math.abs(low) && value <= high + 1e-12 * Math.abs(high);
 if (inside && !(whole && value % 1)) return "";
 const [least, most] = [low, high].map((limit) => short(limit * factor));
-const range = `${whole ? "a whole number, " : ""}${least} to ${infinite ? "∞ (or inf)" : most} ${spec.waves ? unit.textContent : spec.said}`.trim();
+const range = `${whole ? "a whole number, " : ""}${least} to ${infinite ? "∞ (or inf)" : most} ${spec.waves ? english(unit) : spec.said}`.trim();
 const turned = value < 0 && DIRECTED.find((term) => term.name === key);
 return `${name} is ${range}${turned ? `; for the other sign turn its angle by ${180 / turned.m}°` : ""}. Still ${textOf(row, row.before, 4)}.`;
 }
@@ -3987,7 +4508,7 @@ this.video?.srcObject?.getTracks().forEach((track) => track.stop());
 this.video = null;
 }
 tell(text) {
-if (this.message.textContent !== text) this.message.textContent = text;
+tell(this.message, text);
 }
 async loop() {
 this.again = true;
@@ -4278,6 +4799,7 @@ const header = el(
 { class: "header" },
 page.name,
 docs ? el("a", { class: "brand", href: docs }, "lommel") : el("span", { class: "brand" }, "lommel"),
+button("language", "DE", "Deutsch / English", actions.language, { translate: "no", "aria-label": "Deutsch / English" }),
 button("explain", "?", "What every word means", unfold, { "aria-label": "Help", "aria-expanded": "false" }),
 );
 const hands = el(
@@ -4290,7 +4812,7 @@ button("play", "▶", "", actions.play),
 );
 page.side = el("div", { class: "side" }, lessons.node, hands, controls);
 for (const box of [page.side, lessons.body]) cueMore(box);
-page.code = el("pre", { tabindex: 0, "aria-label": "The call of lommel that makes the same array" });
+page.code = el("pre", { translate: "no", tabindex: 0, "aria-label": "The call of lommel that makes the same array" });
 const code = el("details", { class: "code", open: true }, el("summary", {}, "As Python"), page.code);
 page.panels = { sensor: picture, pupil, numbers, curves: plots, code };
 const named = Object.keys(page.panels).some((name) => only.includes(name));
@@ -4520,7 +5042,7 @@ if (address.search !== location.search) history.pushState(null, "", address);
 class Lessons {
 constructor(set, level = 2, turn = () => {}) {
 Object.assign(this, { set, turn });
-const titles = NAMES.map((name, index) => [name, `${index + 1} ${LESSONS[name].title}`]);
+const titles = NAMES.map((name, index) => [name, `${index + 1}: ${LESSONS[name].title}`]);
 this.menu = menu("Lessons", { "": "Lessons …", ...Object.fromEntries(titles) }, "", (name) => this.open(name));
 const button = (text, label, onclick) => el("button", { type: "button", "aria-label": label, title: label, onclick }, text);
 const by = (step) => this.open(NAMES[NAMES.indexOf(this.name) + step]);
@@ -4601,7 +5123,7 @@ step.append(el("span", { class: "unseen" }, " (done)"));
 if (done.length) this.went = { low: state.defocus, high: state.defocus };
 }
 }
-const styleText = ":host { display: block; container-type: inline-size; }\n:host([data-large]) { zoom: 1.3; }\n:host([data-large]) .lommel-live { --screen: calc(100vh / 1.3); }\n:host([data-large]) :is(.files, .under, .numbers > :has([data-number=\"time\"])) { display: none; }\n.lommel-live {\n--back: #ffffff;\n--text: #1b1f24;\n--muted: #57606a;\n--line: #d5dbe1;\n--soft: #f3f5f7;\n--accent: #1d5fb0;\n--second: #b04a12;\n--held: #7b4ba0;\n--bad: #a4161a;\ncolor-scheme: light;\n--screen: var(--lommel-screen, 100vh);\n--psf: max(200px, min(340px, 0.72 * var(--screen)), min(0.6 * var(--screen), var(--screen) - 316px));\nposition: relative;\ndisplay: flex;\nflex-direction: column;\ngap: 14px;\nmax-width: 2000px;\nmargin: 0 auto;\npadding: 16px;\nbox-sizing: border-box;\nbackground: var(--back);\ncolor: var(--text);\naccent-color: var(--accent);\nfont: 14px/1.4 system-ui, sans-serif;\nfont-variant-numeric: tabular-nums;\ntext-align: start;\n}\n@media screen {\n.lommel-live[data-theme=\"dark\"] {\n--back: #14171c;\n--text: #e7e9ec;\n--muted: #a3abb5;\n--line: #343b44;\n--soft: #1d2127;\n--accent: #7db4f8;\n--second: #f2a56a;\n--held: #cda3ee;\n--bad: #ff9c97;\ncolor-scheme: dark;\n}\n}\n.lommel-live *, .lommel-live *::before, .lommel-live *::after { box-sizing: border-box; }\n[hidden], .idle { display: none !important; }\n.unseen { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }\n.title, .help :is(h2, h3) { margin: 0; font-size: 13px; font-weight: 600; white-space: nowrap; }\n[data-word] { cursor: help; }\n[data-word]:hover { text-decoration: underline dotted; text-underline-offset: 3px; }\nfigure { margin: 0; min-width: 0; }\nfigcaption {\ndisplay: flex;\nflex-wrap: wrap;\nalign-items: center;\njustify-content: space-between;\ngap: 4px 12px;\nmin-height: 28px;\nmargin-bottom: 6px;\n}\n.note, .unit, .legend, .tick, .inline, .readout { color: var(--muted); font-size: 12px; }\n.note { margin: 4px 0 0; }\nselect,\nbutton,\n.line input,\ntextarea {\nfont: inherit;\nfont-size: 13px;\ncolor: inherit;\nbackground: var(--back);\nborder: 1px solid var(--line);\nborder-radius: 6px;\npadding: 3px 8px;\nmin-height: 28px;\nmax-width: 100%;\n}\nselect { padding: 3px 4px; text-overflow: ellipsis; }\nbutton { cursor: pointer; }\nbutton:hover, select:hover, .line input:hover { border-color: var(--muted); }\n:focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }\n.menus, .group, .tools, .inline, .tick { display: flex; flex-wrap: wrap; align-items: center; gap: 6px; }\n.menus select, .menus button, .inline select { min-height: 26px; font-size: 12px; padding: 1px 4px; color: var(--text); }\n.header { display: flex; align-items: center; gap: 4px 12px; min-width: 0; }\n.name { display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 2; margin: 0; min-width: 0; font-size: 15px; line-height: 17px; font-weight: 600; overflow: hidden; overflow-wrap: anywhere; }\n.header { min-height: 34px; }\n.brand { color: var(--muted); }\na.brand { color: var(--accent); }\n.header button { min-width: 28px; padding: 3px 0; border-radius: 50%; font-weight: 600; }\n.bar, .top { display: flex; flex-wrap: wrap; gap: 6px 16px; align-items: center; }\n.top { flex: 1; justify-content: flex-end; }\n.top:not(:has(button, select)) { display: none; }\n.tools { flex: 1; justify-content: flex-end; }\n.tools > select { flex: 0 1 15em; min-width: 7.4em; }\n.tools > [data-key] ~ select { flex-basis: 11em; }\n.under { position: relative; height: 18px; min-width: 0; }\n.under .note, .source summary { margin: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }\n.under .source:not([hidden]) + .note, .under .note:has(+ .source:not([hidden])) { display: none; }\n.source summary { cursor: pointer; }\n.source.warns { color: var(--bad); }\n.source[open] summary { position: absolute; inset: 0 0 auto; z-index: 4; white-space: normal; }\n.source[open] summary, .tip { padding: 6px 10px; border: 1px solid var(--line); border-radius: 6px; background: var(--back); color: var(--text); box-shadow: 0 3px 14px rgb(0 0 0 / 25%); }\n.tip { position: absolute; z-index: 5; max-width: min(320px, calc(100% - 16px)); font-size: 13px; }\n.help { columns: 300px; column-gap: 28px; padding: 12px 14px; border-radius: 8px; background: var(--soft); font-size: 12.5px; }\n.help details { break-inside: avoid; margin-bottom: 12px; }\n.help :is(h2, h3, h4) { display: inline; }\n.help summary { cursor: pointer; }\n.help dl { margin: 4px 0 0; }\n.help dl > div { break-inside: avoid; margin-bottom: 5px; }\n.help dt { font-weight: 600; }\n.help dd { margin: 0; color: var(--muted); }\n.notice { margin: 0; padding: 8px 12px; border: 1px solid var(--bad); border-radius: 6px; color: var(--bad); }\n.notice textarea { display: block; width: 100%; margin-top: 6px; font: 12px/1.4 ui-monospace, monospace; color: var(--text); }\n.side { min-width: 0; }\n.hands { display: flex; flex-wrap: wrap; gap: 5px; padding-bottom: 10px; }\n.hands button { padding: 3px 6px; }\n.controls, .section { display: flex; flex-direction: column; gap: 4px; min-width: 0; }\n.controls { gap: 14px; }\n[aria-disabled=\"true\"] { opacity: 0.5; cursor: default; }\n.head { display: flex; align-items: center; justify-content: space-between; gap: 8px; min-height: 26px; }\n.pair { display: grid; grid-template-columns: 1.35fr 1fr; gap: 10px; }\n.pair:not(:has(> .row:not([hidden]))) { display: none; }\n.choice > [data-word] { overflow-wrap: anywhere; min-width: 0; }\n.choice { display: flex; align-items: center; justify-content: space-between; gap: 8px; min-height: 28px; }\n.choice select, .choice button { min-height: 26px; font-size: 12px; padding: 1px 4px; min-width: 0; }\n.choice button { flex: none; }\n.row { min-width: 0; }\n.line { display: flex; align-items: center; gap: 6px; }\n.line label { flex: 1; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }\n.pair .row + .row label, .pair .row + .row .unit { color: var(--muted); }\n.line input { width: 5.6em; padding: 1px 5px; min-height: 25px; text-align: end; appearance: textfield; -moz-appearance: textfield; }\n.line input[aria-invalid=\"true\"] { border-color: var(--bad); }\n.fault { margin: 3px 0 0; color: var(--bad); font-size: 12px; line-height: 1.3; }\n.line input::-webkit-inner-spin-button { display: none; }\n.pair .line { gap: 4px; }\n.pair .line label { font-size: 12.5px; }\n.pair .line input { width: 60px; padding: 1px 2px; font-size: 12.5px; }\n.pair .row + .row .line input { width: 53px; }\n.head .inline { flex-wrap: nowrap; min-width: 0; }\n.head .inline select { min-width: 0; }\n.head .inline span { white-space: nowrap; }\n.pair .row:first-child .unit { display: none; }\ninput[type=\"range\"] {\n--track: linear-gradient(to right, var(--line) calc(8px + (100% - 16px) * var(--from)), var(--accent) 0 calc(8px + (100% - 16px) * var(--to)), var(--line) 0);\ndisplay: block;\nwidth: 100%;\nheight: 24px;\nmargin: 0;\nappearance: none;\nbackground: none;\ncursor: pointer;\ntouch-action: pan-y;\n}\ninput[type=\"range\"]::-webkit-slider-runnable-track { height: 5px; border-radius: 3px; background: var(--track); }\ninput[type=\"range\"]::-moz-range-track { height: 5px; border-radius: 3px; background: var(--track); }\ninput[type=\"range\"]::-webkit-slider-thumb { appearance: none; width: 16px; height: 16px; margin-top: -5.5px; border-radius: 50%; background: var(--accent); border: 2px solid var(--back); }\ninput[type=\"range\"]::-moz-range-thumb { box-sizing: border-box; width: 16px; height: 16px; border-radius: 50%; background: var(--accent); border: 2px solid var(--back); }\ninput[type=\"range\"]:hover { filter: brightness(1.1); }\n.hands [data-action=\"play\"] { flex: 1; min-width: 0; font-size: 12px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }\n.lesson { margin-bottom: 12px; padding: 8px 12px; border-radius: 8px; background: var(--soft); font-size: 13px; }\n.lesson p, .lesson ol { margin: 5px 0; }\n.lesson ol { padding-left: 20px; }\n.lesson li { margin-bottom: 3px; }\n.lesson li.done { color: var(--muted); list-style-type: \"\u2713 \"; }\n.lesson .question, .lesson summary { font-weight: 600; }\n.lesson .title { min-width: 0; white-space: normal; }\n.lesson .head .inline { flex: none; }\n.lesson math { display: block; margin: 6px 0; font-size: 15px; }\n.lesson button { min-height: 24px; padding: 1px 8px; font-size: 12px; }\n.more::after {\n--under: var(--back);\ncontent: \"\u25be more below\" / \"\";\nposition: sticky;\nbottom: -8px;\nz-index: 2;\ndisplay: block;\nheight: 26px;\nmargin-top: -26px;\npadding-top: 9px;\nline-height: 17px;\ntext-align: center;\nfont-size: 12px;\ncolor: var(--muted);\nbackground: linear-gradient(transparent, var(--under) 40%);\npointer-events: none;\n}\n.lesson .more::after { --under: var(--soft); bottom: 0; }\n.stage { position: relative; display: grid; gap: 8px; }\n.frame { position: relative; aspect-ratio: 1; min-width: 0; border-radius: 6px; background: var(--soft); }\ncanvas { display: block; width: 100%; border-radius: 6px; }\n.frame canvas { height: 100%; }\n.stage[data-view=\"sampled\"] canvas, .stage[data-view=\"averaged\"] canvas { image-rendering: pixelated; }\n.stage[data-mode=\"beside\"] { grid-template-columns: 1fr 1fr; }\n.stage[data-mode=\"flicker\"] .frame { grid-area: 1 / 1; }\n.stage[data-mode=\"flicker\"][data-turn=\"a\"] .now, .stage[data-mode=\"flicker\"][data-turn=\"b\"] .held { visibility: hidden; }\n.tag,\n.ruler {\nposition: absolute;\ncolor: #fff;\nbackground: rgb(0 0 0 / 62%);\nborder-radius: 5px;\nfont-size: 12px;\nline-height: 1.3;\npointer-events: none;\n}\n.tag { top: 8px; left: 8px; padding: 2px 7px; }\n.ruler { inset: auto 8px 8px; background: none; }\n.ruler span { display: inline-block; padding: 1px 5px; margin-bottom: 4px; border-radius: 5px; background: rgb(0 0 0 / 62%); }\n.ruler i { display: block; height: 3px; background: #fff; box-shadow: 0 0 0 1px rgb(0 0 0 / 60%); }\n.ruler:has(span:empty) { display: none; }\n.scale { margin-top: 6px; }\n.frame canvas, .numbers dd, .plot, .small canvas, .picture canvas, .code pre { transition: opacity 0.15s; }\n.late :is(canvas, dd, .plot, pre), dd.late { opacity: 0.3; }\n.progress { height: 2px; margin-top: 3px; overflow: hidden; border-radius: 1px; }\n.working .progress::before { content: \"\"; display: block; width: 30%; height: 100%; background: var(--accent); animation: run 1.2s linear infinite; }\n@keyframes run { from { transform: translateX(-100%); } to { transform: translateX(340%); } }\n.work { position: absolute; inset: auto 8px 8px; z-index: 1; display: flex; flex-wrap: wrap; gap: 6px 10px; align-items: center; justify-content: space-between; padding: 6px 10px; border-radius: 6px; background: var(--back); color: var(--text); border: 1px solid var(--line); }\n.work:not(.shown) { display: none; }\n.scale canvas { height: 8px; border-radius: 4px; }\n.ticks { position: relative; height: 16px; font-size: 11px; color: var(--muted); }\n.ticks span { position: absolute; }\n.beside { display: flex; flex-direction: column; gap: 16px; min-width: 0; }\n.pupils { display: grid; grid-template-columns: 1fr 1fr; gap: 18px; }\n.small canvas { max-width: 240px; aspect-ratio: 1; margin: 0 auto; }\n.small canvas { border-radius: 50%; }\n.small .note { text-align: center; }\n.small .title { white-space: normal; }\n.rays { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; }\n.rays path { fill: none; stroke: #000; stroke-linecap: round; stroke-width: 4px; vector-effect: non-scaling-stroke; opacity: 0.6; }\n.rays path + path { stroke: #5ee0ff; stroke-width: 2.5px; opacity: 1; }\n.place, .dots {\nposition: absolute;\nz-index: 1;\npadding: 2px 7px;\nborder-radius: 5px;\ncolor: #fff;\nbackground: rgb(0 0 0 / 72%);\nfont-size: 12px;\nline-height: 1.35;\npointer-events: none;\n}\n.computed { position: absolute; inset: auto 8px 34px auto; max-width: 60%; margin: 0; padding: 1px 6px; border-radius: 5px; color: #fff; background: rgb(0 0 0 / 72%); font-size: 11px; text-align: end; pointer-events: none; }\n.place { inset: 8px 8px auto auto; max-width: calc(100% - 60px); }\n.place.below { inset: auto 8px 40px auto; }\n.small .place { inset: auto 0 100%; }\n.small .place.below { inset: 100% 0 auto; }\n.spot { position: relative; max-width: 240px; margin: 0 auto; }\n.dots { z-index: 0; top: 8px; right: 8px; max-width: calc(100% - 52px); }\n.dots::before { content: \"\"; display: inline-block; width: 7px; height: 7px; margin-right: 6px; border-radius: 50%; background: var(--rays); }\n.cross { position: absolute; width: 15px; height: 15px; margin: -7.5px 0 0 -7.5px; pointer-events: none; }\n.cross { background: linear-gradient(#fff, #fff) 50% / 1px 100%, linear-gradient(#fff, #fff) 50% / 100% 1px; background-repeat: no-repeat; mix-blend-mode: difference; }\n.scale { display: grid; grid-template-columns: minmax(0, 1fr) auto; gap: 0 12px; align-items: start; }\n.scale .ticks { grid-row: 2; }\n.of { grid-area: 1 / 2 / span 2; max-width: 22em; margin-top: -4px; font-size: 12px; line-height: 1.25; color: var(--muted); }\n.lommel-live.over { outline: 3px dashed var(--accent); outline-offset: -6px; }\n.numbers {\ndisplay: grid;\ngrid-template-columns: repeat(auto-fit, minmax(96px, 1fr));\ngap: 4px 6px;\nmargin: 0;\npadding: 6px 10px;\nborder-radius: 8px;\nbackground: var(--soft);\n}\n.numbers > div { display: flex; flex-direction: column; justify-content: space-between; }\n.numbers dt { color: var(--muted); font-size: 11.5px; }\n.numbers dd { margin: 0; font-size: 16px; white-space: nowrap; }\n.numbers .why { grid-column: 1 / -1; }\n.numbers .why dd { font-size: 12px; white-space: normal; color: var(--muted); }\n.numbers small { display: block; white-space: normal; font-size: 12px; color: var(--held); }\n.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 230px), 1fr)); gap: 14px; }\n.curve { display: flex; flex-direction: column; }\n.curve figcaption { margin: 0; }\n.plot { display: block; width: 100%; height: 200px; overflow: visible; }\n.axes line { stroke: var(--line); stroke-width: 1; shape-rendering: crispEdges; }\n:is(.axes, .mark, .rings) text { fill: var(--muted); font: 11px system-ui, sans-serif; }\n:host([data-large]) .axes text { font-size: 14px; }\n.mark line { stroke: var(--muted); stroke-dasharray: 2 3; }\n.rings { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; }\n.rings path { fill: none; stroke: #e8590c; stroke-width: 2; }\n.rings text { fill: #fff; stroke: #6b2500; stroke-width: 3px; paint-order: stroke; }\npath.curve { fill: none; stroke: var(--accent); stroke-width: 1.8; stroke-linejoin: round; }\npath.second { stroke: var(--second); stroke-dasharray: 7 4; }\npath.held { stroke: var(--held); stroke-width: 1.4; }\npath.pixel { stroke-width: 1.2; stroke-dasharray: 1.5 2.5; }\npath.held.second { stroke: var(--held); stroke-dasharray: 3 3; }\npath.limit { stroke: var(--muted); stroke-width: 1.2; stroke-dasharray: 5 4; }\n.cursor { stroke: var(--text); stroke-width: 1; }\n.legend { display: flex; flex-wrap: wrap; gap: 2px 12px; }\n.key::before { content: \"\"; display: inline-block; width: 16px; margin-right: 5px; border-top: 2px solid var(--accent); vertical-align: 3px; }\n.lommel-live[data-compare=\"one\"] :is(.key.held, .b), .lommel-live:not([data-compare]) :is(.key.held, .b) { display: none; }\n.key.second::before { border-top: 2px dashed var(--second); }\n.key.held::before { border-color: var(--held); }\n.key.limit::before { border-top: 2px dashed var(--muted); }\n.key.pixel::before { border-top-style: dotted; }\n.curve { --lines: 17px; position: relative; padding-bottom: var(--lines); }\n.curve.mtf { --lines: 34px; }\n.readout { position: absolute; inset: calc(100% - var(--lines)) 0 auto; z-index: 2; background: var(--back); }\n.code { min-width: 0; }\n.code summary { cursor: pointer; font-size: 13px; font-weight: 600; }\n.code pre { margin: 8px 0 0; padding: 10px 12px; white-space: pre-wrap; overflow-wrap: anywhere; border-radius: 8px; background: var(--soft); font: 11.5px/1.5 ui-monospace, monospace; }\n@container (width < 640px) {\n.lommel-live { padding: 10px; }\n.bar, .top, .panels { display: contents; }\n.files { order: 9; }\n.header, .under, .notice, .help { order: -1; }\n.under { height: auto; }\n.under .note { white-space: normal; }\n.tools > select, .tools > [data-key] ~ select { flex: 1 1 6em; }\n.psf { position: sticky; top: 0; z-index: 2; margin: 0 -10px; padding: 6px 10px; background: var(--back); border-bottom: 1px solid var(--line); }\n.psf .title { display: none; }\n.psf .scale { grid-template-columns: minmax(0, 1fr); }\n.psf .of { display: none; }\n.side { display: contents; }\n.lesson { margin: 0; }\n.hands { padding: 0; }\n.hands, .controls, .plots, .beside, .code { order: 1; }\n.psf figcaption { margin-bottom: 4px; justify-content: center; }\n.psf .menus { flex-wrap: nowrap; min-width: 0; }\n.psf .menus select { min-width: 0; flex: 1 1 auto; }\n.psf .frame { height: min(calc(0.45 * var(--screen) - 84px), calc(100cqw - 20px)); justify-self: center; max-width: 100%; }\n.psf .stage[data-mode=\"beside\"] .frame { height: auto; width: min(100%, calc(0.45 * var(--screen) - 84px)); }\n.numbers { grid-template-columns: repeat(3, auto); gap: 4px 12px; }\n.numbers dd { white-space: normal; }\n}\n@container (width >= 640px) {\n.lommel-live { gap: 8px; padding: 10px 22px 18px; }\n.header { flex: 1 1 200px; }\n.top, .files { flex: 1 1 100%; min-width: 0; justify-content: flex-end; }\n.tools { flex-wrap: nowrap; min-width: 0; }\n.tools .group select { width: 8.4em; }\n.tools :is(.group, button) { flex: none; flex-wrap: nowrap; }\n.panels {\ndisplay: grid;\ngrid-template: \"side psf\" \"side numbers\" \"side plots\" \"side beside\" \"side code\" 1fr / var(--side, 270px) minmax(0, 1fr);\ngap: 10px 22px;\n}\n.side {\ngrid-area: side;\nalign-self: start;\nposition: sticky;\ntop: calc(var(--pst-header-height, 0px) + 8px); \nmax-height: calc(var(--screen) - 92px);\noverflow-y: auto;\nscrollbar-width: thin;\npadding: 0 10px 8px 2px;\n}\n.hands { position: sticky; top: 0; z-index: 1; background: var(--back); }\n.psf { grid-area: psf; }\n.numbers { grid-area: numbers; }\n.plots { grid-area: plots; grid-template-columns: repeat(3, minmax(0, 1fr)); }\n.beside { grid-area: beside; }\n.code { grid-area: code; }\n.psf > :not(figcaption) { max-width: var(--psf); }\n}\n@container (880px <= width < 1180px) {\n.curve.mtf { --lines: 51px; }\n}\n@container (640px <= width < 880px) {\n.lommel-live .plots { grid-template-columns: repeat(2, minmax(0, 1fr)); }\n.curve.mtf { grid-column: 1 / -1; }\n}\n@container (width < 640px) {\n:host([data-large]) .plots { order: 0; }\n:host([data-large]) .plot { height: 120px; }\n}\n@container (700px <= width < 880px) {\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) { --psf: 206px; --side: 280px; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .panels {\ngrid-template: \"side psf plots\" \"side numbers plots\" 1fr \"side beside beside\" \"side code code\" / var(--side) var(--psf) minmax(0, 1fr);\n}\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .plots { grid-template: none / 1fr; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .plot { height: 110px; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .numbers { grid-template-columns: 1fr 1fr; align-self: start; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .scale { grid-template-columns: 1fr; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .of { display: none; }\n}\n@container (width >= 880px) {\n.panels {\ngrid-template: \"side psf plots\" \"side numbers plots\" \"side picture pupil\" \"side code code\" 1fr / var(--side, 270px) minmax(0, var(--psf)) minmax(200px, 1fr);\n}\n.plots { grid-template: repeat(3, minmax(0, 1fr)) / 1fr; }\n.plot { flex: 1 1 98px; height: auto; min-height: 98px; }\n.numbers { grid-template-columns: repeat(4, auto); }\n.beside { display: contents; }\n.picture { grid-area: picture; }\n.pupils { grid-area: pupil; align-content: start; }\n.panels:has(.plots[hidden]) { grid-template: \"side psf numbers\" \"side picture pupil\" \"side code code\" 1fr / var(--side, 270px) minmax(0, var(--psf)) minmax(200px, 1fr); }\n.panels:has(.plots[hidden]) .numbers { align-self: start; grid-template-columns: 1fr; }\n}\n@container (width >= 940px) {\n.top { flex-wrap: nowrap; }\n.files { flex: none; flex-wrap: nowrap; }\n}\n@container (width >= 1180px) {\n.top { flex-basis: 790px; }\n.panels {\ngrid-template: \"side psf plots pupil\" \"side numbers plots pupil\" \"side picture code code\" 1fr / var(--side, 280px) minmax(0, var(--psf)) minmax(200px, 1fr) 180px;\n}\n.pupils { grid-template-columns: 1fr; }\n.panels:has(.pupils[hidden]) { grid-template-areas: \"side psf plots plots\" \"side numbers plots plots\" \"side picture code code\"; }\n.panels:has(.plots[hidden]) { grid-template: \"side psf numbers pupil\" \"side picture code code\" 1fr / var(--side, 280px) minmax(0, var(--psf)) minmax(200px, 1fr) 180px; }\n}\n@container (width >= 1560px) {\n.top { flex: 0 1 960px; }\n.panels {\ngrid-template: \"side psf plots beside\" \"side numbers plots beside\" \"side code code code\" 1fr / var(--side, 290px) minmax(0, var(--psf)) minmax(200px, 1fr) minmax(200px, 1fr);\n}\n.beside { display: flex; }\n.pupils { grid-template-columns: 1fr 1fr; }\n.panels:has(.plots[hidden]) { grid-template: \"side psf numbers beside\" \"side code code code\" 1fr / var(--side, 290px) minmax(0, var(--psf)) minmax(200px, 1fr) minmax(200px, 1fr); }\n}\n@media (max-height: 500px) {\n.lommel-live .under, .lommel-live .psf .title { display: none; }\n@container (width >= 640px) {\n.lommel-live .side { display: flex; flex-direction: column; max-height: calc(var(--screen) - 16px); }\n.lommel-live .lesson { order: 1; margin-top: 12px; }\n}\n}\n.lommel-live:has(.lesson:not([hidden])) .under { display: none; }\n[data-lesson] .plots { grid-template-columns: repeat(auto-fit, minmax(200px, 1fr)); }\n:host([data-large]) [data-lesson] :is(.files, [data-key=\"preset\"], [data-action=\"open\"]) { display: none; }\n:host([data-large]) [data-lesson] .top { flex: 0 1 auto; }\n@container (width >= 640px) {\n[data-lesson] { --side: clamp(250px, 43cqw, 340px); }\n[data-lesson] .psf .title { display: none; }\n[data-lesson] .psf .menus { flex-wrap: nowrap; min-width: 0; }\n[data-lesson] .psf .menus select { flex: 0 1 auto; min-width: 0; }\n[data-lesson] .numbers { grid-template-columns: repeat(3, auto); gap: 8px 10px; }\n:host([data-large]) [data-lesson] { --side: clamp(250px, 46cqw, 364px); }\n:host([data-large]) [data-lesson] .side { max-height: calc(var(--screen) - 54px); }\n:host([data-large]) .lesson { line-height: 1.3; }\n:host([data-large]) .lesson .body :is(p, ol, li) { margin-block: 3px; }\n@media (min-height: 501px) {\n[data-lesson] .side { display: flex; flex-direction: column; overflow: hidden auto; }\n[data-lesson] .side > * { flex: none; }\n[data-lesson] .lesson { display: flex; flex-direction: column; flex: 0 1 auto; min-height: 190px; }\n[data-lesson] .lesson > * { flex: none; align-self: stretch; }\n[data-lesson] .lesson > .body { flex: 0 1 auto; min-height: 0; overflow-y: auto; scrollbar-width: thin; }\n}\n}\n@container (width >= 880px) {\n[data-lesson] { --side: clamp(250px, 30cqw, 340px); --psf: max(200px, min(0.6 * var(--screen), var(--screen) - 290px, 33cqw)); }\n[data-lesson]:not([data-compare=\"beside\"]) .panels {\ngrid-template: \"side psf above\" \"side psf plots\" \"side numbers plots\" 1fr \"side code code\" / var(--side) minmax(0, var(--psf)) minmax(200px, 1fr);\n}\n[data-lesson]:not([data-compare=\"beside\"]) .beside { display: contents; }\n[data-lesson]:not([data-compare=\"beside\"]) :is(.picture, .pupils) { grid-area: above; }\n[data-lesson]:not([data-compare=\"beside\"]) .plots { grid-template: none; grid-auto-rows: minmax(0, 1fr); }\n[data-lesson]:not([data-compare=\"beside\"]) .panels:has(.picture.idle + .pupils.idle) .plots { grid-row: psf-start / numbers-end; }\n[data-lesson] .pupils { grid-template-columns: 1fr 1fr; }\n[data-lesson] .numbers { align-self: start; }\n}\n@container (width >= 880px) {\n[data-compare=\"beside\"] { --psf: max(200px, min(0.4 * var(--screen), var(--screen) - 430px)); }\n[data-compare=\"beside\"] .panels {\ngrid-template: \"side psf psf\" \"side numbers numbers\" \"side plots plots\" \"side picture pupil\" \"side code code\" 1fr / var(--side, 280px) minmax(0, 1fr) minmax(0, 1fr);\n}\n[data-compare=\"beside\"] .psf > :not(figcaption) { max-width: calc(2 * var(--psf) + 8px); }\n[data-compare=\"beside\"] .plots { grid-template: auto / repeat(3, minmax(0, 1fr)); }\n[data-compare=\"beside\"] .numbers { grid-template-columns: repeat(6, 1fr); }\n[data-compare=\"beside\"] .plot { flex: none; height: 150px; }\n[data-compare=\"beside\"] .beside { display: contents; }\n[data-compare=\"beside\"] .pupils { grid-template-columns: 1fr 1fr; }\n}\n@container (width >= 1180px) {\n[data-compare=\"beside\"] { --psf: max(200px, min(0.6 * var(--screen), var(--screen) - 316px, (100cqw - 590px) / 2)); }\n[data-compare=\"beside\"][data-lesson] { --psf: max(200px, min(0.6 * var(--screen), var(--screen) - 316px, (100cqw - 650px) / 2)); }\n[data-compare=\"beside\"] .panels {\ngrid-template: \"side psf plots\" \"side numbers plots\" 1fr \"side picture pupil\" \"side code code\" / var(--side, 280px) calc(2 * var(--psf) + 8px) minmax(200px, 1fr);\n}\n[data-compare=\"beside\"] .numbers { align-self: start; }\n[data-compare=\"beside\"] .curve.mtf { --lines: 51px; }\n[data-compare=\"beside\"] .plots { grid-template: none / 1fr; grid-auto-rows: minmax(0, 1fr); }\n[data-compare=\"beside\"] .plot { flex: 1 1 110px; height: auto; }\n}\n@media (pointer: coarse) {\ninput[type=\"range\"] { height: 30px; }\n}\n@media (forced-colors: active) {\ninput[type=\"range\"] { forced-color-adjust: none; --line: GrayText; --accent: Highlight; --back: Canvas; }\npath.curve, .cursor { stroke: CanvasText; }\npath.second, .key.second::before { stroke: LinkText; border-color: LinkText; }\npath.limit { stroke: GrayText; }\n.axes text { fill: CanvasText; }\n.tag, .ruler span, .ruler i { forced-color-adjust: none; }\n}\n@media print {\n.lommel-live { --psf: 90mm; }\n.top, .hands, .under > .note:not(.source), .tip, .menus button, .menus .tick, .header button, .choice button, input[type=\"range\"], .more::after { display: none !important; }\n.lommel-live :is(select, input) { appearance: none; border: 0; background: none; outline: none; }\n.lommel-live .numbers { grid-template-columns: repeat(6, auto); }\n.lommel-live .lesson > .body { overflow: visible; }\n.ruler *, .tag, .dots, .key::before { print-color-adjust: exact; -webkit-print-color-adjust: exact; }\n.lommel-live .panels { display: grid; grid-template: none / 1fr 1fr; gap: 14px 20px; }\n.lommel-live :is(.panels, .beside) > * { grid-area: auto; break-inside: avoid; }\n.lommel-live :is(.code, .plots, .numbers) { grid-column: 1 / -1; }\n.lommel-live .plots { grid-template: auto / repeat(3, minmax(0, 1fr)); }\n.lommel-live .plot { flex: none; height: 130px; }\n.lommel-live .side { position: static; max-height: none; overflow: visible; }\n.lommel-live .psf { position: static; border: 0; }\n.lommel-live .beside { display: contents; }\n.lommel-live .pupils { grid-template-columns: 1fr 1fr; align-content: start; }\n.section { break-inside: avoid; }\n.lesson button { display: none; }\n}\n[data-depth] :is(.panels > :not(.side, .depth), .side > :not(.lesson), .files, .tools > :not([aria-label=\"Lessons\"]), .under) { display: none; }\n.depth { min-width: 0; container-type: inline-size; }\n.depth .group { gap: 6px 12px; }\n.depth .sliders { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 200px), 1fr)); gap: 0 24px; margin-top: 8px; }\n.pictures { display: grid; grid-template-columns: 1fr 1fr; gap: 6px 12px; }\n.pictures figcaption { margin: 0; }\n.pictures .title { white-space: normal; }\n.pictures .frame { aspect-ratio: 4 / 3; }\n.pictures [data-picture=\"depth\"] canvas { image-rendering: pixelated; }\n.depth > .scale { margin-top: 10px; }\n.depth .scale .ticks { grid-row: auto; white-space: nowrap; }\n.lommel-live[data-depth] { min-height: var(--screen); }\n.lommel-live[data-depth] .tools > select { flex-basis: 18em; }\n.depth > .note { min-height: 17px; }\n@container (width < 640px) {\n.depth { order: 0; }\n.pictures { gap: 4px 8px; }\n.pictures figcaption { min-height: 36px; align-items: end; }\n}\n@container (width >= 640px) {\n.lommel-live[data-depth] .panels { grid-template: \"side depth\" 1fr / var(--side) minmax(0, 1fr); }\n.depth { grid-area: depth; max-width: max(400px, 4 / 3 * (var(--screen) - 275px)); }\n}\n";
+const styleText = ":host { display: block; container-type: inline-size; }\n:host([data-large]) { zoom: 1.3; }\n:host([data-large]) .lommel-live { --screen: calc(100vh / 1.3); }\n:host([data-large]) :is(.files, .under, .numbers > :has([data-number=\"time\"])) { display: none; }\n.lommel-live {\n--back: #ffffff;\n--text: #1b1f24;\n--muted: #57606a;\n--line: #d5dbe1;\n--soft: #f3f5f7;\n--accent: #1d5fb0;\n--second: #b04a12;\n--held: #7b4ba0;\n--bad: #a4161a;\ncolor-scheme: light;\n--screen: var(--lommel-screen, 100vh);\n--psf: max(200px, min(340px, 0.72 * var(--screen)), min(0.6 * var(--screen), var(--screen) - 316px));\nposition: relative;\ndisplay: flex;\nflex-direction: column;\ngap: 14px;\nmax-width: 2000px;\nmargin: 0 auto;\npadding: 16px;\nbox-sizing: border-box;\nbackground: var(--back);\ncolor: var(--text);\naccent-color: var(--accent);\nfont: 14px/1.4 system-ui, sans-serif;\nfont-variant-numeric: tabular-nums;\ntext-align: start;\n}\n@media screen {\n.lommel-live[data-theme=\"dark\"] {\n--back: #14171c;\n--text: #e7e9ec;\n--muted: #a3abb5;\n--line: #343b44;\n--soft: #1d2127;\n--accent: #7db4f8;\n--second: #f2a56a;\n--held: #cda3ee;\n--bad: #ff9c97;\ncolor-scheme: dark;\n}\n}\n.lommel-live *, .lommel-live *::before, .lommel-live *::after { box-sizing: border-box; }\n[hidden], .idle { display: none !important; }\n.unseen { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }\n.title, .help :is(h2, h3) { margin: 0; font-size: 13px; font-weight: 600; white-space: nowrap; }\n[data-word] { cursor: help; }\n[data-word]:hover { text-decoration: underline dotted; text-underline-offset: 3px; }\nfigure { margin: 0; min-width: 0; }\nfigcaption {\ndisplay: flex;\nflex-wrap: wrap;\nalign-items: center;\njustify-content: space-between;\ngap: 4px 12px;\nmin-height: 28px;\nmargin-bottom: 6px;\n}\n.note, .unit, .legend, .tick, .inline, .readout { color: var(--muted); font-size: 12px; }\n.note { margin: 4px 0 0; }\nselect,\nbutton,\n.line input,\ntextarea {\nfont: inherit;\nfont-size: 13px;\ncolor: inherit;\nbackground: var(--back);\nborder: 1px solid var(--line);\nborder-radius: 6px;\npadding: 3px 8px;\nmin-height: 28px;\nmax-width: 100%;\n}\nselect { padding: 3px 4px; text-overflow: ellipsis; }\nbutton { cursor: pointer; }\nbutton:hover, select:hover, .line input:hover { border-color: var(--muted); }\n:focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }\n.menus, .group, .tools, .inline, .tick { display: flex; flex-wrap: wrap; align-items: center; gap: 6px; }\n.menus select, .menus button, .inline select { min-height: 26px; font-size: 12px; padding: 1px 4px; color: var(--text); }\n.header { display: flex; align-items: center; gap: 4px 12px; min-width: 0; }\n.name { display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 2; margin: 0; min-width: 0; font-size: 15px; line-height: 17px; font-weight: 600; overflow: hidden; overflow-wrap: anywhere; }\n.header { min-height: 34px; }\n.brand { color: var(--muted); }\na.brand { color: var(--accent); }\n.header > :not(.name) { flex: none; }\n.header button { min-width: 28px; padding: 3px 0; border-radius: 50%; font-weight: 600; }\n.bar, .top { display: flex; flex-wrap: wrap; gap: 6px 16px; align-items: center; }\n.top { flex: 1; justify-content: flex-end; }\n.top:not(:has(button, select)) { display: none; }\n.tools { flex: 1; justify-content: flex-end; }\n.tools > select { flex: 0 1 15em; min-width: 7.4em; }\n.tools > [data-key] ~ select { flex-basis: 11em; }\n.under { position: relative; height: 18px; min-width: 0; }\n.under .note, .source summary { margin: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }\n.under .source:not([hidden]) + .note, .under .note:has(+ .source:not([hidden])) { display: none; }\n.source summary { cursor: pointer; }\n.source.warns { color: var(--bad); }\n.source[open] summary { position: absolute; inset: 0 0 auto; z-index: 4; white-space: normal; }\n.source[open] summary, .tip { padding: 6px 10px; border: 1px solid var(--line); border-radius: 6px; background: var(--back); color: var(--text); box-shadow: 0 3px 14px rgb(0 0 0 / 25%); }\n.tip { position: absolute; z-index: 5; max-width: min(320px, calc(100% - 16px)); font-size: 13px; }\n.help { columns: 300px; column-gap: 28px; padding: 12px 14px; border-radius: 8px; background: var(--soft); font-size: 12.5px; }\n.help details { break-inside: avoid; margin-bottom: 12px; }\n.help :is(h2, h3, h4) { display: inline; }\n.help summary { cursor: pointer; }\n.help dl { margin: 4px 0 0; }\n.help dl > div { break-inside: avoid; margin-bottom: 5px; }\n.help dt { font-weight: 600; }\n.help dd { margin: 0; color: var(--muted); }\n.notice { margin: 0; padding: 8px 12px; border: 1px solid var(--bad); border-radius: 6px; color: var(--bad); }\n.notice textarea { display: block; width: 100%; margin-top: 6px; font: 12px/1.4 ui-monospace, monospace; color: var(--text); }\n.side { min-width: 0; }\n.hands { display: flex; flex-wrap: wrap; gap: 5px; padding-bottom: 10px; }\n.hands button { padding: 3px 6px; }\n.controls, .section { display: flex; flex-direction: column; gap: 4px; min-width: 0; }\n.controls { gap: 14px; }\n[aria-disabled=\"true\"] { opacity: 0.5; cursor: default; }\n.head { display: flex; align-items: center; justify-content: space-between; gap: 8px; min-height: 26px; }\n.pair { display: grid; grid-template-columns: 1.35fr 1fr; gap: 10px; }\n.pair:not(:has(> .row:not([hidden]))) { display: none; }\n.choice > [data-word] { overflow-wrap: anywhere; min-width: 0; }\n.choice { display: flex; align-items: center; justify-content: space-between; gap: 8px; min-height: 28px; }\n.choice select, .choice button { min-height: 26px; font-size: 12px; padding: 1px 4px; min-width: 0; }\n.choice button { flex: none; }\n.row { min-width: 0; }\n.line { display: flex; align-items: center; gap: 6px; }\n.line label { flex: 1; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }\n.pair .row + .row label, .pair .row + .row .unit { color: var(--muted); }\n.line input { width: 5.6em; padding: 1px 5px; min-height: 25px; text-align: end; appearance: textfield; -moz-appearance: textfield; }\n.line input[aria-invalid=\"true\"] { border-color: var(--bad); }\n.fault { margin: 3px 0 0; color: var(--bad); font-size: 12px; line-height: 1.3; }\n.line input::-webkit-inner-spin-button { display: none; }\n.pair .line { gap: 4px; }\n.pair .line label { font-size: 12.5px; }\n.pair .line input { width: 60px; padding: 1px 2px; font-size: 12.5px; }\n.pair .row + .row .line input { width: 53px; }\n.head .inline { flex-wrap: nowrap; min-width: 0; }\n.head .inline select { min-width: 0; }\n.head .inline span { white-space: nowrap; }\n.pair .row:first-child .unit { display: none; }\ninput[type=\"range\"] {\n--track: linear-gradient(to right, var(--line) calc(8px + (100% - 16px) * var(--from)), var(--accent) 0 calc(8px + (100% - 16px) * var(--to)), var(--line) 0);\ndisplay: block;\nwidth: 100%;\nheight: 24px;\nmargin: 0;\nappearance: none;\nbackground: none;\ncursor: pointer;\ntouch-action: pan-y;\n}\ninput[type=\"range\"]::-webkit-slider-runnable-track { height: 5px; border-radius: 3px; background: var(--track); }\ninput[type=\"range\"]::-moz-range-track { height: 5px; border-radius: 3px; background: var(--track); }\ninput[type=\"range\"]::-webkit-slider-thumb { appearance: none; width: 16px; height: 16px; margin-top: -5.5px; border-radius: 50%; background: var(--accent); border: 2px solid var(--back); }\ninput[type=\"range\"]::-moz-range-thumb { box-sizing: border-box; width: 16px; height: 16px; border-radius: 50%; background: var(--accent); border: 2px solid var(--back); }\ninput[type=\"range\"]:hover { filter: brightness(1.1); }\n.hands [data-action=\"play\"] { flex: 1; min-width: 0; font-size: 12px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }\n.lesson { margin-bottom: 12px; padding: 8px 12px; border-radius: 8px; background: var(--soft); font-size: 13px; }\n.lesson p, .lesson ol { margin: 5px 0; }\n.lesson ol { padding-left: 20px; }\n.lesson li { margin-bottom: 3px; }\n.lesson li.done { color: var(--muted); list-style-type: \"\u2713 \"; }\n.lesson .question, .lesson summary { font-weight: 600; }\n.lesson .title { min-width: 0; white-space: normal; }\n.lesson .head .inline { flex: none; }\n.lesson math { display: block; margin: 6px 0; font-size: 15px; }\n.lesson button { min-height: 24px; padding: 1px 8px; font-size: 12px; }\n.more::after {\n--under: var(--back);\ncontent: \"\u25be more below\" / \"\";\nposition: sticky;\nbottom: -8px;\nz-index: 2;\ndisplay: block;\nheight: 26px;\nmargin-top: -26px;\npadding-top: 9px;\nline-height: 17px;\ntext-align: center;\nfont-size: 12px;\ncolor: var(--muted);\nbackground: linear-gradient(transparent, var(--under) 40%);\npointer-events: none;\n}\n.more:lang(de)::after { content: \"\u25be weiter unten\" / \"\"; }\n.lesson .more::after { --under: var(--soft); bottom: 0; }\n.stage { position: relative; display: grid; gap: 8px; }\n.frame { position: relative; aspect-ratio: 1; min-width: 0; border-radius: 6px; background: var(--soft); }\ncanvas { display: block; width: 100%; border-radius: 6px; }\n.frame canvas { height: 100%; }\n.stage[data-view=\"sampled\"] canvas, .stage[data-view=\"averaged\"] canvas { image-rendering: pixelated; }\n.stage[data-mode=\"beside\"] { grid-template-columns: 1fr 1fr; }\n.stage[data-mode=\"flicker\"] .frame { grid-area: 1 / 1; }\n.stage[data-mode=\"flicker\"][data-turn=\"a\"] .now, .stage[data-mode=\"flicker\"][data-turn=\"b\"] .held { visibility: hidden; }\n.tag,\n.ruler {\nposition: absolute;\ncolor: #fff;\nbackground: rgb(0 0 0 / 62%);\nborder-radius: 5px;\nfont-size: 12px;\nline-height: 1.3;\npointer-events: none;\n}\n.tag { top: 8px; left: 8px; padding: 2px 7px; }\n.ruler { inset: auto 8px 8px; background: none; }\n.ruler span { display: inline-block; padding: 1px 5px; margin-bottom: 4px; border-radius: 5px; background: rgb(0 0 0 / 62%); }\n.ruler i { display: block; height: 3px; background: #fff; box-shadow: 0 0 0 1px rgb(0 0 0 / 60%); }\n.ruler:has(span:empty) { display: none; }\n.scale { margin-top: 6px; }\n.frame canvas, .numbers dd, .plot, .small canvas, .picture canvas, .code pre { transition: opacity 0.15s; }\n.late :is(canvas, dd, .plot, pre), dd.late { opacity: 0.3; }\n.progress { height: 2px; margin-top: 3px; overflow: hidden; border-radius: 1px; }\n.working .progress::before { content: \"\"; display: block; width: 30%; height: 100%; background: var(--accent); animation: run 1.2s linear infinite; }\n@keyframes run { from { transform: translateX(-100%); } to { transform: translateX(340%); } }\n.work { position: absolute; inset: auto 8px 8px; z-index: 1; display: flex; flex-wrap: wrap; gap: 6px 10px; align-items: center; justify-content: space-between; padding: 6px 10px; border-radius: 6px; background: var(--back); color: var(--text); border: 1px solid var(--line); }\n.work:not(.shown) { display: none; }\n.scale canvas { height: 8px; border-radius: 4px; }\n.ticks { position: relative; height: 16px; font-size: 11px; color: var(--muted); }\n.ticks span { position: absolute; }\n.beside { display: flex; flex-direction: column; gap: 16px; min-width: 0; }\n.pupils { display: grid; grid-template-columns: 1fr 1fr; gap: 18px; }\n.small canvas { max-width: 240px; aspect-ratio: 1; margin: 0 auto; }\n.small canvas { border-radius: 50%; }\n.small .note { text-align: center; }\n.small .title { white-space: normal; }\n.rays { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; }\n.rays path { fill: none; stroke: #000; stroke-linecap: round; stroke-width: 4px; vector-effect: non-scaling-stroke; opacity: 0.6; }\n.rays path + path { stroke: #5ee0ff; stroke-width: 2.5px; opacity: 1; }\n.place, .dots {\nposition: absolute;\nz-index: 1;\npadding: 2px 7px;\nborder-radius: 5px;\ncolor: #fff;\nbackground: rgb(0 0 0 / 72%);\nfont-size: 12px;\nline-height: 1.35;\npointer-events: none;\n}\n.computed { position: absolute; inset: auto 8px 34px auto; max-width: 60%; margin: 0; padding: 1px 6px; border-radius: 5px; color: #fff; background: rgb(0 0 0 / 72%); font-size: 11px; text-align: end; pointer-events: none; }\n.place { inset: 8px 8px auto auto; max-width: calc(100% - 60px); }\n.place.below { inset: auto 8px 40px auto; }\n.small .place { inset: auto 0 100%; }\n.small .place.below { inset: 100% 0 auto; }\n.spot { position: relative; max-width: 240px; margin: 0 auto; }\n.dots { z-index: 0; top: 8px; right: 8px; max-width: calc(100% - 52px); }\n.dots::before { content: \"\"; display: inline-block; width: 7px; height: 7px; margin-right: 6px; border-radius: 50%; background: var(--rays); }\n.cross { position: absolute; width: 15px; height: 15px; margin: -7.5px 0 0 -7.5px; pointer-events: none; }\n.cross { background: linear-gradient(#fff, #fff) 50% / 1px 100%, linear-gradient(#fff, #fff) 50% / 100% 1px; background-repeat: no-repeat; mix-blend-mode: difference; }\n.scale { display: grid; grid-template-columns: minmax(0, 1fr) auto; gap: 0 12px; align-items: start; }\n.scale .ticks { grid-row: 2; }\n.of { grid-area: 1 / 2 / span 2; max-width: 22em; margin-top: -4px; font-size: 12px; line-height: 1.25; color: var(--muted); }\n.lommel-live.over { outline: 3px dashed var(--accent); outline-offset: -6px; }\n.numbers {\ndisplay: grid;\ngrid-template-columns: repeat(auto-fit, minmax(96px, 1fr));\ngap: 4px 6px;\nmargin: 0;\npadding: 6px 10px;\nborder-radius: 8px;\nbackground: var(--soft);\n}\n.numbers > div { display: flex; flex-direction: column; justify-content: space-between; }\n.numbers dt { color: var(--muted); font-size: 11.5px; }\n.numbers dd { margin: 0; font-size: 16px; white-space: nowrap; }\n.numbers .why { grid-column: 1 / -1; }\n.numbers .why dd { font-size: 12px; white-space: normal; color: var(--muted); }\n.numbers small { display: block; white-space: normal; font-size: 12px; color: var(--held); }\n.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 230px), 1fr)); gap: 14px; }\n.curve { display: flex; flex-direction: column; }\n.curve figcaption { margin: 0; }\n.plot { display: block; width: 100%; height: 200px; overflow: visible; }\n.axes line { stroke: var(--line); stroke-width: 1; shape-rendering: crispEdges; }\n:is(.axes, .mark, .rings) text { fill: var(--muted); font: 11px system-ui, sans-serif; }\n:host([data-large]) .axes text { font-size: 14px; }\n.mark line { stroke: var(--muted); stroke-dasharray: 2 3; }\n.rings { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; }\n.rings path { fill: none; stroke: #e8590c; stroke-width: 2; }\n.rings text { fill: #fff; stroke: #6b2500; stroke-width: 3px; paint-order: stroke; }\npath.curve { fill: none; stroke: var(--accent); stroke-width: 1.8; stroke-linejoin: round; }\npath.second { stroke: var(--second); stroke-dasharray: 7 4; }\npath.held { stroke: var(--held); stroke-width: 1.4; }\npath.pixel { stroke-width: 1.2; stroke-dasharray: 1.5 2.5; }\npath.held.second { stroke: var(--held); stroke-dasharray: 3 3; }\npath.limit { stroke: var(--muted); stroke-width: 1.2; stroke-dasharray: 5 4; }\n.cursor { stroke: var(--text); stroke-width: 1; }\n.legend { display: flex; flex-wrap: wrap; gap: 2px 12px; }\n.key::before { content: \"\"; display: inline-block; width: 16px; margin-right: 5px; border-top: 2px solid var(--accent); vertical-align: 3px; }\n.lommel-live[data-compare=\"one\"] :is(.key.held, .b), .lommel-live:not([data-compare]) :is(.key.held, .b) { display: none; }\n.key.second::before { border-top: 2px dashed var(--second); }\n.key.held::before { border-color: var(--held); }\n.key.limit::before { border-top: 2px dashed var(--muted); }\n.key.pixel::before { border-top-style: dotted; }\n.curve { --lines: 17px; position: relative; padding-bottom: var(--lines); }\n.curve.mtf { --lines: 34px; }\n.readout { position: absolute; inset: calc(100% - var(--lines)) 0 auto; z-index: 2; background: var(--back); }\n.code { min-width: 0; }\n.code summary { cursor: pointer; font-size: 13px; font-weight: 600; }\n.code pre { margin: 8px 0 0; padding: 10px 12px; white-space: pre-wrap; overflow-wrap: anywhere; border-radius: 8px; background: var(--soft); font: 11.5px/1.5 ui-monospace, monospace; }\n@container (width < 640px) {\n.lommel-live { padding: 10px; }\n.bar, .top, .panels { display: contents; }\n.files { order: 9; }\n.header, .under, .notice, .help { order: -1; }\n.under { height: auto; }\n.under .note { white-space: normal; }\n.tools > select, .tools > [data-key] ~ select { flex: 1 1 6em; }\n.psf { position: sticky; top: 0; z-index: 2; margin: 0 -10px; padding: 6px 10px; background: var(--back); border-bottom: 1px solid var(--line); }\n.psf .title { display: none; }\n.psf .scale { grid-template-columns: minmax(0, 1fr); }\n.psf .of { display: none; }\n.side { display: contents; }\n.lesson { margin: 0; }\n.hands { padding: 0; }\n.hands, .controls, .plots, .beside, .code { order: 1; }\n.psf figcaption { margin-bottom: 4px; justify-content: center; }\n.psf .menus { flex-wrap: nowrap; min-width: 0; }\n.psf .menus select { min-width: 0; flex: 1 1 auto; }\n.psf .frame { height: min(calc(0.45 * var(--screen) - 84px), calc(100cqw - 20px)); justify-self: center; max-width: 100%; }\n.psf .stage[data-mode=\"beside\"] .frame { height: auto; width: min(100%, calc(0.45 * var(--screen) - 84px)); }\n.numbers { grid-template-columns: repeat(3, auto); gap: 4px 12px; }\n.numbers dd { white-space: normal; }\n}\n@container (width >= 640px) {\n.lommel-live { gap: 8px; padding: 10px 22px 18px; }\n.header { flex: 1 0 240px; }\n.top, .files { flex: 1 1 100%; min-width: 0; justify-content: flex-end; }\n.tools { flex-wrap: nowrap; min-width: 0; }\n.tools > select { min-width: 4.4em; }\n.tools .group { flex-wrap: nowrap; min-width: 0; }\n.tools .group select { flex: 0 1 8.4em; min-width: 4em; }\n.tools button { flex: none; }\n.panels {\ndisplay: grid;\ngrid-template: \"side psf\" \"side numbers\" \"side plots\" \"side beside\" \"side code\" 1fr / var(--side, 270px) minmax(0, 1fr);\ngap: 10px 22px;\n}\n.side {\ngrid-area: side;\nalign-self: start;\nposition: sticky;\ntop: calc(var(--pst-header-height, 0px) + 8px); \nmax-height: calc(var(--screen) - 92px);\noverflow-y: auto;\nscrollbar-width: thin;\npadding: 0 10px 8px 2px;\n}\n.hands { position: sticky; top: 0; z-index: 1; background: var(--back); }\n.psf { grid-area: psf; }\n.numbers { grid-area: numbers; }\n.plots { grid-area: plots; grid-template-columns: repeat(3, minmax(0, 1fr)); }\n.beside { grid-area: beside; }\n.code { grid-area: code; }\n.psf > :not(figcaption) { max-width: var(--psf); }\n}\n@container (880px <= width < 1180px) {\n.curve.mtf { --lines: 51px; }\n}\n@container (640px <= width < 880px) {\n.lommel-live .plots { grid-template-columns: repeat(2, minmax(0, 1fr)); }\n.curve.mtf { grid-column: 1 / -1; }\n}\n@container (width < 640px) {\n:host([data-large]) .plots { order: 0; }\n:host([data-large]) .plot { height: 120px; }\n}\n@container (700px <= width < 880px) {\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) { --psf: 206px; --side: 280px; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .panels {\ngrid-template: \"side psf plots\" \"side numbers plots\" 1fr \"side beside beside\" \"side code code\" / var(--side) var(--psf) minmax(0, 1fr);\n}\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .plots { grid-template: none / 1fr; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .plot { height: 110px; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .numbers { grid-template-columns: 1fr 1fr; align-self: start; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .scale { grid-template-columns: 1fr; }\n:host([data-large]) .lommel-live:not([data-lesson], [data-compare=\"beside\"]) .of { display: none; }\n}\n@container (width >= 880px) {\n.panels {\ngrid-template: \"side psf plots\" \"side numbers plots\" \"side picture pupil\" \"side code code\" 1fr / var(--side, 270px) minmax(0, var(--psf)) minmax(200px, 1fr);\n}\n.plots { grid-template: repeat(3, minmax(0, 1fr)) / 1fr; }\n.plot { flex: 1 1 98px; height: auto; min-height: 98px; }\n.numbers { grid-template-columns: repeat(4, auto); }\n.beside { display: contents; }\n.picture { grid-area: picture; }\n.pupils { grid-area: pupil; align-content: start; }\n.panels:has(.plots[hidden]) { grid-template: \"side psf numbers\" \"side picture pupil\" \"side code code\" 1fr / var(--side, 270px) minmax(0, var(--psf)) minmax(200px, 1fr); }\n.panels:has(.plots[hidden]) .numbers { align-self: start; grid-template-columns: 1fr; }\n}\n@container (width >= 940px) {\n.top { flex-wrap: nowrap; }\n.files { flex: none; flex-wrap: nowrap; }\n}\n@container (width >= 1180px) {\n.top { flex-basis: 790px; }\n.panels {\ngrid-template: \"side psf plots pupil\" \"side numbers plots pupil\" \"side picture code code\" 1fr / var(--side, 280px) minmax(0, var(--psf)) minmax(200px, 1fr) 180px;\n}\n.pupils { grid-template-columns: 1fr; }\n.panels:has(.pupils[hidden]) { grid-template-areas: \"side psf plots plots\" \"side numbers plots plots\" \"side picture code code\"; }\n.panels:has(.plots[hidden]) { grid-template: \"side psf numbers pupil\" \"side picture code code\" 1fr / var(--side, 280px) minmax(0, var(--psf)) minmax(200px, 1fr) 180px; }\n}\n@container (width >= 1560px) {\n.top { flex: 0 1 960px; }\n.panels {\ngrid-template: \"side psf plots beside\" \"side numbers plots beside\" \"side code code code\" 1fr / var(--side, 290px) minmax(0, var(--psf)) minmax(200px, 1fr) minmax(200px, 1fr);\n}\n.beside { display: flex; }\n.pupils { grid-template-columns: 1fr 1fr; }\n.panels:has(.plots[hidden]) { grid-template: \"side psf numbers beside\" \"side code code code\" 1fr / var(--side, 290px) minmax(0, var(--psf)) minmax(200px, 1fr) minmax(200px, 1fr); }\n}\n@media (max-height: 500px) {\n.lommel-live .under, .lommel-live .psf .title { display: none; }\n@container (width >= 640px) {\n.lommel-live .side { display: flex; flex-direction: column; max-height: calc(var(--screen) - 16px); }\n.lommel-live .lesson { order: 1; margin-top: 12px; }\n}\n}\n[data-lesson] .numbers > :has([data-number=\"time\"]) { display: none; }\n.lommel-live:has(.lesson:not([hidden])) .under { display: none; }\n[data-lesson] .plots { grid-template-columns: repeat(auto-fit, minmax(200px, 1fr)); }\n:host([data-large]) [data-lesson] :is(.files, [data-key=\"preset\"], [data-action=\"open\"]) { display: none; }\n:host([data-large]) [data-lesson] .top { flex: 0 1 auto; }\n@container (width >= 640px) {\n[data-lesson] { --side: clamp(250px, 43cqw, 340px); }\n[data-lesson] .psf .title { display: none; }\n[data-lesson] .psf .menus { flex-wrap: nowrap; min-width: 0; }\n[data-lesson] .psf .menus select { flex: 0 1 auto; min-width: 0; }\n[data-lesson] .numbers { grid-template-columns: repeat(3, auto); gap: 8px 10px; }\n:host([data-large]) [data-lesson] { --side: clamp(250px, 46cqw, 364px); }\n:host([data-large]) [data-lesson] .side { max-height: calc(var(--screen) - 54px); }\n:host([data-large]) .lesson { line-height: 1.3; }\n:host([data-large]) .lesson .body :is(p, ol, li) { margin-block: 3px; }\n@media (min-height: 501px) {\n[data-lesson] .side { display: flex; flex-direction: column; overflow: hidden auto; }\n[data-lesson] .side > * { flex: none; }\n[data-lesson] .lesson { display: flex; flex-direction: column; flex: 0 1 auto; min-height: 190px; }\n[data-lesson] .lesson > * { flex: none; align-self: stretch; }\n[data-lesson] .lesson > .body { flex: 0 1 auto; min-height: 0; overflow-y: auto; scrollbar-width: thin; }\n}\n}\n@container (width >= 880px) {\n[data-lesson] { --side: clamp(250px, 30cqw, 340px); --psf: max(200px, min(0.6 * var(--screen), var(--screen) - 290px, 33cqw)); }\n[data-lesson]:not([data-compare=\"beside\"]) .panels {\ngrid-template: \"side psf above\" \"side psf plots\" \"side numbers plots\" 1fr \"side code code\" / var(--side) minmax(0, var(--psf)) minmax(200px, 1fr);\n}\n[data-lesson]:not([data-compare=\"beside\"]) .beside { display: contents; }\n[data-lesson]:not([data-compare=\"beside\"]) :is(.picture, .pupils) { grid-area: above; }\n[data-lesson]:not([data-compare=\"beside\"]) .plots { grid-template: none; grid-auto-rows: minmax(0, 1fr); }\n[data-lesson]:not([data-compare=\"beside\"]) .panels:has(.picture.idle + .pupils.idle) .plots { grid-row: psf-start / numbers-end; }\n[data-lesson] .pupils { grid-template-columns: 1fr 1fr; }\n[data-lesson] .numbers { align-self: start; }\n}\n@container (width >= 880px) {\n[data-compare=\"beside\"] { --psf: max(200px, min(0.4 * var(--screen), var(--screen) - 430px)); }\n[data-compare=\"beside\"] .panels {\ngrid-template: \"side psf psf\" \"side numbers numbers\" \"side plots plots\" \"side picture pupil\" \"side code code\" 1fr / var(--side, 280px) minmax(0, 1fr) minmax(0, 1fr);\n}\n[data-compare=\"beside\"] .psf > :not(figcaption) { max-width: calc(2 * var(--psf) + 8px); }\n[data-compare=\"beside\"] .plots { grid-template: auto / repeat(3, minmax(0, 1fr)); }\n[data-compare=\"beside\"] .numbers { grid-template-columns: repeat(6, 1fr); }\n[data-compare=\"beside\"] .plot { flex: none; height: 150px; }\n[data-compare=\"beside\"] .beside { display: contents; }\n[data-compare=\"beside\"] .pupils { grid-template-columns: 1fr 1fr; }\n}\n@container (width >= 1180px) {\n[data-compare=\"beside\"] { --psf: max(200px, min(0.6 * var(--screen), var(--screen) - 316px, (100cqw - 590px) / 2)); }\n[data-compare=\"beside\"][data-lesson] { --psf: max(200px, min(0.6 * var(--screen), var(--screen) - 316px, (100cqw - 650px) / 2)); }\n[data-compare=\"beside\"] .panels {\ngrid-template: \"side psf plots\" \"side numbers plots\" 1fr \"side picture pupil\" \"side code code\" / var(--side, 280px) calc(2 * var(--psf) + 8px) minmax(200px, 1fr);\n}\n[data-compare=\"beside\"] .numbers { align-self: start; }\n[data-compare=\"beside\"] .curve.mtf { --lines: 51px; }\n[data-compare=\"beside\"] .plots { grid-template: none / 1fr; grid-auto-rows: minmax(0, 1fr); }\n[data-compare=\"beside\"] .plot { flex: 1 1 110px; height: auto; }\n}\n@media (pointer: coarse) {\ninput[type=\"range\"] { height: 30px; }\n}\n@media (forced-colors: active) {\ninput[type=\"range\"] { forced-color-adjust: none; --line: GrayText; --accent: Highlight; --back: Canvas; }\npath.curve, .cursor { stroke: CanvasText; }\npath.second, .key.second::before { stroke: LinkText; border-color: LinkText; }\npath.limit { stroke: GrayText; }\n.axes text { fill: CanvasText; }\n.tag, .ruler span, .ruler i { forced-color-adjust: none; }\n}\n@media print {\n.lommel-live { --psf: 90mm; }\n.top, .hands, .under > .note:not(.source), .tip, .menus button, .menus .tick, .header button, .choice button, input[type=\"range\"], .more::after { display: none !important; }\n.lommel-live :is(select, input) { appearance: none; border: 0; background: none; outline: none; }\n.lommel-live .numbers { grid-template-columns: repeat(6, auto); }\n.lommel-live .lesson > .body { overflow: visible; }\n.ruler *, .tag, .dots, .key::before { print-color-adjust: exact; -webkit-print-color-adjust: exact; }\n.lommel-live .panels { display: grid; grid-template: none / 1fr 1fr; gap: 14px 20px; }\n.lommel-live :is(.panels, .beside) > * { grid-area: auto; break-inside: avoid; }\n.lommel-live :is(.code, .plots, .numbers) { grid-column: 1 / -1; }\n.lommel-live .plots { grid-template: auto / repeat(3, minmax(0, 1fr)); }\n.lommel-live .plot { flex: none; height: 130px; }\n.lommel-live .side { position: static; max-height: none; overflow: visible; }\n.lommel-live .psf { position: static; border: 0; }\n.lommel-live .beside { display: contents; }\n.lommel-live .pupils { grid-template-columns: 1fr 1fr; align-content: start; }\n.section { break-inside: avoid; }\n.lesson button { display: none; }\n}\n[data-depth] :is(.panels > :not(.side, .depth), .side > :not(.lesson), .files, .tools > :not([aria-label=\"Lessons\"]), .under) { display: none; }\n.depth { min-width: 0; container-type: inline-size; }\n.depth .group { gap: 6px 12px; }\n.depth .sliders { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 200px), 1fr)); gap: 0 24px; margin-top: 8px; }\n.pictures { display: grid; grid-template-columns: 1fr 1fr; gap: 6px 12px; }\n.pictures figcaption { margin: 0; }\n.pictures .title { white-space: normal; }\n.pictures .frame { aspect-ratio: 4 / 3; }\n.pictures [data-picture=\"depth\"] canvas { image-rendering: pixelated; }\n.depth > .scale { margin-top: 10px; }\n.depth .scale .ticks { grid-row: auto; white-space: nowrap; }\n.lommel-live[data-depth] { min-height: var(--screen); }\n.lommel-live[data-depth] .tools > select { flex-basis: 18em; }\n.depth > .note { min-height: 17px; }\n@container (width < 640px) {\n.depth { order: 0; }\n.pictures { gap: 4px 8px; }\n.pictures figcaption { min-height: 36px; align-items: end; }\n}\n@container (width >= 640px) {\n.lommel-live[data-depth] .panels { grid-template: \"side depth\" 1fr / var(--side) minmax(0, 1fr); }\n.depth { grid-area: depth; max-width: max(400px, 4 / 3 * (var(--screen) - 275px)); }\n}\n";
 function followTheme(node, wanted = "auto") {
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const apply = () => {
@@ -4663,7 +5185,7 @@ if (view === "averaged") return "averages over pixels";
 return light === "white" ? "white light, seven wavelengths" : "large aberrations";
 }
 class View {
-constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "", name = "", left_out = "", heading = 2, docs = "" } = {}) {
+constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "", name = "", left_out = "", heading = 2, docs = "", language = "" } = {}) {
 this.onchange = onchange;
 this.url = url;
 this.title = document.title;
@@ -4680,6 +5202,8 @@ if (name) this.lenses.unshift({ name, source: "", left_out, state: this.given })
 if (url) this.nameFromLink();
 const set = (change, moving, gesture) => this.set(change, moving, gesture);
 const level = Math.min(5, Math.max(1, Number(heading) || 2));
+const spokenAs = (url && new URLSearchParams(location.search).get("lang")) || language;
+if (spokenAs) speak(spokenAs);
 const touched = (key) => key !== this.play.key && this.play.choose(key);
 this.controls = new Controls({ state: this.state, set, touched, only, level });
 const does = {
@@ -4688,6 +5212,7 @@ undo: () => this.travel(this.history.undo(this.state)),
 redo: () => this.travel(this.history.redo(this.state)),
 stop: () => (this.stopped ? this.settle() : this.stop()),
 play: () => this.play.press(),
+language: () => this.speak(isGerman() ? "en" : "de"),
 };
 this.lessons = new Lessons((name, state) => this.learn(name, state), level, (shown) => this.showDepth(shown, level));
 const { lessons } = this;
@@ -4718,7 +5243,16 @@ if (url && event.target === document.body) this.key(event);
 };
 document.addEventListener("keydown", this.keys);
 element.append(this.host);
-this.unfollow = followTheme(this.page.node, theme);
+const { node, language: button } = this.page;
+const unfollow = [followTheme(node, theme)];
+const spoken = () => {
+node.lang = isGerman() ? "de" : "en";
+button.textContent = isGerman() ? "EN" : "DE";
+this.controls.forget();
+};
+unfollow.push(follow(node, spoken));
+spoken();
+this.unfollow = () => unfollow.forEach((stop) => stop());
 this.fromLink = () => {
 const change = fromText(location.hash), said = refused(change, location.hash);
 if (!Object.keys(change).length && !said) return; // it leads to a heading of the page
@@ -4814,9 +5348,9 @@ page.held.parentNode.classList.toggle("late", Boolean(held) && SAMPLING.some((ke
 const busy = "busy" in this.host.dataset;
 page.node.classList.toggle("working", busy && most > GREY);
 const said = this.stopped ? "Stopped: nothing is computed for this setting." : busy && most > WORDS ? `Computing: ${longSaid(this.state)} …` : "";
-if (page.working.textContent !== said) page.working.textContent = said;
+tell(page.working, said);
 page.work.classList.toggle("shown", Boolean(said));
-page.stop.textContent = this.stopped ? "Compute" : "Stop";
+tell(page.stop, this.stopped ? "Compute" : "Stop");
 const kept = { undo: this.history.back.length, redo: this.history.forth.length };
 for (const name of FINISHED) kept[name] = this.current("code");
 for (const [name, there] of Object.entries(kept)) page[name].setAttribute("aria-disabled", String(!there));
@@ -4897,9 +5431,9 @@ const { heading } = this.lessons;
 if (this.url) document.title = heading || this.title;
 const plain = this.depth || exact?.name === PRESETS[0].name; // where a lesson starts: its title says more
 page.name.textContent = plain && heading ? heading : exact ? exact.name : from || heading || UNNAMED;
-page.name.title = page.name.textContent; // the heading is cut where there is no room
+page.name.title = english(page.name); // the heading is cut where there is no room
 page.preset.value = String(PRESETS.findIndex(({ name }) => name === exact?.name)).replace("-1", "");
-page.preset.title = page.preset.selectedOptions[0].text;
+page.preset.title = english(page.preset.selectedOptions[0]);
 const without = (exact ?? this.lens)?.left_out;
 const said = [without && `Left out here: ${without}. All that is shown is of the rest.`, exact?.source].filter(Boolean).join(" ");
 page.source.hidden = !said;
@@ -5064,12 +5598,12 @@ const state = this.stateOf("psf");
 this.stage.draw({ state, shown, held: compare.held, mode: compare.shown, shared: compare.shared });
 const said = computedSaid(state, shown.psf);
 this.page.computed.hidden = !said;
-if (this.page.computed.textContent !== said) this.page.computed.textContent = said;
+tell(this.page.computed, said);
 }
 figure() {
 const { settled, compare, page } = this;
 const looks = Object.fromEntries([...LOOKS].map((key) => [key, this.state[key]]));
-const name = page.name.textContent === UNNAMED ? "" : page.name.textContent;
+const name = english(page.name) === UNNAMED ? "" : english(page.name);
 return { state: { ...settled.state, ...looks }, shown: settled, held: compare.held, mode: compare.shown, shared: compare.shared, name };
 }
 drawRecorded() {
@@ -5188,7 +5722,8 @@ if (this.settled) page.code.textContent = this.settled.psf.python;
 page.psf.setAttribute("aria-label", this.compare.shown === "difference" ? `Difference, B minus A. B: ${said}` : said);
 if (!shown.wavefront) page.wavefront.setAttribute("aria-label", none("Wavefront over the pupil"));
 else if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
-const name = page.selects.picture.selectedOptions[0]?.text ?? "Picture";
+const [picked] = page.selects.picture.selectedOptions;
+const name = picked ? english(picked) : "Picture";
 const { width, height, reduced = 1 } = shown.picture ?? {};
 const pitch = `a sensor with pixels of ${short(sensorOf(state, { reduced }).pixel)} micrometres`;
 page.recorded.setAttribute("aria-label", shown.recorded ? `${name}, blurred as ${pitch} records it.` : none(name));
@@ -5199,11 +5734,21 @@ node.setAttribute("aria-label", !curves ? none(titles[key]) : (key === "mtf" && 
 clearTimeout(this.telling);
 this.telling = setTimeout(() => (page.said.textContent = said), 700);
 }
+speak(language) {
+speak(language);
+if (!this.url) return;
+const address = new URL(location.href);
+address.searchParams.set("lang", language);
+try {
+history.replaceState(history.state, "", address);
+} catch {
+}
+}
 tell(text) {
 this.said = text;
 const whole = [this.remarked, text].filter(Boolean).join(" ");
 this.page.notice.hidden = !whole;
-if (this.page.notice.textContent !== whole) this.page.notice.textContent = whole;
+tell(this.page.notice, whole);
 }
 remark(text) {
 if (text === (this.remarked ?? "")) return;
@@ -5211,7 +5756,7 @@ this.remarked = text;
 this.tell(this.said);
 }
 linkText() {
-const { name, state, left_out } = this.exact ?? (this.lens?.left_out ? { ...this.lens, name: this.page.name.textContent } : {});
+const { name, state, left_out } = this.exact ?? (this.lens?.left_out ? { ...this.lens, name: english(this.page.name) } : {});
 const own = name && (left_out || state !== this.given) && !PRESETS.some((preset) => preset.name === name);
 const words = own ? { name, without: left_out } : {};
 return [toText(this.state, this.start), ...Object.keys(words).map((key) => words[key] && `${key}=${encodeURIComponent(words[key])}`)].filter(Boolean).join("&");
@@ -5287,6 +5832,7 @@ name: script.dataset.lommelName,
 left_out: script.dataset.lommelWithout,
 heading: script.dataset.lommelHeading,
 docs: script.dataset.lommelDocs,
+language: script.dataset.lommelLanguage,
 });
 });
 }

@@ -272,8 +272,8 @@ class DefocusVerdict(FitReport):
             errors = " within their stated errors" if stated > scale_error else ""
             unseen = percent(_DOUBTFUL_DEVIATION * math.hypot(scale_error, stated))
             agreements.append(
-                f"blurs differ as the lenses state{errors} ({ratio} times that; f-numbers off by {unseen} would agree "
-                "too)"
+                f"blurs differ as the lenses state{errors} ({ratio} times that; f-numbers off by {unseen} would "
+                "agree too)"
             )
         worst = {finding.severity for finding in findings}
         if not agreements and worst <= {"note"}:

@@ -84,11 +84,9 @@ def examples(
     report = written(path for path in copies if path not in existing)
     unchanged = (f"{path} is already there, unchanged" for path in existing)
     data = [{"commands": list(one.commands), "truth": one.truth} for one in sets]
-    told: Parts = [
-        line
-        for one in sets
-        for line in (*(Text(continued(f"  {each}")) for each in one.commands), f"true: {one.truth}")
-    ]
+    told: Parts = []
+    for one in sets:
+        told += [*(Text(continued(f"  {each}")) for each in one.commands), f"true: {one.truth}"]
     return Report(report.facts | ({"data": data} if data else {}), [*report.parts, *unchanged, *told])
 
 

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 6f5b72e9115090a9e2f6ac1fb58f256cfce566650bbc4bc4ddbc16077f431f28
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 4ab7873001b5ef9628aaba6640fc6525f1b997130731e9bef2affc8c72ff205a
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

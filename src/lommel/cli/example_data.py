@@ -7,14 +7,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-import lommel as lm
 from lommel.base import atomic
 from lommel.base.arrays import Array, Values
+from lommel.blur.blurs import Jitter
 from lommel.io.photos import stored, write_png, write_tiff
+from lommel.lensfiles import example_files
+from lommel.lensfiles.lens_files import load_instrument
+from lommel.lensfiles.microscope_files import Microscope, load_microscope
+from lommel.methods import Bead
+from lommel.optics.lens import Lens
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import psf
+from lommel.recorded.noise import Noise
 
 _PIXEL, _POINTS = 3.45e-6, 4  # of photographs: pitch, metres, and points along a pixel of their scenes
-_WHITE = lm.Noise(white=1e4, read=3.0)  # of photographs, electrons
-_SCMOS = lm.Noise(read=1.6, offset=100.0)  # of stacks and movies, counts of one electron
+_WHITE = Noise(white=1e4, read=3.0)  # of photographs, electrons
+_SCMOS = Noise(read=1.6, offset=100.0)  # of stacks and movies, counts of one electron
 
 
 @dataclass(frozen=True)
@@ -55,13 +64,13 @@ def _focus_pair() -> dict[str, bytes]:
 
 def _photo() -> dict[str, bytes]:
     """Return a photograph of two walls, its depth map, and the scene without blur."""
+    from lommel.imaging.photograph import depth_of_field
+
     light = _leaves((160, 200), 3.0, 3)
     depth = np.where(np.arange(200) < 100, 1.8, 2.2) + np.zeros(light.shape)
     lens = _camera(8.0, 2.0)
     files = {
-        "photo": _recorded(
-            lm.imaging.depth_of_field(light, depth, lens, _PIXEL, encoding="linear", energy=0.99).values, 5
-        ),
+        "photo": _recorded(depth_of_field(light, depth, lens, _PIXEL, encoding="linear", energy=0.99).values, 5),
         "depth": depth.astype(np.float32),
     }
     return {
@@ -73,16 +82,18 @@ def _photo() -> dict[str, bytes]:
 def _beads() -> dict[str, bytes]:
     """Return a stack of a bead of 100 nm on the cover glass."""
     microscope = _microscope("zeiss-63x-1.4-oil")
-    wave = lm.Wavefront.zernike({6: 0.06, 8: -0.04}, order="noll", unit="waves")
+    wave = Wavefront.zernike({6: 0.06, 8: -0.04}, order="noll", unit="waves")
     z = 200e-9 * (np.arange(11) - 5)
     pupil = microscope.objective.pupil(depth=50e-9, z=z, wavelength=microscope.wavelength, aberrations=wave)
-    light = lm.psf(pupil, 31, microscope.pixel, method=lm.methods.Bead(0.1e-6, 1e-4), integrate=True).values
+    light = psf(pupil, 31, microscope.pixel, method=Bead(0.1e-6, 1e-4), integrate=True).values
     return {"beads.tif": write_tiff(_counts(4e4 * light + 10.0, 36), None)}
 
 
 def _stack() -> dict[str, bytes]:
     """Return a stack of a helix in water, 6 um deep."""
     import tifffile
+
+    from lommel.microscopy.stack_blur import StackBlur
 
     microscope = _microscope("zeiss-63x-1.4-oil")
     step, planes, side = 0.2, 16, 48
@@ -91,7 +102,7 @@ def _stack() -> dict[str, bytes]:
     specimen, turn = np.zeros((side, side, planes), np.float32), np.linspace(0.0, 4.0 * np.pi, 400)
     place = 24.0 + 12.0 * np.sin(turn), 24.0 + 12.0 * np.cos(turn), 4.0 + 7.0 * turn / turn[-1]
     np.add.at(specimen, tuple(np.rint(place).astype(int)), 500.0)
-    blur = lm.microscopy.StackBlur(lm.psf(pupil, 2 * side - 1, microscope.pixel, tol=1e-4), (planes, side, side))
+    blur = StackBlur(psf(pupil, 2 * side - 1, microscope.pixel, tol=1e-4), (planes, side, side))
     light = np.moveaxis(blur.forward(specimen), -1, 0)
     sizes = {f"PhysicalSize{axis}": size for axis, size in zip("XYZ", (6.5 / 63, 6.5 / 63, step), strict=True)}
     uuid = "3f0e7a52-0000-5000-8000-000000000001"  # else the file would be another one each time
@@ -119,7 +130,7 @@ def _molecules() -> dict[str, bytes]:
     )
     centre = tuple((place - middle + window // 2).T)
     mean = np.full((40, 64, 64), 8.0)
-    for number, image in enumerate(lm.psf(pupil, window, microscope.pixel, center=centre).values):
+    for number, image in enumerate(psf(pupil, window, microscope.pixel, center=centre).values):
         row, column = middle[number] - window // 2
         mean[number // 2, row : row + window, column : column + window] += 2500.0 * image
     return {"movie.tif": write_tiff(_counts(mean, 9), None)}
@@ -127,31 +138,32 @@ def _molecules() -> dict[str, bytes]:
 
 def _donut() -> dict[str, bytes]:
     """Return a star 6 waves out of focus, with coma of 0.2 waves rms."""
-    wave = lm.Wavefront.zernike({7: -0.16, 8: 0.12}, order="noll", unit="waves") + lm.Wavefront(6.0 * np.pi)
-    pupil = lm.Pupil(wave, obscuration=0.35, wavelength=550e-9, f_number=10.0)
-    light = lm.psf(pupil, 96, 7.6e-6, blur=lm.Jitter(8e-6), tol=1e-4).values
+    wave = Wavefront.zernike({7: -0.16, 8: 0.12}, order="noll", unit="waves") + Wavefront(6.0 * np.pi)
+    pupil = Pupil(wave, obscuration=0.35, wavelength=550e-9, f_number=10.0)
+    light = psf(pupil, 96, 7.6e-6, blur=Jitter(8e-6), tol=1e-4).values
     return {"donut.tif": write_tiff(_counts(4e5 * light + 10.0, 1), None)}
 
 
 def _stars() -> dict[str, bytes]:
     """Return a point of light at three sensor positions, by the phone's lens with astigmatism and coma."""
-    phone = lm.load_instrument(lm.example_files()["phone"])
-    wave = lm.Wavefront.zernike({6: 0.6, 8: -0.4}, order="noll") + lm.Wavefront([-4.0, 0.0, 4.0])
-    light = lm.psf(phone.pupil().carrying(wave, None), 33, phone.pixel).values
+    phone = load_instrument(example_files()["phone"])
+    wave = Wavefront.zernike({6: 0.6, 8: -0.4}, order="noll") + Wavefront([-4.0, 0.0, 4.0])
+    light = psf(phone.pupil().carrying(wave, None), 33, phone.pixel).values
     return {f"star-{k}.tif": write_tiff(_counts(5e4 * one + 20.0, k), None) for k, one in enumerate(light, 1)}
 
 
-def _camera(f_number: float, focus: float) -> lm.Lens:
-    return lm.load_instrument(lm.example_files()["nifty-fifty"]).lens.stopped(f_number).focused(focus)
+def _camera(f_number: float, focus: float) -> Lens:
+    return load_instrument(example_files()["nifty-fifty"]).lens.stopped(f_number).focused(focus)
 
 
-def _blurred(light: Array, lens: lm.Lens, distance: float) -> Array:
+def _blurred(light: Array, lens: Lens, distance: float) -> Array:
     """Return the mean light of each pixel of a plane, of some points along a pixel."""
     from scipy.signal import fftconvolve
 
-    kernel = lm.psf(lens.pupil(distance), 40 * _POINTS + 1, _PIXEL / _POINTS).values
+    kernel = psf(lens.pupil(distance), 40 * _POINTS + 1, _PIXEL / _POINTS).values
     seen = fftconvolve(np.pad(light, 20 * _POINTS, "reflect"), kernel / kernel.sum(), mode="valid")
-    return seen.reshape(seen.shape[0] // _POINTS, _POINTS, -1, _POINTS).mean(axis=(1, 3))
+    pixels: Array = seen.reshape(seen.shape[0] // _POINTS, _POINTS, -1, _POINTS).mean(axis=(1, 3))
+    return pixels
 
 
 def _recorded(light: Array, seed: int) -> Values:
@@ -172,8 +184,8 @@ def _leaves(shape: tuple[int, int], least: float, seed: int) -> Array:
     return light
 
 
-def _microscope(name: str) -> lm.Microscope:
-    return lm.load_microscope(lm.example_files()[name])
+def _microscope(name: str) -> Microscope:
+    return load_microscope(example_files()[name])
 
 
 def _counts(electrons: Array, seed: int) -> Values:

@@ -16,7 +16,6 @@ from lommel.base.options import In, Shown, near
 from lommel.base.units import pitch_in_words
 from lommel.base.validation import shown
 from lommel.cli.command import PLOT, command
-from lommel.cli.example_data import SETS
 from lommel.cli.help_text import continued
 from lommel.cli.instruments import WINDOW, Optics, instrument_of, microscope_of
 from lommel.cli.output import progress, save_figure, written
@@ -59,6 +58,8 @@ def examples(
       lommel examples exercises            # a Jupyter notebook for class
       lommel examples first-psf            # a notebook to start with
     """
+    from lommel.cli.example_data import SETS
+
     files = example_files()
     if text is not None and names:
         raise ValueError("--find lists examples: leave it out to copy them")
@@ -82,16 +83,17 @@ def examples(
         for path in copies.keys() - existing:
             write(path, copies[path])
     report = written(path for path in copies if path not in existing)
-    unchanged = (f"{path} is already there, unchanged" for path in existing)
-    data = [{"commands": list(one.commands), "truth": one.truth} for one in sets]
-    told: Parts = []
+    parts: Parts = [*report.parts, *(f"{path} is already there, unchanged" for path in existing)]
     for one in sets:
-        told += [*(Text(continued(f"  {each}")) for each in one.commands), f"true: {one.truth}"]
-    return Report(report.facts | ({"data": data} if data else {}), [*report.parts, *unchanged, *told])
+        parts += [*(Text(continued(f"  {command}")) for command in one.commands), f"true: {one.truth}"]
+    data = [{"commands": list(one.commands), "truth": one.truth} for one in sets]
+    return Report(report.facts | ({"data": data} if data else {}), parts)
 
 
 def _list_examples(files: dict[str, Path], terms: list[str]) -> Report:
     """Return the list of the examples that contain all `terms`, a table for each kind."""
+    from lommel.cli.example_data import SETS
+
     named = [(KINDS[path.parent.name][0], name, _title(path)) for name, path in files.items()]
     named += [("data", name, one.title) for name, one in SETS.items()]
     rows = [

@@ -66,9 +66,8 @@ export class Depth {
       el("div", { class: "sliders" }, ...Object.values(this.rows).map(({ node }) => node)),
       this.message,
       this.pictures,
-      this.scale,
-      this.numbers,
     );
+    this.pictures.append(this.scale, this.numbers);
     this.readout = new Readout(this.canvases.depth, () => [blocks, lines], (column, row) => this.value(column, row));
     this.show();
     this.loop();
@@ -129,8 +128,8 @@ export class Depth {
     const title = (name, text) => (this.canvases[name].closest("figure").querySelector(".title").textContent = text);
     for (const name of ["second", "depth"]) this.canvases[name].closest("figure").hidden = !paired;
     const [near, far] = CAMERA.foci.map((focus) => `${this.swapped ? "stated focus" : "focused at"} ${inMetres(focus).replace(" ", "\u00a0")}`);
-    title("first", paired ? `First picture, ${near}` : "As taken");
-    title("second", `Second picture, ${far}`);
+    title("first", paired ? `First, ${near}` : "As taken");
+    title("second", `Second, ${far}`);
     title("sharp", paired ? "Sharp picture of both" : "Sharpened");
   }
 

@@ -418,6 +418,8 @@ export const GERMAN = {
   "Light (noise)": "Licht (Rauschen)",
   "Radius of the blur": "Radius der Unschärfe",
   "{0} pixels": "{0} Pixel",
+  First: "Erstes Bild",
+  Second: "Zweites Bild",
   "First picture": "Erstes Bild",
   "Second picture": "Zweites Bild",
   Depth: "Tiefe",

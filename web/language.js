@@ -19,7 +19,7 @@ const patterns = Object.keys(GERMAN)
   .filter((key) => key.includes("{0}"))
   .sort((a, b) => place(b)[0] - place(a)[0] || place(b)[1] - place(a)[1])
   .map((key) => {
-    const part = /^\{0\} \S+$/.test(key) ? "([-−\\d.e∞<> ]*[\\d∞])" : "(.*?[^\\s,;:])"; // before a unit a number
+    const part = /^\{0\} [^\s{]+$/.test(key) ? "([-−\\d.e∞<> ]*[\\d∞])" : "(.*?[^\\s,;:])"; // before a unit a number
     return [new RegExp(`^${key.replace(/[.*+?^$()|[\]\\]/g, "\\$&").replace(/\{\d\}/g, part)}$`, "u"), GERMAN[key]];
   });
 

@@ -18,6 +18,8 @@ import lommel as lm
 import scenes
 from lommel.imaging.focal_tables import Taps
 
+SMALLER = ("first", "second", "sharp")
+
 ROOT = Path(__file__).resolve().parents[2]
 NUMBERS = "[data-depth=numbers]"
 # Frames and bytes go as lists; NaN and infinity, which JSON has not, come as null.
@@ -242,3 +244,14 @@ def test_a_camera_is_sharpened_here_and_let_go(filming: Any, site: str) -> None:
     page.locator(NUMBERS, has_text="depth known").wait_for()
     assert requests == []
     page.close()
+
+
+@pytest.mark.parametrize("locale", ["en-US", "de-DE"])
+def test_the_map_is_the_largest_picture_and_all_are_on_the_screen(visit: Callable[..., Any], locale: str) -> None:
+    page = visit("/mounted?lesson=depth", viewport={"width": 1366, "height": 768}, locale=locale)
+    page.wait_for_timeout(500)
+    boxes = {name: page.locator(f'[data-picture="{name}"] canvas').bounding_box() for name in ("depth", *SMALLER)}
+    assert all(boxes["depth"]["width"] > 2.5 * boxes[name]["width"] for name in SMALLER)
+    assert all(box["y"] + box["height"] <= 768 for box in boxes.values())
+    assert boxes["sharp"]["x"] + boxes["sharp"]["width"] > 0.9 * 1366
+    assert page.evaluate("document.documentElement.scrollHeight") <= 769

@@ -622,7 +622,9 @@ export class View {
     const end = (table, factor) => (table.r ?? table.f).at(-1) * factor;
     const radius = { unit: unit.name, label: `radius (${unit.name})` };
     const log = state.stretch === "log";
-    const top = niceTop(Math.max(...profile.mean, ...(held?.profile.mean ?? [])));
+    // Up to the unaberrated peak, but where the curve would be flat.
+    const high = niceTop(Math.max(...profile.mean, ...(held?.profile.mean ?? [])));
+    const top = high < 0.2 ? high : Math.max(1, high);
     page.plots.profile.draw({
       x: { ...radius, top: end(profile, unit.factor) },
       y: log ? { log, bottom: 1e-5, top: 1 } : { top },

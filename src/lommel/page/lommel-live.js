@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: a282a292c095c52b11f45313b1731e61f22798696df4b1013a395c396611b50b
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 4072626503a7903d3107cb560a142902b23c6ae4d9f24593fd1df6c6c8deaa5e
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {
@@ -5670,7 +5670,8 @@ return [...before, ...now];
 const end = (table, factor) => (table.r ?? table.f).at(-1) * factor;
 const radius = { unit: unit.name, label: `radius (${unit.name})` };
 const log = state.stretch === "log";
-const top = niceTop(Math.max(...profile.mean, ...(held?.profile.mean ?? [])));
+const high = niceTop(Math.max(...profile.mean, ...(held?.profile.mean ?? [])));
+const top = high < 0.2 ? high : Math.max(1, high);
 page.plots.profile.draw({
 x: { ...radius, top: end(profile, unit.factor) },
 y: log ? { log, bottom: 1e-5, top: 1 } : { top },

@@ -194,7 +194,7 @@ def test_a_scale_is_judged_in_standard_errors(sigmas, others, severity, stated, 
     assert found == ([severity] if severity else [])
     assert math.isnan(verdict.scale) == (others == (1.01,))
     if sigmas < 1.5 and not stated:
-        agreed = f"blurs differ as the lenses state ({scale:.2f} +- 0.04 of it; f-numbers wrong by 6 %"
+        agreed = f"blurs differ as the lenses state ({scale:.2f} +- 0.04 times that; f-numbers off by 6 %"
         assert agreed in verdict.summary  # one and a half standard errors
         assert "state within their stated errors (" in DefocusVerdict.of(1.0, 1.0, 0.02, stated=0.03).summary
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import csv
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import lommel as lm
+from lommel.cli import sfr_command
 from slanted_edges import gaussian, picture, squares
 
 LENS = """
@@ -56,6 +58,19 @@ def test_a_chart_is_told_and_written(folder, call_lommel):
         assert record["mtf50"] == pytest.approx(record["mtf50_px"] / 4e-6)
         assert record["direction"] == "T"
     assert data["zones"][0]["edges"] == 4
+
+
+def test_edges_that_are_sharper_than_the_nyquist_frequency_count_above_all_others():
+    values = [0.24, None, None, 0.2, 0.22]
+    rows = [
+        {"row": 5, "column": 5, "direction": "S", "mtf50": x, "mtf50_error": x and 0.01, "at_0.25": 0.5}
+        for x in values
+    ]
+    chart = SimpleNamespace(shape=(11, 11))
+    (zone,) = sfr_command._zones(chart, rows)
+    assert (zone["mtf50"], zone["mtf50_error"], zone["at_0.25"]) == (0.24, 0.01, 0.5)
+    (zone,) = sfr_command._zones(chart, rows[:3])
+    assert zone["mtf50"] is None
 
 
 def test_one_crop_has_a_row_for_each_colour(folder, call_lommel):

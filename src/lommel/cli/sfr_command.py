@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -142,6 +143,8 @@ def sfr(
     save_figure(lambda: _curves(chart), figure)
     parts: Parts = [Wrapped(facts["read"]), Wrapped(chart.message.partition("; ")[0], "bold"), ""]
     parts += [records_of("medians", facts["zones"]), ""]
+    if any(zone[key] is None for zone in facts["zones"] for key in zone if key in ("mtf50", "mtf50_px")):
+        parts += [Wrapped("- of MTF50: the response is above 0.5 up to the Nyquist frequency."), ""]
     if len(rows) <= _MOST_ROWS:
         hidden = ("findings", "edge") if pixel is None else ("findings", "edge", "row", "column")
         keys = [key for key in rows[0] if key not in hidden]
@@ -175,8 +178,12 @@ def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
             for key in part[0]
             if key.split("_")[0] in ("mtf50", "lw", "at", "lens", "z") and key != "mtf50_px_error"
         ]
-        known = {key: [row[key] for row in part if row.get(key) is not None] for key in keys}
-        medians = {key: float(np.median(values)) if values else None for key, values in known.items()}
+        # A response that is above 0.5 at the Nyquist frequency has no MTF50: it is above all others.
+        above = {key: [math.inf] * (key.startswith(("mtf50", "lw")) and "error" not in key) for key in keys}
+        known = {
+            key: [x for row in part for x in ([row[key]] if row.get(key) is not None else above[key])] for key in keys
+        }
+        medians = {key: plain(float(np.median(values))) if values else None for key, values in known.items()}
         zones.append({"zone": zone, "direction": direction, "channel": channel, "edges": len(part)} | medians)
     return zones
 

@@ -537,6 +537,11 @@ def _estimate_findings(
     return [*findings, Finding("distance_estimated", "note", text, numbers)]
 
 
+def _mixed(share: float) -> str:
+    """Return what becomes of a result that is in doubt, in words."""
+    return f"{100.0 * share:.0f} % of it are mixed in" if share < 0.995 else "it is returned"
+
+
 def _motion_finding(motion: Motion, accepted: bool, share: float) -> Finding:
     """Return the finding on a photograph that was moved during the exposure."""
     numbers = {"motion": motion.length, "angle": math.degrees(motion.angle), "gain": motion.over_blurs}
@@ -544,8 +549,8 @@ def _motion_finding(motion: Motion, accepted: bool, share: float) -> Finding:
     if accepted:
         return Finding("estimated", "note", f"restored by {motion.words} {gain}", numbers)
     text = (
-        f"the photograph agrees better with {motion.words}, than with defocus {gain}, so {100.0 * share:.0f} % of it "
-        "are mixed in: accept=True restores by that motion"
+        f"the photograph agrees better with {motion.words}, than with defocus {gain}, so {_mixed(share)}: "
+        "accept=True restores by that motion"
     )
     return Finding("blur_doubtful", "doubt", text, numbers)
 
@@ -576,8 +581,8 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
         return [Finding("estimated", "note", f"restored by a blur of {better} {gain}", numbers)]
     if verdict.doubtful:
         text = (
-            f"the photograph agrees better with a blur of {better} {gain}, so {100.0 * share:.0f} % of it are mixed "
-            "in: check distance, f-number and focus; accept=True restores by that blur"
+            f"the photograph agrees better with a blur of {better} {gain}, so {_mixed(share)}: check distance, f-number "
+            "and focus; accept=True restores by that blur"
         )
         return [Finding("blur_doubtful", "doubt", text, numbers)]
     if verdict.ringing:
@@ -595,8 +600,8 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
         return [Finding("blur_doubtful", "doubt", text, numbers | {"slope": verdict.slope})]
     if verdict.noisier:
         text = (
-            f"the photograph is noisier than stated, {verdict.noise:g} times the variance, and is restored mildly: "
-            "check white, the electrons of white, and the read noise, and whether it was sharpened"
+            f"the photograph is noisier than stated, {verdict.noise:g} times the variance, so {_mixed(share)}: check "
+            "white, the electrons of white, and the read noise, and whether it was sharpened"
         )
         numbers |= {"noise": verdict.noise, "noise_gain": verdict.noise_gain}
         return [Finding("misfit", "doubt", text, numbers)]

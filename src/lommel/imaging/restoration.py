@@ -85,6 +85,7 @@ _SHARPENED_NOISE = 2.0  # least variance of the noise of a sharpened photograph 
 _FEW_STEPS = 5  # largest number of steps after which a result may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
 _DIFFRACTED = 0.06  # rms fraction by which diffraction makes the disc of an unknown lens smaller
+_WHOLE = 0.995  # share of the photograph in a result that is it
 _WAVELENGTH = 550e-9  # of grey light where no lens is stated, metres
 
 
@@ -539,7 +540,7 @@ def _estimate_findings(
 
 def _mixed(share: float) -> str:
     """Return what becomes of a result that is in doubt, in words."""
-    return f"{100.0 * share:.0f} % of it are mixed in" if share < 0.995 else "it is returned"
+    return f"{100.0 * share:.0f} % of it are mixed in" if share < _WHOLE else "it is returned"
 
 
 def _motion_finding(motion: Motion, accepted: bool, share: float) -> Finding:
@@ -581,8 +582,8 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
         return [Finding("estimated", "note", f"restored by a blur of {better} {gain}", numbers)]
     if verdict.doubtful:
         text = (
-            f"the photograph agrees better with a blur of {better} {gain}, so {_mixed(share)}: check distance, f-number "
-            "and focus; accept=True restores by that blur"
+            f"the photograph agrees better with a blur of {better} {gain}, so {_mixed(share)}: check distance, "
+            "f-number and focus; accept=True restores by that blur"
         )
         return [Finding("blur_doubtful", "doubt", text, numbers)]
     if verdict.ringing:
@@ -600,8 +601,8 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
         return [Finding("blur_doubtful", "doubt", text, numbers | {"slope": verdict.slope})]
     if verdict.noisier:
         text = (
-            f"the photograph is noisier than stated, {verdict.noise:g} times the variance, so {_mixed(share)}: check "
-            "white, the electrons of white, and the read noise, and whether it was sharpened"
+            f"the photograph is noisier than stated, {verdict.noise:g} times the variance, so "
+            f"{'it is restored mildly' if share < _WHOLE else _mixed(share)}: check white, the electrons of white, and the read noise, and whether it was sharpened"
         )
         numbers |= {"noise": verdict.noise, "noise_gain": verdict.noise_gain}
         return [Finding("misfit", "doubt", text, numbers)]

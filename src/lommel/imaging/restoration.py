@@ -602,7 +602,8 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
     if verdict.noisier:
         text = (
             f"the photograph is noisier than stated, {verdict.noise:g} times the variance, so "
-            f"{'it is restored mildly' if share < _WHOLE else _mixed(share)}: check white, the electrons of white, and the read noise, and whether it was sharpened"
+            f"{'it is restored mildly' if share < _WHOLE else _mixed(share)}: check white, the electrons "
+            "of white, and the read noise, and whether it was sharpened"
         )
         numbers |= {"noise": verdict.noise, "noise_gain": verdict.noise_gain}
         return [Finding("misfit", "doubt", text, numbers)]

@@ -581,9 +581,10 @@ def _blur_findings(verdict: BlurVerdict | None, accepted: bool, share: float) ->
     if verdict.doubtful and accepted:
         return [Finding("estimated", "note", f"restored by a blur of {better} {gain}", numbers)]
     if verdict.doubtful:
+        sharp = bool(verdict.bound) and verdict.factor < 1.0
         text = (
             f"the photograph agrees better with a blur of {better} {gain}, so {_mixed(share)}: check distance, "
-            "f-number and focus; accept=True restores by that blur"
+            f"f-number and focus; {'it may be sharp' if sharp else 'accept=True restores by that blur'}"
         )
         return [Finding("blur_doubtful", "doubt", text, numbers)]
     if verdict.ringing:

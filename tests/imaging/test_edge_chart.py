@@ -35,6 +35,13 @@ def test_the_edges_of_squares_are_found_where_they_are():
         assert edge.response(f) == pytest.approx(truth(f), abs=0.03)
 
 
+def test_areas_are_as_wide_as_a_wide_blur_asks_for():
+    """Lines through areas that the edge reaches bend the response: by 0.004 in six sigmas on either side."""
+    chart = squares((220, 220), [(0.0, 0.0)], 110.0, 4.0)
+    for row in lm.imaging.sfr_chart(chart).rows([0.05]):
+        assert row["at_0.05"] == pytest.approx(truth(0.05, 4.0), abs=2.5e-3)
+
+
 def test_records_have_the_units_that_are_read():
     found = lm.imaging.sfr_chart(np.stack([CHART] * 3, axis=-1), 4e-6)
     records = found.rows([0.2])

@@ -478,7 +478,7 @@ def _fitted(
         )
         blur = max(blur, start)
     half = factor * min(free)
-    wanted = max(_MOST_HALF, 3.0 * factor * blur)
+    wanted = max(_MOST_HALF, 6.0 * factor * blur)
     long = factor * (length - 3.0 * blur - 2.0)
     if half < max(_LEAST_HALF, 1.2 * factor * blur) or long < 0.8 * _LEAST_LENGTH:
         return None

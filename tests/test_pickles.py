@@ -40,7 +40,7 @@ INFO = localize.MovieInfo(2, 9, 9, 1e-7, (7, 7), "z")
 ONE, NUMBERS = np.ones(1), np.zeros((1, 2), int)
 SPOT = RNG.poisson(5.0, (2, 32, 32)).astype(np.uint16)
 SPOT[:, 14:17, 14:17] += 500
-RESPONSE = imaging.EdgeResponse(ONE, ONE, ONE, 0.1, 0.5)
+RESPONSE = imaging.EdgeResponse(ONE, ONE, ONE, (1.0, 1.0), 0.1, 0.5)
 FINDINGS = Findings([Finding("misfit", "doubt", "it does not fit", {"by": 2.0})])
 OTHER_MODULES = ("detection", "imaging", "io", "localize", "measures", "methods", "microscopy", "paper", "recorded")
 

@@ -101,3 +101,13 @@ def test_a_tone_curve_that_a_picture_does_not_exclude_is_stated_with_its_effect(
         assert "tone curve" in finding.text
     # Raw pictures have none.
     assert "tone curve" not in str(lm.sfr(light).findings.get("untested"))
+
+
+def test_errors_contain_the_correlation_of_noise():
+    # A filter of the picture changes response and noise alike.
+    image = noisy(EDGE, 5000.0, seed=4)
+    raw, filtered = lm.sfr(image), lm.sfr(gaussian_filter(image, 0.8))
+    f = np.array([0.15, 0.25, 0.35])
+    errors = [np.interp(f, one.frequencies, one.errors) for one in (raw, filtered)]
+    np.testing.assert_allclose(errors[1] / errors[0], np.exp(-2.0 * (np.pi * 0.8 * f) ** 2), rtol=0.35)
+    assert filtered.mtf50[1] < raw.mtf50[1]

@@ -7,10 +7,11 @@ import math
 import numpy as np
 import pytest
 from PIL import Image, ImageDraw
+from scipy.optimize import brentq
 from scipy.special import ndtr
 
 import lommel as lm
-from lommel.imaging.slanted_edge import EdgeResponse
+from lommel.imaging.edge_profile import half
 from slanted_edges import gaussian, picture
 
 PIXEL = 4e-6
@@ -87,8 +88,10 @@ def test_noise_moves_values_by_their_standard_errors():
     pulls = np.array(
         [(one.values - gaussian(one.frequencies * PIXEL, one.angle))[5:] / one.errors[5:] for one in found]
     )
-    assert 0.8 < np.sqrt(np.mean(pulls**2)) < 1.25
+    assert 0.85 < np.sqrt(np.mean(pulls**2)) < 1.15
     assert abs(pulls.mean()) < 0.3
+    right = brentq(lambda f: gaussian(f, found[0].angle) - 0.5, 0.1, 0.4) / PIXEL
+    assert 0.8 < np.sqrt(np.mean([((one.mtf50[0] - right) / one.mtf50[1]) ** 2 for one in found])) < 1.2
 
 
 @pytest.mark.parametrize(("distance", "f_number"), [(2.0, 4.0), (1.95, 2.8)])
@@ -156,20 +159,28 @@ def test_without_a_pixel_frequencies_are_in_cycles_per_pixel():
         lm.sfr(EDGE, 1.0)
 
 
-def test_the_frequency_of_half_the_response_has_its_error_in_noise():
-    rng, frequencies = np.random.default_rng(3), np.linspace(0.0, 0.5, 17)
-    right = np.exp(-math.log(2.0) * np.square(frequencies / 0.23))
-    errors = 0.05 * np.minimum(frequencies / 0.1, 1.0)
+@pytest.mark.parametrize(("at", "most"), [(0.08, 0.02), (0.23, 0.05), (0.36, 0.04)])
+def test_the_frequency_of_half_the_response_has_its_error_in_noise(at, most):
+    rng, frequencies = np.random.default_rng(3), np.linspace(0.0, 0.5, 33)
+    right = np.exp(-math.log(2.0) * np.square(frequencies / at))
+    # Noise whose neighbours are alike, as those of a window are, and is 0 at frequency 0.
+    k = np.arange(33)
+    mixing = np.exp(-0.5 * np.square(k[:, None] - np.arange(-4, 37)) / 1.3**2) * most
+    mixing *= np.minimum(frequencies / 0.1, 1.0)[:, None] / np.sqrt(np.square(mixing / most).sum(axis=1))[:, None]
     beyond = []
-    for _ in range(100):
-        white = rng.standard_normal(19)
-        noise = errors * (white[1:-1] + 0.7 * (white[:-2] + white[2:])) / math.sqrt(1.98)
-        noisy = EdgeResponse(frequencies, right + noise, errors, 0.1, 0.5)
-        frequency, error = noisy.mtf50
-        assert error < 0.04
-        beyond.append((frequency - 0.23) / error)
-    assert 0.7 < np.sqrt(np.mean(np.square(beyond))) < 1.15
+    for _ in range(150):
+        found, error = half(right + mixing @ rng.standard_normal(41), mixing @ mixing.T)
+        assert error / 64.0 < 0.9 * most
+        beyond.append((found / 64.0 - at) * 64.0 / error)
+    assert 0.85 < np.sqrt(np.mean(np.square(beyond))) < 1.15
     assert abs(np.mean(beyond)) < 0.25
+
+
+@pytest.mark.parametrize("curve", [lambda x: 1.0 / (1.0 + x * x), lambda x: 1.0 - 0.5 * x, lambda x: 0.5**x])
+def test_half_of_exact_responses_is_where_it_is(curve):
+    for at in (4.3, 9.9, 21.2):
+        values = np.maximum(curve(np.arange(30) / at), 0.0)
+        assert half(values, np.zeros((30, 30)))[0] == pytest.approx(at, rel=6e-3)
 
 
 def test_the_frequency_of_one_half_is_infinite_beyond_that_of_nyquist():

@@ -30,6 +30,7 @@ _FEW = 120  # pixels of a side from which noise is tested
 _ROUNDING = 0.3  # smallest noise in units of integers that is tested
 _CLIPPED = 4.0  # standard deviations
 _CORRELATED, _SHARP = 3.5, -3.0  # standard errors from which noise is correlated; light leaves no negative ones
+_COLORED = 6.0  # standard deviations of the sum of squares of correlations from which errors contain them
 _OF_LIGHT = 0.01  # largest correlation that light may leave that is not quite the fitted one
 _LEAST_POWER = 0.02  # of noise at a frequency, relative to its mean
 _HINTS = 1.5, 2.0  # standard errors of noise and of overshoot that count together
@@ -38,6 +39,7 @@ _TREND = 0.05  # of the light, which steps may mimic
 _BRIGHTER = 0.002  # fraction of pixels, of hot ones, that exceed a clipped value
 _UNEVEN = 0.002  # least noise beside an edge that is told, fraction of the step
 _BESIDE = 2.0  # ratio of the squares of noise beside an edge
+_ALONG = 2.0  # power of that noise along edges of JPEG, of which neighbours have correlations of 0.3 to 0.5
 _EFFECT = 0.02  # change of the response that is told
 _BINS, _PER_PIXEL = 24, 2  # of the overshoot
 _BOTH, _ONE = 0.006, 0.03  # overshoot that is told if it is on both sides, and on one, fractions of the step
@@ -46,80 +48,92 @@ _SIDE = 3.5  # standard errors of the overshoot of each side
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """Evidence of an edge: sums of products of noise at lags, 0 for white noise, and their numbers.
+    """Evidence of an edge.
 
     `excess` and `weights` are the overshoot of the profile by side and distance, fractions of the step, and 1 /
     variance; `beside` are squares of noise beside the edge, and of the areas; `encoding` is the evidence of
     ``edge_findings``; `above` is the response above 1 beyond errors; `response` are its frequencies, cycles per
-    pixel, values and errors along the `normal` (down, right). `untested` tells that rounding hides the noise,
+    pixel, values and errors. `untested` tells that rounding hides the noise,
     `uneven` that a large trend of the light was removed; `top` is the stored value that few pixels exceed.
     """
 
-    products: Array
-    pairs: Array
+    neighbours: Neighbours
     excess: Array
     weights: Array
     beside: tuple[float, float]
     encoding: tuple[float, float, float]
     above: float
     response: tuple[Array, Array, Array]
-    normal: Array
-    spacing: int
     untested: bool
     uneven: bool
     top: float
 
 
+@dataclass(frozen=True, eq=False)
+class Neighbours:
+    """Sums of products of the noise of neighbours at lags, 0 for white noise, and their numbers, beside an edge."""
+
+    products: Array
+    pairs: Array
+    normal: Array
+    spacing: int
+
+    @classmethod
+    def of(cls, edge: Edge, stored: Array, pitch: float, shared: list[Areas], *, rounded: bool) -> Neighbours:
+        """Return those of an edge, by the stored values; its areas are added to those that other colours share."""
+        spacing = 2 if pitch == 2.0 else 1
+        areas = next((one for one in shared if np.array_equal(one.used, edge.used)), None)
+        if areas is None:
+            shared.append(areas := Areas.of(edge, spacing))
+        normal = np.array([-edge.slope, 1.0]) / math.hypot(1.0, edge.slope)
+        return cls(*areas.products(stored, spacing, rounded=rounded), normal, spacing)
+
+    def power(self, frequencies: Array) -> Array:
+        """Return the power of noise at frequencies across the edge, cycles per pixel, relative to its mean.
+
+        It is 1 unless noise is clearly correlated.
+        """
+        found = self.pairs > 0.0
+        squares = float((np.square(self.products[found]) / self.pairs[found]).sum())
+        if squares < found.sum() + _COLORED * math.sqrt(2.0 * found.sum()) or not found.any():
+            return np.ones_like(frequencies)
+        return self.spectrum(frequencies, np.where(found, self.products / np.maximum(self.pairs, 1.0), 0.0))
+
+    def spectrum(self, frequencies: Array, correlations: Array) -> Array:
+        """Return the power of noise of these correlations at lags, at frequencies across the edge."""
+        phase = 2.0 * math.pi * self.spacing * frequencies[:, None] * (_LAGS @ self.normal)
+        return np.maximum(1.0 + 2.0 * np.cos(phase) @ correlations, _LEAST_POWER)
+
+
 def evidence_of(
     edge: Edge,
+    neighbours: Neighbours,
     stored: Array,
     found: tuple[Array, Array],
     encoding: tuple[float, float, float],
     pitch: float,
-    shared: list[Areas],
     *,
     rounded: bool,
 ) -> Evidence:
-    """Return the evidence of an edge, by the stored values and by its response and errors at the pixels' pitch.
-
-    Areas beside the edge are added to those that other colours share.
-    """
+    """Return the evidence of an edge, by the stored values and by its response and errors at the pixels' pitch."""
     values, errors = found
     above = float(np.max(values[1:] - 1.0 - SIGMA * errors[1:]))
     response = np.linspace(0.0, 0.5 / pitch, values.size), values, errors
-    normal = np.array([-edge.slope, 1.0]) / math.hypot(1.0, edge.slope)
-    spacing = 2 if pitch == 2.0 else 1
-    areas = next((one for one in shared if np.array_equal(one.used, edge.used)), None)
-    if areas is None:
-        shared.append(areas := Areas.of(edge, spacing))
-    products, pairs = areas.products(stored, spacing, rounded=rounded)
     excess, weights = _excess(edge)
-    untested = rounded and not pairs.any()
+    untested = rounded and not neighbours.pairs.any()
     measured, white, degrees = edge.beside
     beside = measured, white + degrees * (_UNEVEN * edge.step) ** 2  # of light that changes along the edge
     top = float(np.quantile(stored[edge.used], 1.0 - _BRIGHTER))
-    return Evidence(
-        products,
-        pairs,
-        excess,
-        weights,
-        beside,
-        encoding,
-        above,
-        response,
-        normal,
-        spacing,
-        untested,
-        max(edge.trend, abs(edge.tail)) > _TREND,
-        top,
-    )
+    uneven = max(edge.trend, abs(edge.tail)) > _TREND
+    return Evidence(neighbours, excess, weights, beside, encoding, above, response, untested, uneven, top)
 
 
 def added_variance(edge: Edge) -> float:
     """Return the variance of the noise beside an edge that exceeds that of its sides, as of denoised pictures."""
     measured, white, degrees = edge.beside
-    exceeds = measured > _BESIDE * (white + degrees * (_UNEVEN * edge.step) ** 2)
-    return (measured - white) / degrees if exceeds else 0.0
+    expected = white + degrees * (_UNEVEN * edge.step) ** 2
+    exceeds = measured > expected * (1.0 + SIGMA * math.sqrt(2.0 / max(degrees, 1.0)))
+    return _ALONG * (measured - white) / degrees if exceeds else 0.0
 
 
 def processing_findings(edges: Sequence[Evidence], *, compressed: bool) -> list[Finding]:
@@ -264,7 +278,7 @@ class _Correlation(NamedTuple):
 
 def _correlation(edges: Sequence[Evidence]) -> _Correlation:
     """Return the correlation of the noise of neighbours by the evidence of all edges."""
-    products, pairs = (sum(getattr(edge, name) for edge in edges) for name in ("products", "pairs"))
+    products, pairs = (sum(getattr(edge.neighbours, name) for edge in edges) for name in ("products", "pairs"))
     shapes = np.exp(-0.5 * np.square(_LAGS).sum(axis=1) / _RADII[:, None] ** 2)
     # Light that is not quite the fitted one adds as much at all lags.
     contrasts = shapes - shapes @ pairs[:, None] / max(float(pairs.sum()), 1.0)
@@ -277,8 +291,7 @@ def _correlation(edges: Sequence[Evidence]) -> _Correlation:
     def change(edge: Evidence, size: float, shape: Array) -> Array:
         """Return the change of the response by the filter that made noise of this correlation."""
         f, values, _ = edge.response
-        phase = 2.0 * math.pi * edge.spacing * f[:, None] * (_LAGS @ edge.normal)
-        power = np.maximum(1.0 + 2.0 * size * (np.cos(phase) @ shape), _LEAST_POWER)
+        power = edge.neighbours.spectrum(f, size * shape)
         return np.asarray(values * (1.0 - np.sqrt(power[0] / power)))
 
     relative = [

@@ -7,6 +7,7 @@ derivative is the line spread function, whose Fourier transform is the response.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
@@ -32,9 +33,14 @@ _PLATEAU = 0.5  # fraction of the profile over which its window function is 1; i
 _FEW = 24  # least number of pixels of a side
 _FAR_OFF = 8.0  # mean absolute deviations of pixels of a side that are left out of its plane
 _TAIL = 0.35  # fraction of the profile beyond which its approach to the sides is fitted
+_OUTER, _STEEP = 0.6, 2.0  # the same, of those that fall faster by these standard errors
 _UNSURE = 0.5  # relative error of the fitted light: other blurs, and halos of other edges, at two reaches
 _FAR = 0.6  # fraction of the profile beyond which pixels show the uniform sides
 _STEPS, _TERMS = 3, 4  # of the fit of the edge, and number of its Legendre polynomials
+# Where the response is 0.5: size of the part fitted around it, relative to its frequency; number of fits, each around
+# the last one; least fall of its logarithm there with that of frequency (1.4 of Gaussians, 1.3 of apertures); least
+# value in logarithms.
+_NEAR, _LEAST_NEAR, _REFITS, _LEAST_FALL, _FAINT = 0.3, 2.5, 3, 0.6, 0.05
 SIGMA = 4.5
 """Standard errors from which a curvature, a trend of the light and other faults count."""
 _SETTLED = 0.01  # change in a step at which the fit of the edge ends, pixels
@@ -187,16 +193,25 @@ def require_measurable(edge: Edge, pitch: float) -> None:
 
 
 def response(
-    position: Array, profile: Array, variances: Array, most: float = 0.5, tail: float = 0.0
+    position: Array,
+    profile: Array,
+    variances: Array,
+    most: float = 0.5,
+    tail: float = 0.0,
+    power: Callable[[Array], Array] = np.ones_like,
+    added: Array | float = 0.0,
 ) -> tuple[Array, Array]:
-    """Return the response at frequencies from 0 to `most` cycles per pixel, and its standard errors.
+    """Return the response at frequencies from 0 to `most` cycles per pixel, and its covariance.
+
+    The `power` of the noise at frequencies across the edge is relative to its mean; white noise of the variances
+    `added` adds to it.
 
     The effect of the light beyond the profile is estimated and subtracted; errors contain the noise and half of it.
     With a `tail`, which may be uneven light as well, it is not subtracted, and errors contain all of it.
     """
     reach, gaps, middle = float(np.abs(position).max()), np.diff(position), 0.5 * (position[1:] + position[:-1])
     window = _window(middle / reach)
-    frequencies = np.linspace(0.0, most, max(int(reach * 2.0 * most), 2))
+    frequencies = np.linspace(0.0, most, max(int(reach * 4.0 * most), 2))
     wave, row = np.exp(-2j * math.pi * frequencies[1] * middle), window.astype(complex)
     waves = np.empty((frequencies.size, middle.size), complex)
     for k in range(frequencies.size):
@@ -211,11 +226,45 @@ def response(
     derivative = derivative[:, :-1] - derivative[:, 1:]
     values: Array = np.abs(found) / abs(found[0])
     derivative -= np.outer(values, derivative[0])
-    noise = np.sqrt(np.square(derivative) @ variances) / abs(found[0])
-    beyond, error = _beyond(position, profile, variances, frequencies, values)
+    derivative /= abs(found[0])
+    coloured = derivative * np.sqrt(power(frequencies))[:, None]
+    covariance = (coloured * variances) @ coloured.T + (derivative * added) @ derivative.T
+    values = np.sqrt(np.maximum(np.square(values) - np.diag(covariance), 0.0))  # by which noise raises squares
+    beyond, error = _beyond(position, profile, variances + added, frequencies, values)
+    covariance += np.outer(error, error)
     if tail:
-        return values, np.hypot(noise, np.hypot(beyond, error))
-    return values - beyond, np.hypot(noise, error)
+        return values, covariance + np.outer(beyond, beyond)
+    return values - beyond, covariance
+
+
+def half(values: Array, covariance: Array) -> tuple[float, float]:
+    """Return where a response falls to 0.5, in steps of its frequencies, and its standard error; else infinity.
+
+    Noise makes the first crossing early and steep; that of a parabola through the logarithm of values around it is
+    neither, and the error is that of the parabola.
+    """
+    below = np.flatnonzero(values < 0.5)
+    if not below.size:
+        return math.inf, math.inf
+    k = int(below[0])
+    at = k - (0.5 - values[k]) / (values[k - 1] - values[k])
+    steps, error = np.arange(values.size), math.inf
+    for _ in range(_REFITS):
+        near = np.abs(steps - at) <= max(_NEAR * at, _LEAST_NEAR)
+        if near.sum() < 4:
+            return math.inf, math.inf
+        x, weights = steps[near] / at - 1.0, np.maximum(values[near], _FAINT)
+        inverse = np.linalg.pinv(np.vander(x, 3) * weights[:, None]) * weights
+        bend, slope, value = inverse @ np.log(weights)
+        value += math.log(2.0)
+        square = slope * slope - 4.0 * bend * value
+        fall = math.sqrt(max(square, 0.0))
+        if slope >= 0.0 or square <= 0.0:
+            break
+        gradient = inverse[2] / weights
+        error = math.sqrt(float(gradient @ covariance[np.ix_(near, near)] @ gradient)) / max(fall, _LEAST_FALL) * at
+        at *= 1.0 - 2.0 * value / (slope - fall)
+    return (float(at), error) if 1.0 < at < values.size - 1 else (math.inf, math.inf)
 
 
 def _window(share: Array) -> Array:
@@ -232,19 +281,25 @@ def _beyond(
     distance; a is fitted to its outer parts.
     """
     reach = float(np.abs(position).max())
-    sizes, errors = [], []
-    for sign in (-1.0, 1.0):
-        outer = sign * position > _TAIL * reach
-        if outer.sum() < _FEW:
-            return np.zeros_like(values), np.zeros_like(values)
-        weights = 1.0 / np.maximum(variances[outer], 1e-12 * float(np.ptp(profile)) ** 2)
-        inverse = 1.0 / position[outer]
-        inverse -= weights @ inverse / weights.sum()
-        square = float(weights @ np.square(inverse))
-        sizes.append(float(weights @ (inverse * profile[outer])) / square)  # opposite on both sides, times the step
-        errors.append(1.0 / square)
     step = float(np.median(profile[position > _TAIL * reach]) - np.median(profile[position < -_TAIL * reach]))
-    size, error = -0.5 * sum(sizes) / step, 0.5 * math.sqrt(sum(errors)) / abs(step)
+    fits = []
+    for start in (_TAIL, _OUTER):
+        total, square = 0.0, 0.0
+        for sign in (-1.0, 1.0):
+            outer = sign * position > start * reach
+            if outer.sum() < _FEW:
+                return np.zeros_like(values), np.zeros_like(values)
+            weights = 1.0 / np.maximum(variances[outer], 1e-12 * float(np.ptp(profile)) ** 2)
+            inverse = 1.0 / position[outer]
+            inverse -= weights @ inverse / weights.sum()
+            weight = float(weights @ np.square(inverse))
+            total += float(weights @ (inverse * profile[outer])) / weight  # opposite on both sides, times the step
+            square += 1.0 / weight
+        fits.append((-0.5 * total / step, 0.5 * math.sqrt(square) / abs(step)))
+    (size, error), (outer_size, outer_error) = fits
+    unsure = _UNSURE
+    if size - outer_size > _STEEP * outer_error:  # the profile falls faster
+        size, error, unsure = outer_size, outer_error, 1.0
     if size <= 0.0:
         return np.zeros_like(values), np.zeros_like(values)
     size *= (likely := size**2 / (size**2 + error**2))
@@ -253,7 +308,7 @@ def _beyond(
     phase = 2.0 * math.pi * reach * frequencies
     lost = np.cos(np.outer(phase, x)) @ weight + np.cos(phase) - phase * (0.5 * math.pi - sici(phase)[0])
     change = 2.0 / reach * (values * lost[0] - lost)
-    return size * change, np.abs(change) * math.hypot(likely * error, _UNSURE * size)
+    return size * change, np.abs(change) * math.hypot(likely * error, unsure * size)
 
 
 def _bin_profile(distance: Array, samples: Array) -> tuple[Array, Array, Array]:

@@ -23,17 +23,14 @@ from lommel.imaging.edge_checks import (
     require_order,
     unless_brighter,
 )
-from lommel.imaging.edge_noise import Areas, Evidence, added_variance, evidence_of, processing_findings
-from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask, locate, require_measurable, response
+from lommel.imaging.edge_noise import Areas, Evidence, Neighbours, added_variance, evidence_of, processing_findings
+from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask, half, locate, require_measurable, response
 from lommel.recorded.counts import Counts, counts_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _MAX_FULL = 0.01  # largest fraction of saturated pixels
-# MTF50: size of the part of the response fitted around it, relative to its frequency; number of fits, each around the
-# last one; least fall of the response there with the logarithm of frequency (0.7 of Gaussians, 0.65 of apertures).
-_NEAR, _REFITS, _LEAST_FALL = 0.3, 3, 0.3
 _LEAST_SIDE = 20  # pixels
 _LARGEST_PIXEL = 0.1  # metres
 _PITCHES = {"R": 2.0, "G": math.sqrt(2.0), "B": 2.0}  # pixels, of the colours of a mosaic
@@ -63,6 +60,8 @@ class EdgeResponse(Judged):
         Modulation at each frequency, 1 at frequency 0.
     errors : ndarray
         Standard error of each value: noise of the picture, and half of the correction for the light beyond it.
+    mtf50 : (float, float)
+        Frequency at which the response falls to 0.5, and its standard error; infinity above the Nyquist frequency.
     angle : float
         Direction of the normal of the edge, radians from x (increasing columns) to y (increasing rows). The MTF of a
         lens in this direction is ``lm.mtf(pupil, f * cos(angle), f * sin(angle), pixel=pixel)``.
@@ -79,6 +78,7 @@ class EdgeResponse(Judged):
     frequencies: Array
     values: Array
     errors: Array
+    mtf50: tuple[float, float]
     angle: float
     contrast: float
     findings: Findings = field(default_factory=Findings)
@@ -94,29 +94,6 @@ class EdgeResponse(Judged):
                 f"got {self._shown(float(f.max()))}"
             )
         return numbers(np.interp(f, self.frequencies, self.values), f.shape)
-
-    @property
-    def mtf50(self) -> tuple[float, float]:
-        """Frequency at which the response falls to 0.5, and its standard error; infinity above Nyquist's."""
-        below = np.flatnonzero(self.values < 0.5)
-        if not below.size:
-            return math.inf, math.inf
-        k, step = int(below[0]), float(self.frequencies[1])
-        at = (k - (0.5 - self.values[k]) / (self.values[k - 1] - self.values[k])) * step
-        # Noise makes the first crossing early and steep; that of a parabola through the values around it is neither.
-        fall = _LEAST_FALL
-        for _ in range(_REFITS):
-            near = np.abs(self.frequencies - at) <= max(_NEAR * at, 2.0 * step)
-            bend, slope, value = np.polyfit(self.frequencies[near] / at - 1.0, self.values[near], 2)
-            square = slope * slope - 4.0 * bend * (value - 0.5)
-            if near.sum() < 4 or slope >= 0.0 or square <= 0.0:
-                break
-            fall = math.sqrt(square)
-            at *= 1.0 + 2.0 * (0.5 - value) / (slope - fall)
-        if not step < at < self.frequencies[-1]:
-            return math.inf, math.inf
-        error = float(np.interp(at, self.frequencies, self.errors))
-        return float(at), error * at / max(fall, _LEAST_FALL)
 
     @property
     def message(self) -> str:
@@ -149,7 +126,7 @@ class EdgeResponse(Judged):
         """Return all attributes, the verdict and the frequency of the response 0.5 as plain numbers and lists."""
         mtf50 = dict(zip(("mtf50", "mtf50_error"), self.mtf50, strict=True))
         verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable", "message")}
-        data: Json = plain(verdict | mtf50 | vars(self))
+        data: Json = plain(verdict | vars(self) | mtf50)
         return data
 
     def _shown(self, frequency: float) -> str:
@@ -380,15 +357,22 @@ def _measured(
     edge = locate(upright[0], upright[2], line)
     require_measurable(edge, pitch)
     position, profile, counts, variances = edge.profile
-    values, errors = response(position, profile, variances + added_variance(edge) / counts, 0.5 / pitch, edge.tail)
+    neighbours = Neighbours.of(edge, upright[1], pitch, shared, rounded=rounded)
+    added = added_variance(edge) / counts
+    values, covariance = response(position, profile, variances, 0.5 / pitch, edge.tail, neighbours.power, added)
+    errors = np.sqrt(np.diag(covariance))
     frequencies = np.linspace(0.0, 0.5 / pitch, values.size) / (pixel or 1.0)
+    mtf50, mtf50_error = (float(frequencies[1]) * part for part in half(values, covariance))
     # The normal of the line x = start + slope y is along (1, -slope).
     angle = math.atan2(1.0, -edge.slope) if horizontal else math.atan2(-edge.slope, 1.0)
     contrast = edge.step / max(abs(sum(edge.levels)), 1e-300)
     found, of_encoding = edge_findings(edge, upright[1], encoding, (values, errors))
     findings = Findings([*found, *left_out])
-    evidence = evidence_of(edge, upright[1], (values, errors), of_encoding, pitch, shared, rounded=rounded)
-    return EdgeResponse(frequencies, values, errors, angle, float(contrast), findings, pixel), evidence, edge.line
+    evidence = evidence_of(edge, neighbours, upright[1], (values, errors), of_encoding, pitch, rounded=rounded)
+    found_response = EdgeResponse(
+        frequencies, values, errors, (mtf50, mtf50_error), angle, float(contrast), findings, pixel
+    )
+    return found_response, evidence, edge.line
 
 
 def slanted_edge(

@@ -131,3 +131,21 @@ def test_a_step_of_the_light_beside_an_edge_is_uneven_light_and_no_sharpening():
     assert "sharpened" not in found.findings.codes
     assert "differs from its trend" in found.findings.get("uneven_light").text
     assert not found.reliable
+
+
+def test_a_halo_that_a_subtracted_trend_of_the_light_hides_is_a_doubt():
+    # The approach to the sides of a lens at f/16, 0.17 pixels / distance, and light that falls across the picture.
+    y, x = np.indices((74, 74)) - 36.5
+    d = (x - 0.06 * y) / np.hypot(1.0, 0.06)
+    light = 24.0 + 36.0 * (0.5 + np.arctan(d / 0.53) / np.pi) - 0.03 * d
+    image = np.random.default_rng(2).normal(light, 0.5)
+    found = lm.sfr(image)
+    (finding,) = (one for one in found.findings if one.code == "uneven_light")
+    assert finding.severity == "doubt"
+    assert "moves the response by up to 0.0" in finding.text
+    f = np.array([0.05, 0.1, 0.15])
+    off = found(f) - np.exp(-2.0 * np.pi * 0.53 * f)
+    assert np.all(np.abs(off) < 2.0 * np.interp(f, found.frequencies, found.errors))
+    # A sharper edge hides less.
+    sharp = np.random.default_rng(2).normal(24.0 + 36.0 * picture(4.0, 0.5, (74, 74), 8) - 0.03 * d, 0.5)
+    assert lm.sfr(sharp).reliable

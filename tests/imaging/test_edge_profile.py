@@ -80,6 +80,28 @@ def test_an_edge_near_45_degrees_is_measured(degrees):
     np.testing.assert_allclose(measured(edge), expected(degrees), atol=3e-3)
 
 
+def test_noise_hides_less_that_both_sides_fall_than_that_they_change():
+    # Nothing but added light makes both fall: two standard errors tell it, any other slope takes three.
+    x, turn = (np.arange(80) - 39.5) / 80.0, np.radians(5.0)
+    image = EDGE * (1.0 + 0.2 * x) - 0.05 * (np.cos(turn) * x + np.sin(turn) * x[:, None])
+    found = [locate(image + np.random.default_rng(k).normal(0.0, 0.05, image.shape), KNOWN) for k in (0, 1, 4)]
+    assert all(-0.1 < edge.tail < -0.03 for edge in found)
+
+
+def test_what_lies_beyond_is_not_subtracted_where_both_sides_slope():
+    # The slope may be uneven light as well: errors contain all of the correction, of which they contain half else.
+    d = np.arange(-30.0, 30.0, 1 / 16)
+    profile, variances = 0.5 + np.arctan(d / 0.3) / np.pi, np.full(d.size, 1e-10)
+    (values, covariance), (kept, larger) = (response(d, profile, variances, tail=tail) for tail in (0.0, 0.05))
+    change = kept - values
+    assert change[10] > 5e-3
+    right = np.exp(-2.0 * np.pi * 0.3 * np.linspace(0.0, 0.5, values.size))
+    np.testing.assert_allclose(values, right, atol=1e-3)
+    errors = [np.sqrt(np.diag(part))[5:] for part in (covariance, larger)]
+    assert np.all(errors[0] < 0.7 * np.abs(change[5:]))
+    assert np.all(errors[1] >= np.abs(change[5:]))
+
+
 @pytest.mark.parametrize("sigma", [3.0, 4.0])
 def test_a_wide_gaussian_blur_has_no_halo_beyond_the_picture(sigma):
     edge = locate(picture(5.0, sigma, (64, 50), 8), np.ones((64, 50), bool))
@@ -88,3 +110,16 @@ def test_a_wide_gaussian_blur_has_no_halo_beyond_the_picture(sigma):
     # An approach to the sides like 1 / distance, fitted to the foot of the edge, changes values by 0.01 and 0.04.
     assert np.abs(values - gaussian(f, np.radians(5.0), sigma))[1:].max() < 4e-3
     assert np.sqrt(np.diag(covariance)).max() < 2e-3
+
+
+def test_errors_contain_that_of_a_trend_that_was_divided_out():
+    x = (np.arange(60) - 29.5) / 60.0
+    light = (0.3 + 0.5 * picture(5.0, 0.6, (60, 60), 8)) * (1.0 + 0.25 * x)
+    off = []
+    for seed in range(12):
+        edge = locate(np.random.default_rng(seed).normal(light, 0.01), np.ones((60, 60), bool))
+        values, covariance = response(*(edge.profile[k] for k in (0, 1, 3)), unsure=edge.unsure)
+        at = round(0.06 * 2.0 * (values.size - 1))
+        right = gaussian(0.5 * at / (values.size - 1), np.radians(5.0), 0.6)
+        off.append((values[at] - right) / np.sqrt(covariance[at, at]))
+    assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.4  # 2.4 without it

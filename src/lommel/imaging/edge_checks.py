@@ -8,8 +8,8 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.base.encoding import Encoding, named
-from lommel.fit.findings import Finding
-from lommel.imaging.edge_profile import MIN_TREND, SIGMA, Edge, Mask, response
+from lommel.fit.findings import Finding, Severity
+from lommel.imaging.edge_profile import MIN_TREND, SIGMA, Edge, Mask, halo_share, response
 from lommel.imaging.pair_noise import is_compressed
 
 _EFFECT = 0.02  # change of the response from which a fault is a doubt
@@ -91,18 +91,27 @@ def edge_findings(
         findings.append(
             Finding("outliers", "doubt" if many else "note", text, {"pixels": edge.outliers, "of": total})
         )
+    hidden = halo_share(found[0])
+    moves = f", and uneven light beside the edge moves the response by up to {hidden:.1g}"
     if edge.trend > MIN_TREND:
+        unsure = hidden > _EFFECT and not edge.tail and 2.0 * edge.unsure > _EFFECT
         text = f"the light is uneven, by {100 * edge.trend:.0f} % across the picture: its trend was divided out"
-        findings.append(Finding("uneven_light", "note", text, {"trend": edge.trend}))
-    if edge.tail:
+        severity: Severity = "doubt" if unsure else "note"
+        findings.append(Finding("uneven_light", severity, text + moves * unsure, {"trend": edge.trend}))
+    if edge.tail > 0.0:
         text = (
             f"both sides change by {100 * edge.tail:.0f} % of the step over the picture: part of the light lies "
             "beyond it, or the light is uneven; take a larger picture"
-            if edge.tail > 0.0
-            else f"both sides fall by {-100 * edge.tail:.0f} % of the step, as where a black level is left: a linear "
+        )
+        findings.append(Finding("uneven_light", "doubt", text, {"tail": edge.tail}))
+    if edge.tail < 0.0:
+        text = (
+            f"both sides fall by {-100 * edge.tail:.0f} % of the step, as where a black level is left: a linear "
             "trend was subtracted"
         )
-        findings.append(Finding("uneven_light", "doubt" if edge.tail > 0.0 else "note", text, {"tail": edge.tail}))
+        severity = "doubt" if hidden > _EFFECT else "note"
+        numbers = {"tail": edge.tail, "hidden": hidden}
+        findings.append(Finding("uneven_light", severity, text + moves * (hidden > _EFFECT), numbers))
     if edge.curvature > _CURVATURE:
         text = f"the edge is curved, by {edge.curvature:.2g} pixels (distortion): a polynomial was fitted"
         findings.append(Finding("curved_edge", "note", text, {"curvature": edge.curvature}))

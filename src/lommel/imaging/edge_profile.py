@@ -41,12 +41,16 @@ _STEPS, _TERMS = 3, 4  # of the fit of the edge, and number of its Legendre poly
 # the last one; least fall of its logarithm there with that of frequency (1.4 of Gaussians, 1.3 of apertures); least
 # value in logarithms.
 _NEAR, _LEAST_NEAR, _REFITS, _LEAST_FALL, _FAINT = 0.3, 2.5, 3, 0.6, 0.05
+# Fraction of what a response lacks at 1 / reach, step _PERIOD of its frequencies, that a trend hides: its slope at 60
+# to 100 % of the reach, and the light beyond.
+_HALO, _PERIOD = 0.36, 4
 SIGMA = 4.5
 """Standard errors from which a curvature, a trend of the light and other faults count."""
 _SETTLED = 0.01  # change in a step at which the fit of the edge ends, pixels
 _MIN_CURVATURE = 0.01  # smallest that is corrected, pixels
 _REST = 3.0  # standard errors of the slope of both sides beside that of a trend
 _FALL = 2.0  # the same where both sides would fall, as by no blur: the black level was not subtracted
+_INSIDE = 0.75  # mean of the window function
 _ALIKE = 4.0  # largest ratio of the quadratic fall-off of light across and along an edge
 MIN_TREND = 0.02
 """Smallest trend of the light over the picture, as a fraction, that is corrected: it changes responses by 0.007."""
@@ -63,7 +67,7 @@ class Edge:
     the light on the sides of negative and of positive distance, and the variance of its noise. `line` has the
     coefficients of the Legendre polynomials of the column of the edge, from the first to the last row.
     `trend` is the fitted change of the light across the picture, `tail` the change of both sides towards the edge,
-    both as fractions.
+    both as fractions; `unsure` is the relative error of the response by that of a trend that was removed.
     """
 
     light: Array
@@ -76,6 +80,7 @@ class Edge:
     outliers: int
     trend: float
     tail: float
+    unsure: float
     width: float
 
     @property
@@ -132,12 +137,12 @@ def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
     first = 0 if is_new else _STEPS  # a stated line is near the edge
     used, count = known, 2 if is_new else _TERMS
     distance, reach = _distances(line, image.shape)
-    light, trend, tail, levels, variances = _evened(image, distance, reach, used)
+    light, trend, tail, unsure, levels, variances = _evened(image, distance, reach, used)
     for step in range(first, 4 * _STEPS):
         line[count:] = 0.0
         distance, reach = _distances(line, image.shape)
         if is_new and step == _STEPS:
-            light, trend, tail, levels, variances = _evened(image, distance, reach, used)
+            light, trend, tail, unsure, levels, variances = _evened(image, distance, reach, used)
         nodes, values = _smooth_profile(distance, light, used, height)
         expected = np.interp(distance, nodes, values)
         gradient = np.interp(distance, 0.5 * (nodes[1:] + nodes[:-1]), np.diff(values) / np.diff(nodes))
@@ -166,7 +171,7 @@ def locate(image: Array, known: Mask, line: Array | None = None) -> Edge:
             break
     distance, reach = _distances(line, image.shape)
     outliers = int((known & ~used).sum())
-    return Edge(light, used, distance, reach, levels, variances, line, outliers, trend, tail, width)
+    return Edge(light, used, distance, reach, levels, variances, line, outliers, trend, tail, unsure, width)
 
 
 def require_measurable(edge: Edge, pitch: float) -> None:
@@ -198,6 +203,7 @@ def response(
     variances: Array,
     most: float = 0.5,
     tail: float = 0.0,
+    unsure: float = 0.0,
     power: Callable[[Array], Array] = np.ones_like,
     added: Array | float = 0.0,
 ) -> tuple[Array, Array]:
@@ -232,9 +238,19 @@ def response(
     values = np.sqrt(np.maximum(np.square(values) - np.diag(covariance), 0.0))  # by which noise raises squares
     beyond, error = _beyond(position, profile, variances + added, frequencies, values)
     covariance += np.outer(error, error)
+    of_trend = values * math.hypot(unsure, halo_share(values) if tail < 0.0 else 0.0) * (frequencies > 0.0)
+    covariance += np.outer(of_trend, of_trend)
     if tail:
         return values, covariance + np.outer(beyond, beyond)
     return values - beyond, covariance
+
+
+def halo_share(values: Array) -> float:
+    """Return the largest fraction by which a halo that a linear trend of both sides hides makes a response too large.
+
+    A halo that falls like 1 / distance^2 gives a response its slope at frequency 0, which that at 1 / reach bounds.
+    """
+    return _HALO * (1.0 - float(values[min(_PERIOD, values.size - 1)]))
 
 
 def half(values: Array, covariance: Array) -> tuple[float, float]:
@@ -410,8 +426,8 @@ def _bend(height: int) -> Array:
 
 def _evened(
     image: Array, distance: Array, reach: float, used: Mask
-) -> tuple[Array, float, float, tuple[float, float], tuple[float, float]]:
-    """Return the light divided by its trend, the trend over the picture, the change, levels, noise of sides.
+) -> tuple[Array, float, float, float, tuple[float, float], tuple[float, float]]:
+    """Return the light divided by its trend, the trend over the picture, the change, its effect, levels and noise.
 
     Where the illumination is 1 + g d, sides of the light a and b have the slopes a g and b g; the tails of a blur,
     and light that is added, change both sides by one slope. A quadratic fall-off across the edge, 1 + q d^2, changes
@@ -423,7 +439,7 @@ def _evened(
     levels = (sides[0].mean, sides[1].mean), (sides[0].variance, sides[1].variance)
     step = float(bright[0] - dark[0])
     if not abs(step) > 0.0:
-        return image, 0.0, 0.0, *levels
+        return image, 0.0, 0.0, 0.0, *levels
     height = len(image)
     across = float(bright[1] - dark[1]) / step
     across_error = math.sqrt(float(dark_errors[1] + bright_errors[1])) / abs(step)
@@ -461,7 +477,7 @@ def _evened(
             square = 0.0
     tail *= float(abs(tail) > MIN_TREND)
     if not (across or along or bend or square or tail < 0.0):
-        return image, 0.0, tail, *levels
+        return image, 0.0, tail, 0.0, *levels
     rows = (np.arange(height) - 0.5 * (height - 1))[:, None]
     light = image / np.maximum(
         1.0 + across * distance + along * rows + bend * _bend(height)[:, None] + square * np.square(distance), 0.1
@@ -469,7 +485,10 @@ def _evened(
     if tail < 0.0:  # no blur has such tails: light was added
         light = light - common * distance
     trend = max(abs(across) * 2.0 * reach, abs(along) * height, 1.5 * abs(bend), abs(square) * reach**2)
-    return light, trend, tail, *_sides(light, distance, reach, used)
+    # What remains of a slope changes the response by the light that it adds within the window function.
+    slope_error = common_error if tail else across_error * 0.5 * float(dark[0] + bright[0])
+    unsure = _INSIDE * 2.0 * reach * slope_error / abs(step) if across or tail else 0.0
+    return light, trend, tail, unsure, *_sides(light, distance, reach, used)
 
 
 def _filled(values: Array, known: Mask) -> Array:

@@ -359,7 +359,9 @@ def _measured(
     position, profile, counts, variances = edge.profile
     neighbours = Neighbours.of(edge, upright[1], pitch, shared, rounded=rounded)
     added = added_variance(edge) / counts
-    values, covariance = response(position, profile, variances, 0.5 / pitch, edge.tail, neighbours.power, added)
+    values, covariance = response(
+        position, profile, variances, 0.5 / pitch, edge.tail, edge.unsure, neighbours.power, added
+    )
     errors = np.sqrt(np.diag(covariance))
     frequencies = np.linspace(0.0, 0.5 / pitch, values.size) / (pixel or 1.0)
     mtf50, mtf50_error = (float(frequencies[1]) * part for part in half(values, covariance))

@@ -10,6 +10,7 @@ from PIL import Image
 from scipy.ndimage import convolve, gaussian_filter
 
 import lommel as lm
+from lommel.imaging.edge_checks import require_one_colour
 from slanted_edges import gaussian, picture
 
 SIGMA = 0.6
@@ -149,3 +150,13 @@ def test_a_halo_that_a_subtracted_trend_of_the_light_hides_is_a_doubt():
     # A sharper edge hides less.
     sharp = np.random.default_rng(2).normal(24.0 + 36.0 * picture(4.0, 0.5, (74, 74), 8) - 0.03 * d, 0.5)
     assert lm.sfr(sharp).reliable
+
+
+def test_a_slope_of_the_light_is_no_mosaic():
+    # In a narrow picture of a wide blur, most pixels lie in the slope of the edge.
+    ramp = np.tile(np.linspace(0.05, 0.85, 40), (60, 1))
+    for image in (ramp, ramp[:, ::-1], ramp.T):
+        require_one_colour(image, np.ones(image.shape, bool))
+    y, x = np.indices(ramp.shape)
+    with pytest.raises(ValueError, match="got a mosaic"):
+        require_one_colour(ramp * np.where((x + y) % 2, 1.0, 0.9), np.ones(ramp.shape, bool))

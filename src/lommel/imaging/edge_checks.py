@@ -52,7 +52,16 @@ def require_order(mosaic: str, image: Array, known: Mask) -> None:
 
 
 def _phases(image: Array, known: Mask) -> tuple[Array, float]:
-    """Return the light of pixels of even and odd rows and columns, relative to their mean, and its error."""
+    """Return the light of pixels of even and odd rows and columns, relative to their mean, and its error.
+
+    A slope of the light is of opposite sign in blocks that begin at odd rows and columns.
+    """
+    (even, error), (odd, other) = (_block_phases(image[k:, k:], known[k:, k:]) for k in (0, 1))
+    return 0.5 * (even + odd[::-1]), max(error, other)
+
+
+def _block_phases(image: Array, known: Mask) -> tuple[Array, float]:
+    """Return the light of the four pixels of blocks, relative to their mean, and its error."""
     height, width = (side // 2 * 2 for side in image.shape)
     blocks = np.where(known, image, np.nan)[:height, :width].reshape(height // 2, 2, width // 2, 2)
     quads = blocks.transpose(1, 3, 0, 2).reshape(4, -1)

@@ -63,14 +63,36 @@ def test_a_chart_is_told_and_written(folder, call_lommel):
 def test_edges_that_are_sharper_than_the_nyquist_frequency_count_above_all_others():
     values = [0.24, None, None, 0.2, 0.22]
     rows = [
-        {"row": 5, "column": 5, "direction": "S", "mtf50": x, "mtf50_error": x and 0.01, "at_0.25": 0.5}
+        {
+            "row": 5,
+            "column": 5,
+            "direction": "S",
+            "mtf50_px": x,
+            "mtf50_px_above": None if x else 0.25,
+            "at_0.25": 0.5,
+        }
         for x in values
     ]
     chart = SimpleNamespace(shape=(11, 11))
     (zone,) = sfr_command._zones(chart, rows)
-    assert (zone["mtf50"], zone["mtf50_error"], zone["at_0.25"]) == (0.24, 0.01, 0.5)
+    assert (zone["mtf50_px"], zone["mtf50_px_above"], zone["at_0.25"]) == (0.24, None, 0.5)
     (zone,) = sfr_command._zones(chart, rows[:3])
-    assert zone["mtf50"] is None
+    assert (zone["mtf50_px"], zone["mtf50_px_above"]) == (None, 0.25)
+
+
+def test_mtf50_above_the_nyquist_frequency_is_a_limit_in_tables_and_files(folder, call_lommel):
+    light = squares((120, 120), [(0.0, 0.0)], 70.0, 0.2)
+    Image.fromarray((255.0 * light).round().astype(np.uint8)).save(folder / "sharp.png")
+    words = ["sharp.png", "--encoding", "linear", "--pixel", "4um", "-o", "edges.csv", "-o", "edges.json"]
+    result = call_lommel("sfr", *words, folder=folder)
+    assert " T              4  > 0.5     > 120  > 125 cycles/mm " in result.stdout
+    assert "> is the Nyquist frequency" in result.stdout
+    data = json.loads((folder / "edges.json").read_text(encoding="utf-8"))
+    for record in (*data["edges"], *data["zones"]):
+        assert record["mtf50_px"] is None
+        assert record["mtf50_px_above"] == pytest.approx(0.5)
+    with (folder / "edges.csv").open(encoding="utf-8") as file:
+        assert {float(row["mtf50_px_above"]) for row in csv.DictReader(file)} == {0.5}
 
 
 def test_one_crop_has_a_row_for_each_colour(folder, call_lommel):

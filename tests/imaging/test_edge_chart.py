@@ -141,3 +141,10 @@ def test_pictures_without_edges_are_refused(image, message):
 def test_maps_show_both_directions():
     figure = lm.imaging.sfr_chart(CHART).plot()
     assert [axes.get_title() for axes in figure.axes[:2]] == ["MTF50, sagittal", "MTF50, tangential"]
+
+
+def test_maps_show_edges_above_the_nyquist_frequency_apart():
+    figure = lm.imaging.sfr_chart(squares((120, 120), [(0.0, 0.0)], 70.0, 0.2)).plot()
+    texts = [text.get_text() for axes in figure.axes[:2] for text in axes.texts]
+    assert texts == ["> 0.5"] * 4
+    assert figure.axes[2].get_ylabel() == "cycles/pixel (triangles: above Nyquist's, 0.5)"

@@ -19,6 +19,7 @@ from lommel.base import atomic, validation
 from lommel.base.arrays import plain
 from lommel.base.encoding import Encoding, as_json
 from lommel.base.options import Shown
+from lommel.base.units import per_mm
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import PhotoCamera, instrument_of
 from lommel.cli.messages import given_flags, report_findings
@@ -142,13 +143,16 @@ def sfr(
             save_figure(chart.plot, path)
     save_figure(lambda: _curves(chart), figure)
     parts: Parts = [Wrapped(facts["read"]), Wrapped(chart.message.partition("; ")[0], "bold"), ""]
-    parts += [records_of("medians", facts["zones"]), ""]
-    if any(zone[key] is None for zone in facts["zones"] for key in zone if key in ("mtf50", "mtf50_px")):
-        parts += [Wrapped("- of MTF50: the response is above 0.5 up to the Nyquist frequency."), ""]
+    parts += [records_of("medians", _limits(facts["zones"], chart, pixel)), ""]
+    if any(row["mtf50_px_above"] is not None for row in rows):
+        text = (
+            "> is the Nyquist frequency of the pixels, or of those of one colour: the response is above 0.5 up to it."
+        )
+        parts += [Wrapped(text), ""]
     if len(rows) <= _MOST_ROWS:
-        hidden = ("findings", "edge") if pixel is None else ("findings", "edge", "row", "column")
+        hidden = ("findings", "edge", "mtf50_px_above", *(() if pixel is None else ("row", "column")))
         keys = [key for key in rows[0] if key not in hidden]
-        parts += [records_of("edges", rows, keys), ""]
+        parts += [records_of("edges", _limits(rows, chart, pixel), keys), ""]
     return report_findings(facts, *parts, headed=False) + written([*outputs, figure])
 
 
@@ -159,6 +163,18 @@ def _csv(rows: Sequence[Facts]) -> str:
     writer.writeheader()
     writer.writerows({**row, "findings": " ".join(row["findings"])} for row in rows)
     return file.getvalue()
+
+
+def _limits(records: Sequence[Facts], chart: EdgeChart, pixel: float | None) -> list[Facts]:
+    """Return records with texts, such as "> 0.25", in place of each MTF50 above the Nyquist frequency."""
+    shown = []
+    for record in records:
+        others, above = dict(record), record["mtf50_px_above"]
+        if above is not None:
+            others |= {"mtf50_px": f"> {above:.4g}", "lw_ph": f"> {2.0 * chart.shape[0] * above:.4g}"}
+            others |= {} if pixel is None else {"mtf50": f"> {per_mm(above / pixel)}"}
+        shown.append(others | {"mtf50_px_above": None})
+    return shown
 
 
 def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
@@ -178,12 +194,15 @@ def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
             for key in part[0]
             if key.split("_")[0] in ("mtf50", "lw", "at", "lens", "z") and key != "mtf50_px_error"
         ]
-        # A response that is above 0.5 at the Nyquist frequency has no MTF50: it is above all others.
-        above = {key: [math.inf] * (key.startswith(("mtf50", "lw")) and "error" not in key) for key in keys}
+        # An MTF50 above the Nyquist frequency is above all others.
+        highest = [key for key in keys if key.startswith(("mtf50", "lw"))]
         known = {
-            key: [x for row in part for x in ([row[key]] if row.get(key) is not None else above[key])] for key in keys
+            key: [math.inf if x is None else x for row in part if (x := row.get(key)) is not None or key in highest]
+            for key in keys
         }
-        medians = {key: plain(float(np.median(values))) if values else None for key, values in known.items()}
+        medians: Facts = {key: plain(float(np.median(x))) if x else None for key, x in known.items()}
+        limits = [row["mtf50_px_above"] for row in part if row["mtf50_px_above"] is not None]
+        medians["mtf50_px_above"] = limits[0] if medians["mtf50_px"] is None else None
         zones.append({"zone": zone, "direction": direction, "channel": channel, "edges": len(part)} | medians)
     return zones
 

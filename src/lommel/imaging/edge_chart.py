@@ -122,7 +122,8 @@ class EdgeChart(Judged):
         -------
         list of dict
             MTF50 is in cycles per pixel ("mtf50_px"), in line widths per picture height ("lw_ph") and, if the pixel
-            is known, in cycles per metre ("mtf50").
+            is known, in cycles per metre ("mtf50"). Where the response is above 0.5 up to the Nyquist frequency, they
+            are None, and "mtf50_px_above" is that frequency, cycles per pixel.
         """
         records: list[Json] = []
         for number, edge in enumerate(self.edges):
@@ -132,7 +133,9 @@ class EdgeChart(Judged):
                 record: Json = {"edge": number, "row": edge.row, "column": edge.column}
                 record |= {} if one.pixel is None else {"x": edge.x, "y": edge.y}
                 record |= {"direction": edge.direction} | ({"channel": name} if name else {})
-                record |= {"mtf50_px": mtf50, "mtf50_px_error": error, "lw_ph": 2.0 * self.shape[0] * mtf50}
+                above = math.nan if math.isfinite(mtf50) else pixel * float(one.frequencies[-1])
+                record |= {"mtf50_px": mtf50, "mtf50_px_error": error, "mtf50_px_above": above}
+                record |= {"lw_ph": 2.0 * self.shape[0] * mtf50}
                 record |= {} if one.pixel is None else {"mtf50": one.mtf50[0]}
                 for f in frequencies:
                     at = f / pixel <= one.frequencies[-1] * (1.0 + 1e-12)
@@ -158,7 +161,7 @@ class EdgeChart(Judged):
         found = [(edge, edge.response.channels.get(channel, edge.response)) for edge in self.edges]
         factor, unit = frequency_unit(found[0][1].pixel)
         table = [(e.column, e.row, factor * one.mtf50[0], e.direction) for e, one in found]
-        return show.estimates.sharpness(table, self.shape, unit)
+        return show.estimates.sharpness(table, self.shape, unit, factor * float(found[0][1].frequencies[-1]))
 
     def to_dict(self) -> Json:
         """Return the verdict and the records of all edges as plain data."""

@@ -421,20 +421,30 @@ def responses(curves: Mapping[str, tuple[Array, Array, Array]], unit: str, ax: A
 _MAX_NUMBERS = 120  # largest number of edges whose values are written into a map
 
 
-def sharpness(edges: Sequence[tuple[float, float, float, str]], shape: tuple[int, int], unit: str) -> Figure:
-    """Draw maps of MTF50 (column, row, value, "S" or "T") over a picture of this height and width."""
+def sharpness(
+    edges: Sequence[tuple[float, float, float, str]], shape: tuple[int, int], unit: str, nyquist: float
+) -> Figure:
+    """Draw maps of MTF50 (column, row, value, "S" or "T") over a picture of this height and width.
+
+    Triangles are edges with an infinite value: their MTF50 is above the Nyquist frequency.
+    """
     figure = drawing.new_figure((10.0, 1.5 + 4.2 * shape[0] / shape[1]))
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
-    known = [value for _, _, value, _ in edges if math.isfinite(value)] or [0.5]
+    limited = [min(value, nyquist) for _, _, value, _ in edges]
+    scale = {"vmin": min(limited), "vmax": max(limited), "s": 60, "cmap": "viridis"}
     for axes, (key, name) in zip(panels, (("S", "sagittal"), ("T", "tangential")), strict=True):
         part = [edge for edge in edges if edge[3] == key]
         columns, rows, values = (np.array([edge[k] for edge in part], float) for k in range(3))
-        values = np.where(np.isfinite(values), values, max(known))
-        points = axes.scatter(columns, rows, c=values, vmin=min(known), vmax=max(known), s=60, cmap="viridis")
+        above = ~np.isfinite(values)
+        points = axes.scatter(columns[~above], rows[~above], c=values[~above], **scale)
+        axes.scatter(columns[above], rows[above], c=[nyquist] * above.sum(), marker="^", **scale)
         for x, y, value in zip(columns, rows, values, strict=True) if len(edges) <= _MAX_NUMBERS else ():
-            axes.annotate(f"{value:.3g}", (x, y), (0, 6), textcoords="offset points", fontsize=6, ha="center")
+            text = f"{value:.3g}" if math.isfinite(value) else f"> {nyquist:.3g}"
+            axes.annotate(text, (x, y), (0, 6), textcoords="offset points", fontsize=6, ha="center")
         axes.set(xlim=(0, shape[1]), ylim=(shape[0], 0), aspect="equal", title=f"MTF50, {name}", xlabel="column")
     panels[0].set_ylabel("row")
+    if any(math.isinf(value) for _, _, value, _ in edges):
+        unit += f" (triangles: above Nyquist's, {nyquist:.3g})"
     figure.colorbar(points, ax=panels, label=unit, shrink=0.8)
     return figure
 

@@ -8,7 +8,7 @@ import json
 import math
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
@@ -19,12 +19,14 @@ from lommel.base import atomic, validation
 from lommel.base.arrays import plain
 from lommel.base.encoding import Encoding, as_json
 from lommel.base.options import Shown
-from lommel.base.units import per_mm
+from lommel.base.units import format_length, per_mm
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import PhotoCamera, instrument_of
 from lommel.cli.messages import given_flags, report_findings
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
 from lommel.cli.photo_commands import ENCODING, read_as
+from lommel.fit.findings import Finding, Findings
+from lommel.imaging.focal_engine import UNMEASURED
 from lommel.imaging.slanted_edge import frequency_unit
 from lommel.measures.transfer import mtf
 from lommel.report import Facts, Parts, Report, Wrapped
@@ -42,6 +44,7 @@ _MOST_ROWS = 12  # of the table of edges; more are in files only
 _ZONES = (("centre", 0.0, 0.35), ("middle", 0.35, 0.7), ("corner", 0.7, np.inf))  # of half the diagonal
 _CURVES = 4  # edges in a figure: nearest to and farthest from the centre, in both directions
 _TOL = 1e-4  # of computed MTFs
+_APART, _LEAST = 4.0, 0.01  # errors, and difference, from which mean responses are not those of a lens
 _TABLES, _MAPS = (".csv", ".json"), (".png", ".pdf", ".svg")
 
 
@@ -91,7 +94,7 @@ def sfr(
         Frequency at which the response is listed, cycles per pixel; repeat for several.
     lens
         Lens file, of which the computed MTF with pixel is listed beside the measured one, and the difference in
-        standard errors.
+        standard errors of both: the f-number is uncertain by 3 %, or as a calibration states. Doubt if they differ.
     encoding
         Encoding of the picture's values: srgb, linear, or a number, as 1.8 for light = value ** 1.8; by default as
         the picture states (ICC profile), else integers are sRGB; floats are linear.
@@ -129,7 +132,8 @@ def sfr(
         rows = chart.rows(frequencies)
         if instrument is not None:
             status("computing the MTF of the lens")
-            _compare(chart, rows, instrument, frequencies)
+            misfit = _compare(chart, rows, instrument, frequencies)
+            chart = replace(chart, findings=Findings([*misfit, *chart.findings]))
         seconds = time.process_time() - start
     facts = chart.to_dict() | {"edges": rows, "zones": _zones(chart, rows), "pixel": pixel, "notes": []}
     dtype = photo.values.dtype
@@ -177,15 +181,19 @@ def _limits(records: Sequence[Facts], chart: EdgeChart, pixel: float | None) -> 
     return shown
 
 
+def _zone(row: Facts, chart: EdgeChart) -> str:
+    """Return the zone of the sensor of a record of an edge."""
+    height, width = chart.shape
+    place = math.hypot(row["column"] - 0.5 * (width - 1), row["row"] - 0.5 * (height - 1))
+    share = place / math.hypot(0.5 * width, 0.5 * height)
+    return next(name for name, low, high in _ZONES if low <= share < high)
+
+
 def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
     """Return the medians of MTF50 and responses of each zone of the sensor, direction and channel."""
-    height, width = chart.shape
     found: dict[tuple[str, str, str], list[Facts]] = {}
     for row in rows:
-        place = np.hypot(row["column"] - 0.5 * (width - 1), row["row"] - 0.5 * (height - 1))
-        share = float(place / np.hypot(0.5 * width, 0.5 * height))
-        zone = next(name for name, low, high in _ZONES if low <= share < high)
-        found.setdefault((zone, row["direction"], row.get("channel", "")), []).append(row)
+        found.setdefault((_zone(row, chart), row["direction"], row.get("channel", "")), []).append(row)
     order = {name: k for k, (name, _, _) in enumerate(_ZONES)}
     zones = []
     for (zone, direction, channel), part in sorted(found.items(), key=lambda item: (order[item[0][0]], item[0][1])):
@@ -207,21 +215,73 @@ def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
     return zones
 
 
-def _compare(chart: EdgeChart, rows: list[Facts], instrument: Instrument, frequencies: Sequence[float]) -> None:
-    """Add the computed MTF with pixel, and the difference in standard errors, to records of green or grey edges."""
+def _compare(
+    chart: EdgeChart, rows: list[Facts], instrument: Instrument, frequencies: Sequence[float]
+) -> list[Finding]:
+    """Add the computed MTF with pixel, and the difference in errors of both, to records of green or grey edges.
+
+    The lens has the error of its f-number. Return a finding if the responses differ, as a list.
+    """
     field = None if instrument.aberrations_of_field is None else instrument.field()
+    scale = 1.0 + (instrument.calibration.f_number_error if instrument.calibration else UNMEASURED[0])
     for row in rows:
-        if row.get("channel", "green") != "green":
-            continue
         edge = chart.edges[row["edge"]]
         pupil = instrument.pupil() if field is None else field.pupil(edge.x, edge.y)
-        angle = edge.response.angle
-        f = np.array(frequencies) / instrument.side
-        computed = mtf(pupil, f * np.cos(angle), f * np.sin(angle), pixel=instrument.side, tol=_TOL)
-        for one, value in zip(frequencies, np.atleast_1d(computed).tolist(), strict=True):
+        cosine, sine = math.cos(edge.response.angle), math.sin(edge.response.angle)
+        for one in frequencies:
+            keys = [f"lens_{one:g}", f"error_lens_{one:g}", f"z_{one:g}"]
             measured, error = row[f"at_{one:g}"], row[f"error_{one:g}"]
-            row[f"lens_{one:g}"] = value
-            row[f"z_{one:g}"] = plain((measured - value) / error) if error else None
+            if row.get("channel", "green") != "green" or not error:
+                row |= dict.fromkeys(keys)
+                continue
+            # An f-number in error scales frequencies, not those of the pixel.
+            f = one / instrument.side * np.array([1.0, scale])
+            pixel = np.sinc(one * cosine) * np.sinc(one * sine)
+            computed, other = np.multiply(pixel, mtf(pupil, f * cosine, f * sine, tol=_TOL)).tolist()
+            of_lens = math.hypot(computed - other, _TOL)
+            row |= zip(keys, (computed, of_lens, (measured - computed) / math.hypot(error, of_lens)), strict=True)
+    return _misfit(chart, rows, instrument, frequencies)
+
+
+def _misfit(
+    chart: EdgeChart, rows: Sequence[Facts], instrument: Instrument, frequencies: Sequence[float]
+) -> list[Finding]:
+    """Return a finding if the mean response of edges, of all or of a zone, is not that of the lens, as a list."""
+    found: dict[float, tuple[float, float, str]] = {}
+    for one in frequencies:
+        for zone in ("", *(name for name, _, _ in _ZONES)):
+            part = [row for row in rows if zone in ("", _zone(row, chart)) and row[f"z_{one:g}"] is not None]
+            if not part:
+                continue
+            measured, errors, computed, of_lens = (
+                np.array([row[f"{key}{one:g}"] for row in part]) for key in ("at_", "error_", "lens_", "error_lens_")
+            )
+            weights = 1.0 / np.square(errors)
+            mean = float(np.average(measured - computed, weights=weights))
+            # The error of the lens is common to all edges.
+            z = mean / math.hypot(float(np.mean(of_lens)), 1.0 / math.sqrt(weights.sum()))
+            if abs(z) > _APART and abs(mean) > _LEAST and abs(z) > abs(found.get(one, (0.0, 0.0, ""))[1]):
+                found[one] = mean, z, zone and f" in the {zone}"
+    if not found:
+        return []
+    worst = max(found, key=lambda one: abs(found[one][1]))
+    mean, z, place = found[worst]
+    distance, lens = instrument.object_distance, instrument.lens
+    others = "" if len(found) == 1 else f" (and at {', '.join(f'{one:g}' for one in found if one != worst)})"
+    if mean < 0.0:
+        cause = f"the picture is defocused, the f-number is not {lens.f_number:.3g}, or there is motion or aberration"
+    elif math.isclose(distance, lens.focus_distance, rel_tol=1e-6):
+        cause = f"the f-number is not {lens.f_number:.3g}, or the picture was sharpened"
+    else:
+        places = f"{format_length(distance)} and the focus at {format_length(lens.focus_distance)}"
+        cause = f"the lens has the object at {places}: give --object-distance; or the picture was sharpened"
+    text = (
+        f"at {worst:g} cycles/pixel{others} the response{place} is {abs(mean):.2g} "
+        f"{'above' if mean > 0.0 else 'below'} that of the lens, {abs(z):.0f} errors of both: {cause}"
+    )
+    numbers = {f"difference_{one:g}": values[0] for one, values in found.items()}
+    numbers |= {f"z_{one:g}": values[1] for one, values in found.items()}
+    return [Finding("misfit", "doubt", text, numbers)]
 
 
 def _curves(chart: EdgeChart) -> Axes:

@@ -130,6 +130,11 @@ def test_a_tilted_checkerboard_has_an_edge_on_each_side_of_a_crossing():
     [
         (np.full((60, 60), 0.5), "image must show slanted edges.*got none"),
         (np.random.default_rng(0).normal(0.5, 0.1, (60, 60)), "image must show slanted edges"),
+        (
+            np.minimum(400.0 * CHART, 255.0).round().astype(np.uint8),
+            "^image must not be overexposed.*expose less .8 of 8 edges",
+        ),
+        (picture(0.5, shape=(90, 90)), "^image must have an edge at 2 to 45 degrees.*got 0.5"),
         (np.ones((2, 60, 60)), r"image must have the shape \(height, width\) or"),
     ],
 )

@@ -215,7 +215,7 @@ def sfr_chart(
     part = np.asarray(counts.values[middle] if len(counts.shape) == 2 else counts.values[*middle, 1], float)
     compression = compression_findings(np.where(np.isfinite(part), part, 0.0))
     candidates, angles = _candidates(counts, mosaic is not None)
-    reasons = [f"one is at {angle:.1f} degrees" for angle in angles[:1]]
+    reason = ""
     if len(candidates) < 2 and max(counts.shape[:2]) <= _LARGEST_CROP:
         try:  # all pixels of a crop, as lm.sfr does
             place = candidates[0][:2] if candidates else (0.5 * (counts.shape[0] - 1), 0.5 * (counts.shape[1] - 1))
@@ -225,7 +225,7 @@ def sfr_chart(
             candidates = []
         except ValueError as error:
             if not str(error).startswith("image must show one"):
-                reasons = reasons or [str(error).removeprefix("image ")]
+                reason = str(error)
     for candidate in candidates:
         try:
             edge, found = _measure(counts, candidate, side, encoding, mosaic)
@@ -234,12 +234,16 @@ def sfr_chart(
         else:
             edges.append(edge)
             evidence.append(found)
+    if not edges and refused:
+        (cause, count), *_ = Counter(reason for _, _, reason in refused).most_common(1)
+        reason = f"image {cause}" + f" ({count} of {len(refused)} edges that were found)" * (len(refused) > 1)
     if not edges:
-        reasons = [*dict.fromkeys(reason for _, _, reason in refused)] or reasons
+        straight = "".join(f"; one is at {angle:.1f} degrees" for angle in angles[:1])
         raise ValueError(
-            f"image must show slanted edges at {MIN_ANGLE:g} to {MAX_ANGLE:g} degrees to its rows or columns, "
+            reason
+            or f"image must show slanted edges at {MIN_ANGLE:g} to {MAX_ANGLE:g} degrees to its rows or columns, "
             f"{_LEAST_LENGTH:g} pixels long or more, between uniform areas of {_LEAST_HALF:g} pixels or more, got "
-            f"none{''.join(f'; {reason}' for reason in reasons)}"
+            f"none{straight}"
         )
     measured = [(edge.response, one) for edge, one in zip(edges, evidence, strict=True)]
     responses = with_processing(measured, compressed=bool(compression))

@@ -195,6 +195,12 @@ def test_a_report_grows_by_dates_and_channels(folder):
     assert len(lines) == 1 + 4
     page = (folder / "psf" / "report.html").read_text(encoding="utf-8")
     assert "<h2>Trend</h2>" in page
+    # Another channel of the first file: files of the newest date are those of all channels.
+    tifffile.imwrite("day/20261201_c.tif", field[..., ::-1], photometric="minisblack")
+    assert run("day/20261201_c.tif", *asked).returncode == 0
+    page = (folder / "psf" / "report.html").read_text(encoding="utf-8")
+    assert "20261201_b.tif, 20261201_c.tif</td>" in page
+    assert "diameter of beads, estimated at 600 nm" in page
     printed = " ".join(run("field.tif", *ASKED, "--window", "19").stdout.split())
     assert re.search(r"column z nm height nm", printed)
 

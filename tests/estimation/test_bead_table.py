@@ -15,11 +15,13 @@ from lommel.estimation.bead_table import (
     _lines,
     _rivals,
     chromatic_shifts,
+    common_error,
     focal_surface,
     gaussian_fit,
     gaussian_widths,
     heights,
     middle_of,
+    place_of,
     row_of,
     summary,
 )
@@ -90,18 +92,44 @@ def test_tilt_and_curvature_of_the_focal_surface_are_found_whatever_the_heights_
 def test_beads_of_two_channels_are_paired_by_place_and_date():
     def row(wave, x, date="2026-12-01", focus=1e-7):
         return {
-            "bead": f"{wave}", "date": date, "wavelength": wave, "x": x, "y": 2e-6, "focus": focus, "z": None,
-            "x_error": 3e-9, "y_error": 3e-9, "focus_error": 4e-9, "z_error": None,
+            "bead": f"{wave}", "date": date, "wavelength": wave, "x": x, "y": 2e-6, "focus": focus, "z": 1e-8,
+            "x_psf": x + 1e-8, "x_psf_error": 3e-9, "x_psf_common": 1e-9, "z_error": None, "z_common": None,
         }  # fmt: skip
 
     green, far = row(5.2e-7, 1e-6), row(5.2e-7, 9e-6)
     red, other = row(6.1e-7, 1.02e-6, focus=3e-7), row(6.1e-7, 1.01e-6, "2026-12-02")
     (pair,) = chromatic_shifts([red, far, other, green])
     assert pair["wavelengths"] == (5.2e-7, 6.1e-7)
-    np.testing.assert_allclose(
-        [pair["shift_x"], pair["shift_z"], pair["shift_z_error"]], [2e-8, 2e-7, 5.65685e-9], 1e-5
+    found = [pair[f"shift_{name}"] for name in ("x", "z", "x_psf", "x_psf_error", "x_psf_common")]
+    np.testing.assert_allclose(found, [2e-8, 2e-7, 2e-8, 4.24264e-9, 1.41421e-9], 1e-5)
+    assert not {"shift_z_psf", "shift_y_psf", "shift_x_error"} & {*pair}
+
+
+def test_errors_of_places_are_the_scatter_of_fits_and_shared_ones_stay_in_a_mean():
+    rng, covariance, sizes = np.random.default_rng(4), np.full((5, 5), 4e-4) + np.diag(np.full(5, 1e-4)), []
+    covariance[4] = covariance[:, 4] = math.nan
+    assert common_error(covariance) == pytest.approx(0.02)
+    assert common_error(covariance[3:, 3:]) == 0.0
+    fit = SimpleNamespace(
+        converged=True, row_covariance=covariance, column_covariance=covariance, z_covariance=1e-12 * covariance
     )
-    assert "shift_psf" not in pair
+    for _ in range(40):
+        places = rng.normal(0.0, 0.01, (4, 3)) + rng.normal(0.0, 0.02, 3)
+        errors = {"row": math.sqrt(5e-4), "column": math.sqrt(5e-4), "z": math.sqrt(5e-16)}
+        rows = [
+            place_of(SimpleNamespace(row=8 + r, column=7 + c, z=1e-6 * z, errors=errors), fit, 1e-7, (10, 20))
+            for r, c, z in places
+        ]
+        for name, truth in (("x_psf", 2.7e-6), ("y_psf", 1.8e-6), ("z", 0.0)):
+            (one,) = summary(rows, [name])
+            sizes.append(
+                [(one["mean"] - truth) / one["mean_error"], (rows[0][name] - truth) / rows[0][f"{name}_error"]]
+            )
+    rms = np.sqrt(np.mean(np.square(sizes), axis=0))
+    assert np.all((rms > 0.85) & (rms < 1.15)), rms
+    fit.converged = False  # a misfit has no errors of places
+    bead = SimpleNamespace(row=8.0, column=7.0, z=1e-6, errors={"row": 0.01, "column": 0.01, "z": math.nan})
+    assert {name for name, value in place_of(bead, fit, 1e-7, (0, 0)).items() if value is not None} == {"z"}
 
 
 def test_a_summary_has_the_spread_and_the_errors_of_known_values():
@@ -135,6 +163,13 @@ def test_widths_and_strehl_ratio_of_a_fit_are_those_of_another_simulator():
         assert 0.0 < row[f"{name}_error"] < 0.01 * value
     assert row["x"] == pytest.approx(12.7 * 108.33e-9, abs=3.0 * row["x_error"] + 5e-9)
     assert row["rms"] == pytest.approx(math.hypot(0.3, 0.25), abs=4.0 * row["rms_error"] + 0.005)
+    assert row["reason"] is None
+    place, pitch = place_of(fit.beads[0], fit, bead_fields.PIXEL / 60.0, (3, 5)), bead_fields.PIXEL / 60.0
+    for name, value in (("x_psf", 12.7 * pitch), ("y_psf", 11.2 * pitch)):
+        assert place[name] == pytest.approx(value, abs=4.0 * place[f"{name}_error"])
+        assert 0.0 < place[f"{name}_error"] < 1e-9
+    for matrix, name in ((fit.row_covariance, "row"), (fit.column_covariance, "column")):
+        assert math.sqrt(matrix[0, 0]) == pytest.approx(fit.beads[0].errors[name])
 
 
 def test_widths_run_through_the_maximum_where_coma_and_astigmatism_move_it():

@@ -19,6 +19,8 @@ def rows(date="2026-12-01", wave=5.2e-7, count=5):
         | {"joint_fit": f"joint {wave}"}
         | {"x": 1e-5 * k, "y": 1e-5 * (k * k % 3), "chi2": 1.0, "noll 5 astigmatism 45": 0.1, "rms": None}
         | {"x_error": 2e-9, "y_error": 2e-9, "focus": 1e-7 + 1e-8 * k, "focus_error": 3e-9, "z": None}
+        | {"x_psf": 1e-5 * k, "x_psf_error": 2e-9, "x_psf_common": 1e-9}
+        | {"reason": "drift = 0.3 +- 0.1" if k == 2 else None}
         | {name: value * (1.0 + 0.01 * k) for name, value in pair.items()}
         | {f"{name}_error": 0.01 * value for name, value in pair.items()}
         for k in range(count)
@@ -61,7 +63,11 @@ def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
         "5 converged",
         '<span class="date">2026-11-01</span>',
         "scatter of heights about this surface, in their errors",
+        ": as errors allow, below ",
+        "5 converged; &lt;b&gt;2: drift = 0.3 +- 0.1",
         "mean of 5",
+        "shift x, PSF (nm)",
+        "0.0 ± 1.8",  # two errors of 1.7 nm each over 5 beads, and 1.4 nm that beads share
         "610 nm − 520 nm",
         "currentColor",
         "a &amp; b",
@@ -70,6 +76,12 @@ def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
     alone = page("Beads", [], rows(count=1), [])
     assert not re.search(r"Chromatic shifts</h2>|Trend|focal surface", alone)
     assert "520 nm: no tilt or field curvature: they need 5 beads with heights, not all on a line." in alone
+
+
+def test_a_scatter_that_errors_do_not_explain_has_its_meaning():
+    tilted = [row | {"height": 1e-7 * (-1) ** k} for k, row in enumerate(rows(count=8))]
+    text = page("Beads", [], tilted, [])
+    assert re.search(r"\d: beads lie at several heights \(errors alone: below [\d.]+\); allowed for above", text)
 
 
 def test_a_mean_of_equal_beads_has_the_error_of_their_errors():

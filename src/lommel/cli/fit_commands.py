@@ -568,9 +568,8 @@ def beads(
         columns = 12 + (options.terms if isinstance(options.terms, int) else len(options.terms))
         fits = min(len(cut_out), options.joint) + (len(cut_out) if folder is not None else 0)
         if (expected := _BEAD_SECONDS * cut_out[0].size * columns * fits) > _LONG:
-            status.tell(
-                f"Fits of {len(cut_out)} beads: about {expected / 60.0:.0f} min of a processor, fewer with --terms 7."
-            )
+            fewer = ", fewer with --terms 7" if columns > 12 + 7 else ""
+            status.tell(f"Fits of {len(cut_out)} beads: about {expected / 60.0:.0f} min of a processor{fewer}.")
 
         def fitted(beads: list[Values], model: Microscope, factor: float = 1.0, **known: Any) -> BeadFit:
             return fit_beads(
@@ -757,7 +756,7 @@ class _BeadReport(NamedTuple):
         self, folder: Path, fits: Iterable[BeadFit], earlier: list[dict[str, Any]], dates: dict[str, str],
     ) -> dict[str, Any]:  # fmt: skip
         """Write table and page, with the rows of earlier runs but those of the same files; return their numbers."""
-        from lommel.estimation.bead_table import focal_surface, middle_of, row_of
+        from lommel.estimation.bead_table import focal_surface, middle_of, place_of, row_of
         from lommel.report.bead_page import page, write_csv
 
         result, microscope, rows = self.result, self.microscope, list[dict[str, Any]]()
@@ -765,26 +764,30 @@ class _BeadReport(NamedTuple):
         pixel, name = microscope.pixel / microscope.objective.magnification, microscope.name or self.lens
         for k, (bead, window, fit) in enumerate(zip(result.beads, self.windows, fits, strict=True)):
             heights = [None if math.isnan(part[k]) else float(part[k]) for part in self.heights]
-            z_error = bead.errors.get("z", math.nan)
             rows.append(
                 {"bead": window.name, "file": window.file, "date": dates[window.file]}
                 | {"wavelength": microscope.wavelength, **row_of(fit, self.noise, self.step, pixel, window.corner)}
-                | {"z": bead.z, "z_error": None if math.isnan(z_error) else z_error}
+                | place_of(bead, result, pixel, window.corner)
                 | {"height": heights[0], "height_error": heights[1], "flux": float(bead.flux.sum())}
                 | {"joint_fit": result.message}
             )
         same = {(row["file"], row["wavelength"], row["date"]) for row in rows}
         kept = [row for row in earlier if (row["file"], row["wavelength"], row["date"]) not in same]
         waves = sorted({row["wavelength"] for row in (*kept, *rows)})
+        newest = max(row["date"] for row in (*kept, *rows))
+        files = dict.fromkeys(row["file"] for row in (*kept, *rows) if row["date"] == newest)
         facts = [
             ("objective", name),
             ("NA, immersion", f"{microscope.objective.NA:.4g}, {microscope.objective.immersion:.4g}"),
             ("emission", ", ".join(format_length(wave, digits=4) for wave in waves)),
             ("pixel in the sample", format_length(pixel, digits=4)),
             ("step between planes", format_length(abs(self.step), digits=4)),
-            ("diameter of beads, estimated", format_length(result.diameter, digits=3)),
-            ("files of this date", ", ".join(dict.fromkeys(window.file for window in self.windows))),
-            ("date", rows[0]["date"]),
+            (
+                f"diameter of beads, estimated at {format_length(microscope.wavelength, digits=4)}",
+                format_length(result.diameter, digits=3),
+            ),
+            ("files of this date", ", ".join(files)),
+            ("date", newest),
         ]
         title, notes = f"Beads: {name}", [f"{one.severity}: {one.text}" for one in result.findings]
         folder.mkdir(exist_ok=True)

@@ -1,7 +1,7 @@
 """Table of beads for a facility: widths by the fitted PSF and by Gaussians, heights, focal surface, chromatic shifts.
 
 A row is a mapping from the names of quantities to numbers in SI units (None: unknown); the standard error of
-"fwhm_x" is "fwhm_x_error".
+"fwhm_x" is "fwhm_x_error". Of that of "z", "z_common" is the part that all beads of a fit share.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import scipy
 from lommel.base.arrays import Array
 from lommel.estimation.beads import BeadFit, FittedBead
 from lommel.estimation.star_images import label
+from lommel.fit.goodness_of_fit import largest_plausible_chi2
 from lommel.recorded.noise import Noise
 
 Row: TypeAlias = dict[str, Any]
@@ -166,6 +167,31 @@ def heights(covariance: Array, z: Array, groups: Sequence[object]) -> tuple[Arra
     return found[0], found[1]
 
 
+def place_of(bead: FittedBead, fit: BeadFit, pixel: float, corner: tuple[int, int]) -> Row:
+    """Return the place of the fitted PSF of a bead in the image and on the stage; None where it is not known.
+
+    Places are "x_psf", "y_psf" and "z", metres. For `pixel` and `corner` see :func:`row_of`.
+    """
+    row = Row()
+    for name, value, unit, error, covariance in (
+        ("x_psf", corner[1] + bead.column, pixel, bead.errors.get("column"), fit.column_covariance),
+        ("y_psf", corner[0] + bead.row, pixel, bead.errors.get("row"), fit.row_covariance),
+        ("z", bead.z, 1.0, bead.errors.get("z"), fit.z_covariance),
+    ):
+        known = error is not None and math.isfinite(error) and (name == "z" or fit.converged)
+        common = unit * common_error(covariance) if known else None
+        row |= {name: unit * value if known or name == "z" else None}
+        row |= {f"{name}_error": unit * error if known and error is not None else None, f"{name}_common": common}
+    return row
+
+
+def common_error(covariance: Array) -> float:
+    """Return the standard error that all beads share: the root of the mean covariance of two of them."""
+    used = np.isfinite(np.diag(covariance))
+    known, count = covariance[np.ix_(used, used)], int(used.sum())
+    return math.sqrt(max(float(known.sum() - np.trace(known)), 0.0) / max(count * (count - 1), 1))
+
+
 def middle_of(rows: Sequence[Row]) -> tuple[float, float]:
     """Return the mean of x and of y of beads, metres; 0 if none is known."""
     known = [(row["x"], row["y"]) for row in rows if None not in (row["x"], row["y"])]
@@ -197,7 +223,8 @@ def focal_surface(rows: Sequence[Row], middle: tuple[float, float]) -> dict[str,
     chi2 = float(((data - whitened @ found) ** 2).sum()) / freedom
     units = np.array([1.0 / reach, 1.0 / reach, 1.0 / reach**2])
     values, deviations = found[-3:] * units, np.sqrt(np.diag(normal) * max(1.0, chi2))[-3:] * units
-    facts: dict[str, Any] = {"chi2": chi2, "beads": len(known)}
+    limit = float(largest_plausible_chi2(math.sqrt(2.0 / freedom)))
+    facts: dict[str, Any] = {"chi2": chi2, "limit": limit, "beads": len(known)}
     for name, value, error in zip(
         ("tilt_x", "tilt_y", "curvature"), values.tolist(), deviations.tolist(), strict=True
     ):
@@ -241,21 +268,28 @@ def row_of(fit: BeadFit, noise: Noise, step: float, pixel: float, corner: tuple[
         value, error = pairs.get(name, (math.nan, math.nan))
         known = math.isfinite(value) and math.isfinite(error)
         row |= {name: float(value) if known else None, f"{name}_error": float(error) if known else None}
-    return row | {"chi2": bead.chi2, "verdict": fit.status}
+    reasons = "; ".join(str(finding) for finding in fit.findings if finding.severity != "note")
+    return row | {"chi2": bead.chi2, "verdict": fit.status, "reason": reasons or None}
 
 
 def summary(rows: Sequence[Row], names: Sequence[str]) -> list[Row]:
-    """Return for each quantity the mean over beads, their spread, and the rms of their standard errors."""
+    """Return for each quantity the mean over beads, its error, their spread, and the rms of their standard errors.
+
+    Few beads may be nearer to each other than their errors allow, and the part that they share does not average out.
+    """
     found = []
     for name in names:
         values = [row[name] for row in rows if row.get(name) is not None]
-        errors = [row[f"{name}_error"] for row in rows if row.get(name) is not None]
+        errors, shared = (
+            [row.get(f"{name}_{part}") or 0.0 for row in rows if row.get(name) is not None]
+            for part in ("error", "common")
+        )
         if values:
             spread = float(np.std(values, ddof=1)) if len(values) > 1 else None
-            facts = {"mean": float(np.mean(values)), "spread": spread}
-            found.append(
-                {"name": name, "beads": len(values), **facts, "error": float(np.sqrt(np.mean(np.square(errors))))}
-            )
+            error, common = (float(np.sqrt(np.mean(np.square(part)))) for part in (errors, shared))
+            own = max(spread or 0.0, math.sqrt(max(error**2 - common**2, 0.0))) / math.sqrt(len(values))
+            facts = {"mean": float(np.mean(values)), "mean_error": math.hypot(own, common)}
+            found.append({"name": name, "beads": len(values), **facts, "spread": spread, "error": error})
     return found
 
 
@@ -263,7 +297,9 @@ def chromatic_shifts(rows: Sequence[Row]) -> list[Row]:
     """Return the shifts of beads between two channels: rows of different wavelengths.
 
     Beads of one date at one place of the field are the same bead. Shifts are those of the longer wavelength relative
-    to the shortest, metres: of the centres of Gaussians along x, y and z, and "shift_psf" of the fitted z.
+    to the shortest, metres: of the places of the fitted PSFs, "shift_x_psf", and of the centres of Gaussians,
+    "shift_x". The latter have no standard errors: with aberrations they move with the place of a bead in its pixel
+    and plane by more than noise does.
     """
     rows = [row for row in rows if None not in (row["x"], row["y"])]
     waves, found = sorted({row["wavelength"] for row in rows}), list[Row]()
@@ -281,10 +317,13 @@ def chromatic_shifts(rows: Sequence[Row]) -> list[Row]:
                 continue
             pair: Row = {"bead": row["bead"], "date": row["date"], "wavelengths": (waves[0], wave)}
             pair |= {k: row[k] for k in ("x", "y")}
-            for axis, key in (("x", "x"), ("y", "y"), ("z", "focus"), ("psf", "z")):
-                ends: list[Any] = [one.get(key) for one in (row, rows[j])]
-                errors: list[Any] = [one.get(f"{key}_error") for one in (row, rows[j])]
-                if None not in (*ends, *errors):
-                    pair |= {f"shift_{axis}": ends[1] - ends[0], f"shift_{axis}_error": math.hypot(*errors)}
+            ends = row, rows[j]
+            for axis, key in (("x", "x"), ("y", "y"), ("z", "focus"), ("x_psf",) * 2, ("y_psf",) * 2, ("z_psf", "z")):
+                parts = ("error", "common") if axis.endswith("psf") else ()
+                if None in (one.get(name) for one in ends for name in (key, *(f"{key}_{part}" for part in parts))):
+                    continue
+                pair[f"shift_{axis}"] = rows[j][key] - row[key]
+                for part in parts:
+                    pair[f"shift_{axis}_{part}"] = math.hypot(*(one[f"{key}_{part}"] for one in ends))
             found.append(pair)
     return found

@@ -172,6 +172,8 @@ class BeadFit(FitReport):
         Covariance C of the positions z of beads, metres squared; NaN for beads that were not used. The standard error
         of a difference in height of two beads is ``sqrt(C[i, i] + C[j, j] - 2 C[i, j])``: errors of the constants and
         of the wavefront, which are common to all beads, cancel.
+    row_covariance, column_covariance : ndarray, shape (beads, beads)
+        The same of rows and of columns, pixels squared.
     tests : tuple of lommel.fit.ScoreTest
         Score tests of effects that the model may lack, the most likely first: Zernike terms of the next two radial
         orders, all constants, drift, gradients of the background, a nonlinear gain, a second bead.
@@ -209,6 +211,8 @@ class BeadFit(FitReport):
     covariance: Array
     beads: tuple[FittedBead, ...]
     z_covariance: Array
+    row_covariance: Array
+    column_covariance: Array
     tests: tuple[ScoreTest, ...]
     chi2: float
     held_out: float
@@ -733,11 +737,11 @@ def _build_bead_fit(
     if not has_light:  # no steps: there is nothing to fit
         search = replace(search, starts=1, max_steps=0)
     fit, is_consistent = search.fit_all()
-    reason = "none fits with the constants as stated" if search.few else "`joint`"
+    reason = "no bead fits with the constants as stated" if search.few else "`joint`"
     chosen = [chosen[k] for k in search.few] or chosen
     if len(chosen) < (count := len(whole.stacks)):
-        text = f"terms and constants are those of {len(chosen)} of {count} beads ({reason}), without the other beads"
-        notes.append(Finding("left_out", "note", text))
+        text = f"{reason}: terms and constants are those of {len(chosen)} of {count} beads, which tell them"
+        notes.append(Finding("fewer_beads", "note", f"{text}; the others are placed with them"))
     has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
     model = whole.with_beads([k for k, used in zip(chosen, is_consistent, strict=True) if used])
     rounds = [Round((model, fit), ((), None, []))]
@@ -760,8 +764,12 @@ def _build_bead_fit(
     whole_fit, whole_covariance, is_used = _with_other_beads(all_beads, fit, full_covariance, used)
     kept = np.flatnonzero(is_used)
     jacobian = _height_jacobian(all_beads.with_beads(kept.tolist()), whole_fit.state)
-    z_covariance = np.full((len(is_used),) * 2, math.nan)
+    z_covariance, row_covariance, column_covariance = np.full((3, *(len(is_used),) * 2), math.nan)
     z_covariance[np.ix_(kept, kept)] = jacobian @ whole_covariance @ jacobian.T
+    for matrix, name in ((row_covariance, "row"), (column_covariance, "column")):
+        index = model.bead_parameters.index(name)
+        own = [model.columns(k, common_count)[index] for k in range(len(kept))]
+        matrix[np.ix_(kept, kept)] = whole_covariance[np.ix_(own, own)]
     image_error = bead_checks.model_error(model, state)
     differ = has_light and bead_checks.beads_differ(tests)
     if not has_light:
@@ -848,6 +856,8 @@ def _build_bead_fit(
         covariance=covariance,
         beads=beads,
         z_covariance=z_covariance,
+        row_covariance=row_covariance,
+        column_covariance=column_covariance,
         tests=tests,
         chi2=chi2,
         held_out=held_out,

@@ -30,6 +30,7 @@ CODES: Mapping[str, str] = {
     "estimated_noise": "the noise is estimated from the images, which therefore cannot test it",
     "exchanged": "the images agree better in another order",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
+    "fewer_beads": "terms and constants are those of a part of the beads, with which the others are placed",
     "flat_top": "pixels have a full scale of 8 to 16 bits, or many have the largest value: they may be saturated",
     "gain": "the variance is that of another gain (electrons per count) than the stated one",
     "held_out": "data that were held out of the fit are inconsistent with it",

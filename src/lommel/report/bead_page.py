@@ -21,7 +21,7 @@ from lommel.estimation.bead_table import MEASURES, Row, chromatic_shifts, focal_
 from lommel.show import drawing, estimates
 
 _TEXTS = "bead", "file", "date", "verdict"
-_JOINT = "joint_fit"  # the verdict of the joint fit of the beads of a run
+_WORDS = "joint_fit", "reason"  # verdict of the joint fit of a run; errors and doubts of the fit of a bead
 _IN_TABLE = (
     "gauss_x", "gauss_y", "gauss_z", "fwhm_x", "fwhm_y", "fwhm_z", "asymmetry", "strehl", "rms", "z", "height",
     "focus",
@@ -42,8 +42,10 @@ _NOTES = (
     "z: position of the stage at which the bead would be sharpest without aberrations; its standard error is "
     "mostly that of the depth, common to all beads. Relative height: z from the mean of the beads of an image, in "
     "which that cancels. Focus: centre of the Gaussian along z, from the middle plane.",
-    "Chromatic shifts: differences of the centres of Gaussians and, along z, also of the z of the fitted PSFs, whose "
-    "standard errors are smaller; planes and stage of both channels must be the same.",
+    "Chromatic shifts, PSF: differences of the places of the fitted PSFs, without what coma moves; the error of the "
+    "mean has the part that all beads share. Gaussian: of the centres of Gaussians, which aberrations move with the "
+    "place of a bead in its pixel and plane: a single one has no standard error, and that of the mean is by the "
+    "spread. Planes and stage of both channels must be the same.",
 )
 _STYLE = """
 :root { color-scheme: light dark; --line: #8886; --mark: #8882; }
@@ -74,13 +76,19 @@ tr:nth-child(even) td:first-child { background: linear-gradient(var(--mark), var
 
 def _header(name: str) -> str:
     """Return the heading of a column: the name and the unit."""
-    stem, error = name.removesuffix("_error"), "_error" if name.endswith("_error") else ""
+    stem, part = _parts(name)
     unit = MEASURES.get(stem, ("", "rad" if stem.startswith("noll") else "", 1.0))[1]
-    return f"{stem} ({unit}){error}" if unit else name
+    return f"{stem} ({unit}){part}" if unit else name
 
 
 def _factor(name: str) -> float:
-    return MEASURES.get(name.removesuffix("_error"), ("", "", 1.0))[2]
+    return MEASURES.get(_parts(name)[0], ("", "", 1.0))[2]
+
+
+def _parts(name: str) -> tuple[str, str]:
+    """Return the name of a quantity, and "_error" or "_common" if a column is that part of its error."""
+    part = next((part for part in ("_error", "_common") if name.endswith(part)), "")
+    return name.removesuffix(part), part
 
 
 def write_csv(path: Path, rows: Sequence[Row]) -> None:
@@ -107,7 +115,7 @@ def read_csv(path: Path) -> list[Row]:
         raise ValueError(f"{path.name} is no table of beads that this command wrote: name another folder")
     try:
         return [
-            {n: v if n in (*_TEXTS, _JOINT) else float(v) / _factor(n) if v else None
+            {n: v if n in _TEXTS or (v and n in _WORDS) else float(v) / _factor(n) if v else None
              for n, v in zip(names, line, strict=True)}
             for line in lines[1:]
         ]  # fmt: skip
@@ -117,7 +125,7 @@ def read_csv(path: Path) -> list[Row]:
 
 def _name(header: str) -> str:
     stem, _, rest = header.partition(" (")
-    return stem + ("_error" if rest.endswith("_error") else "") if rest else header
+    return stem + _parts(rest)[1] if rest else header
 
 
 def _value(row: Mapping[str, Any], name: str, factor: float, sign: str = " ± ") -> str:
@@ -165,18 +173,13 @@ def _channels(rows: Sequence[Row]) -> dict[str, list[Row]]:
     return {_nanometres(wave): [row for row in rows if row["wavelength"] == wave] for wave in waves}
 
 
-def _mean_error(one: Mapping[str, Any]) -> float:
-    """Return the standard error of a mean: few beads may be nearer to each other than their errors allow."""
-    return float(max(one["spread"] or 0.0, one["error"]) / math.sqrt(one["beads"]))
-
-
 def _summaries(rows: Sequence[Row]) -> list[str]:
     parts = []
     for channel, beads in _channels(rows).items():
         lines = []
         for one in summary(beads, _IN_SUMMARY):
             factor = MEASURES[one["name"]][2]
-            mean = _value({"mean": one["mean"], "mean_error": _mean_error(one)}, "mean", factor)
+            mean = _value(one, "mean", factor)
             spread = "–" if one["spread"] is None else f"{factor * one['spread']:.2g}"
             lines.append([_words(one["name"]), mean, spread, f"{factor * one['error']:.2g}", str(one["beads"])])
         head = channel, "mean ± standard error", "spread over the beads", "standard error of one bead", "beads"
@@ -223,10 +226,29 @@ def _surfaces(rows: Sequence[Row]) -> list[str]:
             ("tilt along x (nm over 100 µm)", _value(surface, "tilt_x", 1e5)),
             ("tilt along y (nm over 100 µm)", _value(surface, "tilt_y", 1e5)),
             ("field curvature (nm of height, 100 µm from the middle)", _value(surface, "curvature", 5.0)),
-            ("scatter of heights about this surface, in their errors", number(math.sqrt(surface["chi2"]))),
+            ("scatter of heights about this surface, in their errors", _scatter(surface)),
         ]
         parts.append(_table((f"{channel}: focal surface (stage position), {surface['beads']} beads", ""), lines))
     return parts
+
+
+def _scatter(surface: Mapping[str, Any]) -> str:
+    """Return the scatter of heights about a surface, and whether their errors explain it."""
+    size, limit = (math.sqrt(surface[key]) for key in ("chi2", "limit"))
+    if size < limit:
+        return f"{number(size)}: as errors allow, below {number(limit)}"
+    return f"{number(size)}: beads lie at several heights (errors alone: below {number(limit)}); allowed for above"
+
+
+def _counts(beads: Sequence[Row]) -> str:
+    """Return how many beads have which verdict, and for which reason: those of fits of single beads."""
+    found = Counter(row["verdict"].replace("_", " ") for row in beads)
+    reasons = dict[str, list[str]]()
+    for row in beads:
+        if (reason := row.get("reason")) and reason not in (row.get(_WORDS[0]) or ""):
+            reasons.setdefault(reason, []).append(row["bead"].removeprefix(row["file"]).strip())
+    texts = [f"{', '.join(names)}: {reason}" for reason, names in reasons.items()]
+    return "; ".join([", ".join(f"{count} {verdict}" for verdict, count in found.most_common()), *texts])
 
 
 def _verdicts(rows: Sequence[Row]) -> str:
@@ -236,9 +258,7 @@ def _verdicts(rows: Sequence[Row]) -> str:
         files.setdefault((row["file"], row["wavelength"]), []).append(row)
     lines = []
     for (file, wave), beads in files.items():
-        found = Counter(row["verdict"].replace("_", " ") for row in beads)
-        counts = ", ".join(f"{count} {verdict}" for verdict, count in found.most_common())
-        lines.append([file, _nanometres(wave), counts, beads[0].get(_JOINT) or "–"])
+        lines.append([file, _nanometres(wave), _counts(beads), beads[0].get(_WORDS[0]) or "–"])
     head = "file", "channel", "fit of each bead alone", "fit of one wavefront to all beads"
     return _table(head, lines, " text")
 
@@ -247,8 +267,8 @@ def _chromatic(rows: Sequence[Row]) -> list[str]:
     pairs = chromatic_shifts(rows)
     if not pairs:
         return []
-    axes = "x", "y", "z", "psf"
-    head = ["bead", "channels", *(f"shift {axis} (nm)" for axis in "xyz"), "shift z, PSF (nm)"]
+    axes = "x_psf", "y_psf", "z_psf", "x", "y", "z"
+    head = ["bead", "channels", *(f"shift {axis}, {kind} (nm)" for kind in ("PSF", "Gaussian") for axis in "xyz")]
     lines, by_waves = [], dict[tuple[float, float], list[Row]]()
     for pair in pairs:
         waves = pair["wavelengths"]
@@ -260,8 +280,7 @@ def _chromatic(rows: Sequence[Row]) -> list[str]:
         cells = []
         for axis in axes:
             (one,) = summary(group, [f"shift_{axis}"]) or [{"mean": None}]
-            error = None if one["mean"] is None else _mean_error(one)
-            cells.append(_value({"mean": one["mean"], "mean_error": error}, "mean", 1e9))
+            cells.append(_value(one, "mean", 1e9))
         means.append([f"mean of {len(group)}", " − ".join(map(_nanometres, waves[::-1])), *cells])
     return ["<h2>Chromatic shifts</h2>", _table(head, [*means, *lines])]
 

@@ -45,7 +45,8 @@ def test_another_table_is_refused(tmp_path, text):
 
 
 def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
-    both = [*rows("2026-11-01"), *rows(), *rows(wave=6.1e-7)]
+    red = [row | {"file": "2026-12-01_green.tif"} for row in rows(wave=6.1e-7)]
+    both = [*rows("2026-11-01"), *rows(), *red]
     text = page("Beads: <lens>", [("files", "a & b")], both, ["a note"])
     assert not re.search(r"<script|https?://(?!www\.w3\.org|purl|creativecommons|matplotlib)|<b>|<lens>", text)
     assert text.count("<svg") == 4  # maps of two channels, curves, trend
@@ -62,9 +63,10 @@ def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
         "joint 6.1e-07",
         "5 converged",
         '<span class="date">2026-11-01</span>',
+        '<span class="date">2026-12-01</span><wbr>_green.tif',
         "scatter of heights about this surface, in their errors",
         ": as errors allow, below ",
-        "5 converged; &lt;b&gt;2: drift = 0.3 +- 0.1",
+        "5 converged; &lt;b&gt;2 (chi2 1.000): drift = 0.3 +- 0.1",
         "mean of 5",
         "shift x, PSF (nm)",
         "0.0 ± 1.8",  # two errors of 1.7 nm each over 5 beads, and 1.4 nm that beads share
@@ -81,7 +83,7 @@ def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
 def test_a_scatter_that_errors_do_not_explain_has_its_meaning():
     tilted = [row | {"height": 1e-7 * (-1) ** k} for k, row in enumerate(rows(count=8))]
     text = page("Beads", [], tilted, [])
-    assert re.search(r"\d: beads lie at several heights \(errors alone: below [\d.]+\); allowed for above", text)
+    assert re.search(r": beads lie at several heights \(errors alone: below [\d.]+\), which .*</td><td>\d{3,}", text)
 
 
 def test_a_mean_of_equal_beads_has_the_error_of_their_errors():

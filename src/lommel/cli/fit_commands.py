@@ -571,12 +571,16 @@ def beads(
             fewer = ", fewer with --terms 7" if columns > 12 + 7 else ""
             status.tell(f"Fits of {len(cut_out)} beads: about {expected / 60.0:.0f} min of a processor{fewer}.")
 
-        def fitted(beads: list[Values], model: Microscope, factor: float = 1.0, **known: Any) -> BeadFit:
+        def fitted(
+            beads: list[Values], model: Microscope, factor: float = 1.0, name: str = "", **known: Any
+        ) -> BeadFit:
             return fit_beads(
                 counts_of("stacks", beads, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
                 model,
                 z=factor * z,
-                options=replace(options, progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share), **known),
+                options=replace(
+                    options, progress=lambda share, chi2: status(f"{name}chi2 {chi2:.3g}", share), **known
+                ),
             )
 
         dates = {} if folder is None else {path.name: _date(path) for path in stacks}
@@ -598,13 +602,16 @@ def beads(
             # Bad constants are bad for each bead: fits of single beads would find that again.
             if not result.converged or len(cut_out) == 1:
                 each: Iterable[BeadFit] = (replace(result, beads=(bead,)) for bead in result.beads)
-            elif not {"estimated", "contradiction"}.isdisjoint(result.findings.codes):
-                factor = float(result.coefficients.get("step", 1.0))
-                alone = microscope.fitted(result)
-                each = [fitted([bead], alone, factor, diameter=result.diameter) for bead in cut_out]
             else:
-                alone = replace(microscope, aberrations=result.aberrations)
-                each = [fitted([bead], alone) for bead in cut_out]
+                alone, known, factor = replace(microscope, aberrations=result.aberrations), dict[str, Any](), 1.0
+                if not {"estimated", "contradiction"}.isdisjoint(result.findings.codes):
+                    factor = float(result.coefficients.get("step", 1.0))
+                    alone, known = microscope.fitted(result), {"diameter": result.diameter}
+                each = [
+                    fitted([window.window], alone, factor, f"bead {k} of {len(windows)}, ", **known)
+                    if bead.used else replace(result, beads=(bead,))
+                    for k, (window, bead) in enumerate(zip(windows, result.beads, strict=True), 1)
+                ]  # fmt: skip
             table = report.write(folder, each, _earlier(folder), dates)
             rows += table["table"]
     result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))

@@ -269,7 +269,8 @@ def row_of(fit: BeadFit, noise: Noise, step: float, pixel: float, corner: tuple[
         known = math.isfinite(value) and math.isfinite(error)
         row |= {name: float(value) if known else None, f"{name}_error": float(error) if known else None}
     reasons = "; ".join(str(finding) for finding in fit.findings if finding.severity != "note")
-    return row | {"chi2": bead.chi2, "verdict": fit.status, "reason": reasons or None}
+    verdict = fit.status if bead.used else "left out"
+    return row | {"chi2": bead.chi2, "verdict": verdict, "reason": reasons or None}
 
 
 def summary(rows: Sequence[Row], names: Sequence[str]) -> list[Row]:

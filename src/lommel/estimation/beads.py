@@ -16,7 +16,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, fields_of, plain
 from lommel.base.options import listed
 from lommel.base.quantities import EVEN
-from lommel.base.units import with_error
+from lommel.base.units import format_length, percent, with_error
 from lommel.core.answers import Declined
 from lommel.estimation import Effort, bead_checks
 from lommel.estimation.bead_images import (
@@ -31,6 +31,7 @@ from lommel.estimation.bead_images import (
     Stack,
     expected,
 )
+from lommel.estimation.bead_pairs import touching
 from lommel.estimation.bead_search import (
     GROSS_CHI2,
     MAX_CHI2_RATIO,
@@ -656,10 +657,36 @@ def fit_stacks(
     model = BeadModel(images, bead_stacks, priors, depths, options.drift)
     if model.degrees_of_freedom < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
-    count = len(recorded)
-    chosen = np.unique(np.linspace(0.0, count - 1.0, min(count, options.joint)).round().astype(int)).tolist()
+    pairs = _pairs(model, setup, waves)
+    single = np.array([k for k in range(len(recorded)) if k not in pairs])
+    count = len(single)
+    chosen = single[np.unique(np.linspace(0.0, count - 1.0, min(count, options.joint)).round().astype(int))].tolist()
     search = Search(model.with_beads(chosen), setup, waves, effort.starts, effort.steps, Progress(options.progress))
-    return _build_bead_fit(search, model, chosen, recorded, noise, notes)
+    return _build_bead_fit(search, model, chosen, recorded, noise, notes, pairs)
+
+
+def _pairs(model: BeadModel, setup: Setup, waves: Array) -> dict[int, str]:
+    """Return the indices of the stacks that show two beads that touch, and their distances in words.
+
+    ValueError if all stacks do: a fit would be long, and a misfit.
+    """
+    found = dict[int, str]()
+    for k, (stack, depth) in enumerate(zip(model.stacks, model.depths, strict=True)):
+        place = start_of(stack, setup, depth.value, 0.0)._replace(row=0.0, column=0.0)
+        try:
+            pair = touching(stack, model.images.values(setup, waves, place, stack), setup)
+        except (Declined, ValueError):
+            continue
+        if pair is not None:
+            found[k] = (
+                f"{format_length(pair.distance, digits=2)} apart, light {percent(pair.share)} of the brighter one"
+            )
+    if len(found) == len(model.stacks):
+        raise ValueError(
+            f"stacks must show single beads, and all {len(found)} show two that touch (the first: {found[0]}): "
+            "choose isolated beads, or dilute them"
+        )
+    return found
 
 
 def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
@@ -730,8 +757,9 @@ def _priors(
 
 
 def _build_bead_fit(
-    search: Search, whole: BeadModel, chosen: list[int], recorded: list[Counts], noise: Noise, notes: list[Finding]
-) -> BeadFit:
+    search: Search, whole: BeadModel, chosen: list[int], recorded: list[Counts], noise: Noise, notes: list[Finding],
+    pairs: Mapping[int, str],
+) -> BeadFit:  # fmt: skip
     """Return the result of a search for the beads `chosen` of the `whole` model, with the findings of its checks."""
     has_light = not search.is_dark()
     if not has_light:  # no steps: there is nothing to fit
@@ -739,7 +767,7 @@ def _build_bead_fit(
     fit, is_consistent = search.fit_all()
     reason = "no bead fits with the constants as stated" if search.few else "`joint`"
     chosen = [chosen[k] for k in search.few] or chosen
-    if len(chosen) < (count := len(whole.stacks)):
+    if len(chosen) < (count := len(whole.stacks) - len(pairs)):
         text = f"{reason}: terms and constants are those of {len(chosen)} of {count} beads, which tell them"
         notes.append(Finding("fewer_beads", "note", f"{text}; the others are placed with them"))
     has_light = has_light and max(part.flux_sigmas for part in fit.parts) >= MIN_FLUX_SIGMAS
@@ -760,7 +788,7 @@ def _build_bead_fit(
         stacks=tuple(replace(stack, displaced=model.stacks[0].displaced) for stack in whole.stacks),
         depths=tuple(Prior(prior.value, model.depths[0].error) for prior in whole.depths),
     )
-    used = dict(zip(chosen, is_consistent, strict=True))
+    used = dict(zip(chosen, is_consistent, strict=True)) | dict.fromkeys(pairs, False)
     whole_fit, whole_covariance, is_used = _with_other_beads(all_beads, fit, full_covariance, used)
     kept = np.flatnonzero(is_used)
     jacobian = _height_jacobian(all_beads.with_beads(kept.tolist()), whole_fit.state)
@@ -828,9 +856,12 @@ def _build_bead_fit(
     # Errors of a misfit, by the jackknife, are not due to little light.
     of_light = full_covariance if "missed_light" in Findings(findings).codes else covariance
     findings += _error_findings(of_light[: len(state.waves), : len(state.waves)], image_error)
-    if not all(is_used):
-        left_out = ", ".join(map(str, np.flatnonzero(np.logical_not(is_used))))
-        findings.append(Finding("left_out", "note", f"left out, inconsistent with the other beads: bead {left_out}"))
+    if pairs:
+        text = "; ".join(f"bead {k}, {text}" for k, text in pairs.items())
+        findings.append(Finding("left_out", "note", f"two beads that touch: {text}"))
+    if left_out := [str(k) for k, kept_in in enumerate(is_used) if not kept_in and k not in pairs]:
+        text = f"left out, inconsistent with the other beads: bead {', '.join(left_out)}"
+        findings.append(Finding("left_out", "note", text))
     findings += [*notes, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out):

@@ -30,7 +30,7 @@ _IN_SUMMARY = _IN_TABLE[:9]
 _IN_MAPS = "gauss_x", "gauss_y", "gauss_z", "fwhm_z", "strehl", "height"
 _LEAST_MAP = 4  # smallest number of beads of a map
 _LEAST_SPREAD = 5e-6  # metres: smallest extent of a map; windows cut out by other programs have no places
-_DATE = re.compile(r"(?<![\w-])(\d{4}-\d\d-\d\d)(?![\w-])")
+_DATE = re.compile(r"(?<![\w-])(\d{4}-\d\d-\d\d)(?!\d)")
 _NOTES = (
     "FWHM, Gaussian: least-squares Gaussians with a background along lines through the brightest voxel, as "
     "MetroloJ_QC, PSFj and the protocols of QUAREP-LiMi measure beads. Bead and pixel widen them. Standard errors "
@@ -138,7 +138,7 @@ def _value(row: Mapping[str, Any], name: str, factor: float, sign: str = " ± ")
 
 def _table(head: Iterable[str], rows: Iterable[Iterable[str]], kind: str = "") -> str:
     cells = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
-    cells = _DATE.sub(r'<span class="date">\1</span>', cells)  # lines do not break at its hyphens
+    cells = _DATE.sub(r'<span class="date">\1</span><wbr>', cells)  # lines break after it, not at its hyphens
     return (
         f'<div class="table{kind}"><table><thead><tr>{"".join(f"<th>{escape(name)}</th>" for name in head)}</tr>'
         f"</thead><tbody>{cells}</tbody></table></div>"
@@ -226,18 +226,21 @@ def _surfaces(rows: Sequence[Row]) -> list[str]:
             ("tilt along x (nm over 100 µm)", _value(surface, "tilt_x", 1e5)),
             ("tilt along y (nm over 100 µm)", _value(surface, "tilt_y", 1e5)),
             ("field curvature (nm of height, 100 µm from the middle)", _value(surface, "curvature", 5.0)),
-            ("scatter of heights about this surface, in their errors", _scatter(surface)),
+            (
+                f"scatter of heights about this surface, in their errors: {_scatter(surface)}",
+                number(math.sqrt(surface["chi2"])),
+            ),
         ]
         parts.append(_table((f"{channel}: focal surface (stage position), {surface['beads']} beads", ""), lines))
     return parts
 
 
 def _scatter(surface: Mapping[str, Any]) -> str:
-    """Return the scatter of heights about a surface, and whether their errors explain it."""
-    size, limit = (math.sqrt(surface[key]) for key in ("chi2", "limit"))
-    if size < limit:
-        return f"{number(size)}: as errors allow, below {number(limit)}"
-    return f"{number(size)}: beads lie at several heights (errors alone: below {number(limit)}); allowed for above"
+    """Return whether the errors of heights explain their scatter about a surface, and what it means."""
+    limit = f"below {number(math.sqrt(surface['limit']))}"
+    if surface["chi2"] < surface["limit"]:
+        return f"as errors allow, {limit}"
+    return f"beads lie at several heights (errors alone: {limit}), which the errors above allow for"
 
 
 def _counts(beads: Sequence[Row]) -> str:
@@ -246,7 +249,8 @@ def _counts(beads: Sequence[Row]) -> str:
     reasons = dict[str, list[str]]()
     for row in beads:
         if (reason := row.get("reason")) and reason not in (row.get(_WORDS[0]) or ""):
-            reasons.setdefault(reason, []).append(row["bead"].removeprefix(row["file"]).strip())
+            number_of = row["bead"].removeprefix(row["file"]).strip()
+            reasons.setdefault(reason, []).append(f"{number_of} (chi2 {row['chi2']:.3f})")
     texts = [f"{', '.join(names)}: {reason}" for reason, names in reasons.items()]
     return "; ".join([", ".join(f"{count} {verdict}" for verdict, count in found.most_common()), *texts])
 

@@ -100,7 +100,9 @@ def measured(job: Callable[[Path, Any], str], path: Path) -> dict[str, Any]:
     import distributed
 
     with (
-        distributed.LocalCluster(2, threads_per_worker=1, memory_limit=LIMIT, dashboard_address=None) as cluster,
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, memory_limit=LIMIT, dashboard_address=None
+        ) as cluster,
         distributed.Client(cluster) as client,
     ):
         begun, workers_begun = time.process_time(), sum(client.run(time.process_time).values())

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import pickle
+import threading
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
@@ -15,6 +17,8 @@ import lommel as lm
 from lommel.base.executors import ExecutorError
 from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.microscopy import chunks as restored_chunks
+from lommel.microscopy import preparation
+from lommel.microscopy.depth_model import DepthModel
 from objectives import OIL_60X
 from restored_stacks import deconvolved
 
@@ -210,7 +214,7 @@ def test_chunks_of_workers_are_those_of_this_process(tmp_path, is_lazy):
     stack = lazy(ONE, (1, 2, 16, 48), loads) if is_lazy else ONE
     with Pickling(2) as client:
         found, _ = restored(stack, tmp_path / "a.zarr", client=client)
-    assert client.tasks == 6
+    assert client.tasks == 10  # of each channel: noise, PSFs, and three chunks
     assert set(loads.values()) <= {1}
     np.testing.assert_array_equal(found, restored(ONE, tmp_path / "b.zarr")[0])
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.zarr", "b.zarr"]
@@ -250,3 +254,28 @@ def test_workers_and_a_scheduler_that_are_killed_change_no_chunk(tmp_path):
             deconvolved(stack, OIL_60X, out=tmp_path / "b.zarr", client=client, progress=close, **GIVEN)
     again = deconvolved(stack, OIL_60X, out=tmp_path / "b.zarr", **GIVEN)
     np.testing.assert_array_equal(np.asarray(again), alone)
+
+
+def test_noise_and_hot_pixels_are_of_a_worker(tmp_path, monkeypatch):
+    here = threading.get_ident()
+    mask = np.arange(48) < 3
+
+    def elsewhere(function):
+        @functools.wraps(function)
+        def checked(*given, **options):
+            assert threading.get_ident() != here
+            return function(*given, **options)
+
+        return checked
+
+    counts = lm.Counts.of(ONE[0], noise=GIVEN["noise"], mask=np.broadcast_to(mask, SHAPE[1:]))
+    options = {name: value for name, value in GIVEN.items() if name != "noise"}
+    alone = deconvolved(counts, OIL_60X, out=tmp_path / "alone.zarr", **options)
+    for name in ("contradiction", "hot_pixels", "hot_voxels"):
+        monkeypatch.setattr(preparation, name, elsewhere(getattr(preparation, name)))
+    monkeypatch.setattr(DepthModel, "psfs", elsewhere(DepthModel.psfs))
+    with Pickling(1) as client:
+        made = deconvolved(counts, OIL_60X, out=tmp_path / "a.zarr", client=client, **options)
+    np.testing.assert_array_equal(np.asarray(made), np.asarray(alone))
+    assert made.notes == alone.notes
+    assert any("192 voxels (6.2 %) are masked" in note for note in made.notes)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import weakref
+
 import numpy as np
 import pytest
 from scipy.signal import convolve
@@ -90,3 +92,19 @@ def test_threads_change_no_bit(psf):
     one, four = (TiledBlur([kernel_of(psf)], shape, (2, 4), threads=n) for n in (1, 4))
     specimen = rng.random(one.whole).astype(np.float32)
     np.testing.assert_array_equal(*(_gathered(blur.forward, specimen, shape) for blur in (one, four)))
+
+
+def test_tails_are_in_memory_one_after_the_other():
+    alive = []
+
+    def tails(count=6):
+        for _ in range(count):
+            tail = np.full((3, 5, 5), 1e-3)
+            alive.append(weakref.ref(tail))
+            assert sum(each() is not None for each in alive) <= 3  # the first one, whose shape is needed, and two
+            yield tail
+
+    weights = np.full((6, 4), 1.0 / 6.0)
+    windows = TiledBlur([np.full((3, 3, 3), 1e-2)], (2, 6, 6), (1, 2))
+    stack_blur.WideBlur(windows, tails(), 3, weights=weights)
+    assert len(alive) == 6

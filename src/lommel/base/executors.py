@@ -120,6 +120,10 @@ class Workers:
                 for each in queue:
                     each.future.cancel()
 
+    def call(self, function: Callable[..., _Result], *task: Any) -> _Result:
+        """Return ``function(*task)``, which a worker computes."""
+        return next(self.run(function, [task]))[1]
+
     def _submit(
         self, executor: futures.Executor, function: Callable[..., _Result], task: _Task
     ) -> futures.Future[_Result]:

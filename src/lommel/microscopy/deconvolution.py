@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from functools import partial
 from os import PathLike
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
@@ -33,6 +34,7 @@ from lommel.microscopy.restored_stack import INTERRUPTED, ProjectionBuilder, Res
 from lommel.microscopy.sampling import Stated, sampled
 from lommel.microscopy.store import Target, checksum, destination
 from lommel.psf import PSF
+from lommel.recorded.camera_noise import unrepeated
 from lommel.recorded.copies import local_stacks
 from lommel.recorded.counts import LARGEST, Counts
 from lommel.recorded.frames import Frames, frames_of
@@ -310,15 +312,14 @@ def run(
             remarks = Remarks(notes if k == 0 else [])  # only the first channel adds notes
             if isinstance(model, GivenPSF):
                 remarks.findings += model.findings
-            context = prepared(
-                stacks[number],
-                model,
-                shared[number].noise,
-                remarks,
-                mask=None if ignored is None else ignored[number],
-                saturation=saturation,
-                threads=tuning.threads,
-            )
+            prepare = partial(prepared, saturation=saturation, threads=tuning.threads)
+            hidden = None if ignored is None else unrepeated(ignored[number])
+            task = stacks[number], model, shared[number].noise, remarks, hidden
+            # Variances and hot pixels of whole planes take the memory of a worker, not of the client.
+            context, remarks = prepare(*task) if workers is None else workers.call(prepare, *task)
+            if k == 0:
+                notes[:] = remarks.notes
+                remarks.notes = notes
             label = f"time {moment}, " * series + (f"{names[number]}: " if len(names) > 1 else "")
             result = _restored(
                 context,
@@ -439,7 +440,9 @@ def _restored(
         )
         shared.steps = best_steps
     report(stages[-1], "PSFs")
-    psfs = shared.psfs = shared.psfs or model.psfs(margin[0], tuning.slabs)
+    if shared.psfs is None:
+        shared.psfs = (model.psfs if workers is None else partial(workers.call, model.psfs))(margin[0], tuning.slabs)
+    psfs = shared.psfs
     depths = psfs.planes[margin[0] : margin[0] + shape[0]]
     remarks.notes += _psf_notes(model, psfs, depths)
     side = chunk_side(context, margin, psfs, options.method, tuning.tile, options.memory or _MEMORY)

@@ -194,8 +194,10 @@ class DepthModel:
             for values in psf(self._emission(some), samples, sample_pixel, integrate=False, tol=_TOL).values
         )
         for tail, window in zip(sampled, self.window_parts(depths), strict=True):
-            values = tail * outside * (_SAMPLES_PER_NODE / pitch) ** 2
-            means = values.reshape(-1, side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(2, 4))
+            means = np.empty((len(tail), side, side))
+            for plane, values in enumerate(tail):  # one by one: all of them are large
+                light = values * outside * (_SAMPLES_PER_NODE / pitch) ** 2
+                means[plane] = light.reshape(side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(1, 3))
             means *= plane_light[:, np.newaxis, np.newaxis]
             # In each plane, window and tail must contain the collected light: the difference is added to the rim.
             expected = np.maximum(plane_light - window.sum(axis=(1, 2)), 0.0) / pitch**2

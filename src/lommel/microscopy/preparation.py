@@ -50,14 +50,15 @@ def prepared(
     model: DepthModel | GivenPSF,
     noise: Noise | None,
     remarks: Remarks,
-    *,
     mask: NDArray[np.bool_] | None = None,
+    *,
     saturation: float | None = None,
     threads: int = 0,
-) -> StackContext:
-    """Return a stack without saturated, masked or hot voxels, with its noise."""
+) -> tuple[StackContext, Remarks]:
+    """Return a stack without saturated, masked or hot voxels, with its noise; and the remarks, which are added to."""
     limit = _saturation_limit(stack, saturation, remarks.notes)
     if mask is not None:
+        mask = np.broadcast_to(mask, stack.shape)
         masked = StackView(stack, limit, mask=mask)
         stack, limit = masked, masked.limit
         count = int(mask.sum())
@@ -73,7 +74,7 @@ def prepared(
     else:
         noise.require_shape(stack.shape)
         _check_noise(stack, noise, remarks.notes)
-    return _without_hot(StackContext(stack, model, noise, limit, threads), remarks)
+    return _without_hot(StackContext(stack, model, noise, limit, threads), remarks), remarks
 
 
 def _saturation_limit(stack: Stack, saturation: float | None, notes: list[str]) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from itertools import chain
 from typing import NamedTuple, cast
 
@@ -273,17 +273,21 @@ class TiledBlur(PlaneOperator):
         """Free the memory of transforms until the next :meth:`forward` or :meth:`adjoint`."""
         self._spectra = None
 
+    def forget_seen(self) -> None:
+        """Free the memory of the recorded fractions: :meth:`seen` and :meth:`per_seen` cannot be called again."""
+        self._seen = np.zeros((0, 0, 0), np.float32)
+
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the fraction of the light of each point in a part of the specimen that falls on the recording."""
         return self._look_up(self._seen[plane], rows, columns)
 
     def weigh(self, weight: float) -> None:
         """Set the weight by which :meth:`per_seen` divides."""
-        self._per = reciprocal(self._seen * np.float32(weight))
+        self._weight = np.float32(weight)
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return ``1 / (seen * weight)``, or 0 where hardly any light is recorded (`UNSEEN`)."""
-        return self._look_up(self._per[plane], rows, columns)
+        return self._look_up(reciprocal(self._seen[plane] * self._weight), rows, columns)
 
     def _look_up(self, table: Values, rows: slice, columns: slice) -> Values:
         """Return the values of a table (ranges along y, ranges along x) at the pixels of a part of a plane."""
@@ -570,14 +574,18 @@ class WideBlur(PlaneOperator):
     ) -> None:
         self._windows, self._threads = windows, threads
         self.shape, self.whole = windows.shape, windows.whole
-        kernels = list(tails)
+        first_tail = next(others := iter(tails))
         margin = (windows.whole[0] - windows.shape[0]) // 2, (windows.whole[1] - windows.shape[1]) // 2
-        half = kernels[0].shape[1] // 2
+        half = first_tail.shape[1] // 2
         if half * pitch < margin[1]:
             raise ValueError(f"tails must cover the margin of {margin[1]} pixels, got {half} nodes of {pitch} pixels")
         nodes = [(side - 1) // pitch + 2 for side in windows.shape[1:]]
         self._tails = TiledBlur(
-            kernels, (windows.shape[0], nodes[0], nodes[1]), (margin[0], half), weights=weights, threads=threads
+            chain([first_tail], others),
+            (windows.shape[0], nodes[0], nodes[1]),
+            (margin[0], half),
+            weights=weights,
+            threads=threads,
         )
         self._recording_weights = [
             _LinearWeights(side, 0, pitch, 0, count) for side, count in zip(windows.shape[1:], nodes, strict=True)
@@ -592,9 +600,9 @@ class WideBlur(PlaneOperator):
         self.outside = np.ones(windows.whole[0], np.float32)
         recorded = np.outer(*(axis.weights.sum(axis=0) for axis in self._recording_weights)).astype(np.float32)
         # Recorded fraction of the light of tails, by node.
-        self._seen = _stored(self._tails.adjoint, np.broadcast_to(recorded, self._tails.shape), self._tails.whole)
+        self._seen = _stored(self._tails, np.broadcast_to(recorded, self._tails.shape), transposed=True)
+        self._tails.forget_seen()
         self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._pixels_outside)
-        self._seen_lines = self._specimen_weights[0].interpolate(self._seen)
         self.outside_back = np.zeros(windows.whole[0], np.float32)
         self.weigh(1.0)
 
@@ -602,24 +610,24 @@ class WideBlur(PlaneOperator):
         """Call `consume` with the recording of a specimen, as :meth:`TiledBlur.forward` does."""
         coarse = self._bin(specimen, self._specimen_weights)
         coarse += self.outside[:, np.newaxis, np.newaxis] * self._pixels_outside
-        light = _stored(self._tails.forward, coarse, self._tails.shape)
+        light = _stored(self._tails, coarse)
         return self._windows.forward(specimen, self._with_coarse(light, self._recording_weights, consume))
 
     def adjoint(self, recording: Values, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the transpose of :meth:`forward`; set `outside_back`, the transpose for `outside`."""
-        light = _stored(self._tails.adjoint, self._bin(recording, self._recording_weights), self._tails.whole)
+        light = _stored(self._tails, self._bin(recording, self._recording_weights), transposed=True)
         self.outside_back = np.einsum("pyx,yx->p", light, self._pixels_outside)
         return self._windows.adjoint(recording, self._with_coarse(light, self._specimen_weights, consume))
 
     def release(self) -> None:
         """Free the memory of transforms until the next :meth:`forward` or :meth:`adjoint`."""
         self._windows.release()
-        self._tails.release()
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the fraction of the light of each point in a part of the specimen that falls on the recording."""
         fraction = self._windows.seen(plane, rows, columns)
-        self._specimen_weights[1].add_interpolated(self._seen_lines[plane, rows], columns, fraction)
+        lines = self._specimen_weights[0].interpolate(self._seen[plane])
+        self._specimen_weights[1].add_interpolated(lines[rows], columns, fraction)
         return fraction
 
     def weigh(self, weight: float) -> None:
@@ -659,23 +667,24 @@ class WideBlur(PlaneOperator):
     ) -> PartConsumer[Result]:
         """Return a consumer that adds interpolated coarse light to its values before it calls `consume`."""
         by_row, by_column = axes
-        lines = by_row.interpolate(light)
 
         def add(plane: int, rows: slice, columns: slice, values: Values) -> Result:
-            by_column.add_interpolated(lines[plane, rows], columns, values)
+            by_column.add_interpolated(by_row.interpolate(light[plane])[rows], columns, values)
             return consume(plane, rows, columns, values)
 
         return add
 
 
-def _stored(operator: Callable[..., object], light: Values, shape: tuple[int, ...]) -> Values:
-    """Return the whole result of an operator that passes its result in parts."""
+def _stored(blur: TiledBlur, light: Values, *, transposed: bool = False) -> Values:
+    """Return the whole result of a blur, or of its transpose, and free the memory of its transforms."""
+    operator, shape = (blur.adjoint, blur.whole) if transposed else (blur.forward, blur.shape)
     result = np.empty(shape, np.float32)
 
     def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
         result[plane, rows, columns] = values
 
     operator(light, store)
+    blur.release()
     return result
 
 

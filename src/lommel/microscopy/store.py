@@ -88,9 +88,11 @@ class Target:
 
 @contextmanager
 def _zarr_errors(unfinished: Unfinished) -> Iterator[None]:
-    """Convert errors of zarr to a ValueError that names the hidden folder."""
+    """Convert errors of zarr to a ValueError that names the hidden folder; zarr has one chunk in memory at a time."""
+    import zarr
+
     try:
-        with atomic.as_path_error(unfinished.place):
+        with atomic.as_path_error(unfinished.place), zarr.config.set({"async.concurrency": 1}):
             yield
     except Exception as error:  # zarr raises many types on damaged files
         if isinstance(error, OSError | MemoryError) or "can't start new thread" in str(error):

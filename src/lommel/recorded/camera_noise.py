@@ -181,9 +181,7 @@ class StackView:
         self._unknown = self.dtype.type(min(math.ceil(self.limit), largest) if is_integer else math.nan)
 
     def __getstate__(self) -> dict[str, object]:
-        # Axes along which the mask is broadcast would be written out.
-        once = tuple(slice(0, 1) if step == 0 else slice(None) for step in self._mask.strides)
-        return vars(self) | {"_mask": self._mask[once]}
+        return vars(self) | {"_mask": unrepeated(self._mask)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
@@ -205,6 +203,11 @@ class StackView:
             unknown[:, axis] -= first
         part[unknown[:, 0], unknown[:, 1]] = self._unknown
         return part
+
+
+def unrepeated(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return a mask with length 1 along axes along which it is broadcast, which would be written out in pickles."""
+    return mask[tuple(slice(0, 1) if step == 0 else slice(None) for step in mask.strides)]
 
 
 _PLANES = 24  # largest number of planes that are used, evenly spaced

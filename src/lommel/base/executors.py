@@ -120,10 +120,6 @@ class Workers:
                 for each in queue:
                     each.future.cancel()
 
-    def call(self, function: Callable[..., _Result], *task: Any) -> _Result:
-        """Return ``function(*task)``, which a worker computes."""
-        return next(self.run(function, [task]))[1]
-
     def _submit(
         self, executor: futures.Executor, function: Callable[..., _Result], task: _Task
     ) -> futures.Future[_Result]:
@@ -149,6 +145,11 @@ class Workers:
                 workers = {}
             if not workers:
                 validation.tell("no worker is connected to the cluster of the client: waiting for workers", Waiting)
+
+
+def called(workers: Workers | None, function: Callable[..., _Result], *task: Any) -> _Result:
+    """Return ``function(*task)``, which a worker computes, or this process without workers."""
+    return function(*task) if workers is None else next(workers.run(function, [task]))[1]
 
 
 class Waiting(RuntimeWarning):

@@ -15,7 +15,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.executors import Shared, Workers
+from lommel.base.executors import Shared, Workers, called
 from lommel.deconvolve.algorithms import EARLIEST, STEPS, ProgressCallback, RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings, iteration_of
 from lommel.deconvolve.likelihood import PoissonLikelihood
@@ -207,7 +207,7 @@ def restore_chunks(
         key=lambda tile: _distance_from_middle(tile[0], height, width),
     )
     # With several chunks, all start from the mean light of the whole stack.
-    mean_light = None if len(tiles) == 1 else _mean_light(context)
+    mean_light = None if len(tiles) == 1 else called(workers, _mean_light, context)
     there = context if workers is None else context._replace(threads=workers.threads)
     job = _Job(there, course, mean_light, tuple(doubts))
     outcome = Outcome(np.zeros((height, width)) if course.background.points > 1 else 0.0)

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.base.executors import Workers
+from lommel.base.executors import Workers, called
 from lommel.base.options import HIDDEN, In, Options, Shown, listed
 from lommel.base.units import format_length, percent
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
@@ -316,7 +316,7 @@ def run(
             hidden = None if ignored is None else unrepeated(ignored[number])
             task = stacks[number], model, shared[number].noise, remarks, hidden
             # Variances and hot pixels of whole planes take the memory of a worker, not of the client.
-            context, remarks = prepare(*task) if workers is None else workers.call(prepare, *task)
+            context, remarks = called(workers, prepare, *task)
             if k == 0:
                 notes[:] = remarks.notes
                 remarks.notes = notes
@@ -420,7 +420,7 @@ def _restored(
 ) -> RestoredChannel:
     """Restore a prepared channel: orient, solve, check."""
     shape = context.stack.shape
-    crop = select_crop(context.stack, context.model.window[1], context.saturation)
+    crop = called(workers, select_crop, context.stack, context.model.window[1], context.saturation)
     stages = _progress_parts(shape, crop, options)
     context = oriented(context, crop, shared.direction, remarks.notes, _within(report, 0.0, stages[0]))
     model = context.model
@@ -440,9 +440,7 @@ def _restored(
         )
         shared.steps = best_steps
     report(stages[-1], "PSFs")
-    if shared.psfs is None:
-        shared.psfs = (model.psfs if workers is None else partial(workers.call, model.psfs))(margin[0], tuning.slabs)
-    psfs = shared.psfs
+    psfs = shared.psfs = shared.psfs or called(workers, model.psfs, margin[0], tuning.slabs)
     depths = psfs.planes[margin[0] : margin[0] + shape[0]]
     remarks.notes += _psf_notes(model, psfs, depths)
     side = chunk_side(context, margin, psfs, options.method, tuning.tile, options.memory or _MEMORY)
@@ -459,7 +457,9 @@ def _restored(
         report(last_fraction, message)
 
     projections, floor = ProjectionBuilder((shape[0], shape[1], shape[2])), Floor()
-    request = "" if target.unfinished is None else _request(context, course, options)
+    request = ""
+    if target.unfinished is not None:
+        request = _request(context, course, options, called(workers, _image_checksums, model, psfs.depths))
     parts = projections, floor
     outcome = restore_chunks(context, course, target, place, request, parts, remarks.doubts, report_chunks, workers)
     if background.level is None:
@@ -521,11 +521,14 @@ def _psf_notes(model: DepthModel | GivenPSF, psfs: PSFs, depths: Array) -> list[
     return notes
 
 
-def _request(context: StackContext, course: Course, options: DeconvolveOptions) -> str:
+def _image_checksums(model: DepthModel | GivenPSF, depths: Array) -> list[str]:
+    """Return the checksums of the first and last PSF, which represent the optics."""
+    return [hashlib.sha256(model.point_image(depths[k]).tobytes()).hexdigest() for k in (0, -1)]
+
+
+def _request(context: StackContext, course: Course, options: DeconvolveOptions, ends: list[str]) -> str:
     """Return the checksum of all inputs of the restored values."""
     model, stack = context.model, context.stack
-    # The first and last PSF represent the optical model: a change of the optics changes them.
-    ends = [hashlib.sha256(model.point_image(course.psfs.depths[k]).tobytes()).hexdigest() for k in (0, -1)]
     camera = {
         name: value if np.ndim(value) == 0 else checksum(value[np.newaxis])
         for name, value in vars(context.camera).items()

@@ -17,7 +17,7 @@ from lommel.base.atomic import Unfinished
 from lommel.recorded.counts import PlanePart, Stack
 from lommel.recorded.frames import Frames, RecordingError
 
-_BLOCK_BYTES = 2**24  # largest size of a part that is read together, unless a single chunk is larger
+_BLOCK_BYTES = 2**22  # largest size of a part that is read together, unless a single chunk is larger
 
 
 @contextmanager

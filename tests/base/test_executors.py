@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import logging
 import pickle
+import socket
 import threading
+import time
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from types import SimpleNamespace
 
 import pytest
 
@@ -150,20 +154,53 @@ def test_clients_are_checked():
         Workers.of(pool, 2)
 
 
-def test_an_address_without_a_scheduler_is_named(monkeypatch):
-    distributed = pytest.importorskip("distributed")
-
-    def refuse(*_, **__):
-        raise OSError("Timed out trying to connect")
-
-    monkeypatch.setattr(distributed, "Client", refuse)
+@pytest.mark.parametrize(
+    "answer", [None, b"", b"SSH-2.0-OpenSSH_9.6 and sixty-four bytes of whatever follows\r\n" * 2]
+)
+def test_an_address_without_a_scheduler_is_named(answer, monkeypatch):
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(executors, "_PATIENCE", 0.1)
     with connected(None) as client:
         assert client is None
-    with (
-        pytest.raises(ConnectionError, match=r"no scheduler .* 'tcp://nobody:8786': Timed out"),
-        connected("tcp://nobody:8786"),
-    ):
-        pass
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        address = f"tcp://127.0.0.1:{server.getsockname()[1]}"
+
+        def serve():
+            with server.accept()[0] as connection:
+                connection.sendall(answer)
+                connection.recv(4096)
+
+        if answer is None:
+            server.close()  # nobody listens
+        elif answer:
+            threading.Thread(target=serve, daemon=True).start()
+        reason = {None: "Timed out", b"": "no answer within 0.1 s"}.get(answer, "another program does")
+        begun = time.monotonic()
+        with pytest.raises(ConnectionError, match=rf"no scheduler .* '{address}': {reason}"), connected(address):
+            pass
+        assert time.monotonic() - begun < 5.0
+
+
+@pytest.mark.parametrize("status", ["running", "connecting"])
+def test_a_client_without_its_scheduler_ends_without_a_traceback(status, monkeypatch, caplog):
+    distributed = pytest.importorskip("distributed")
+
+    class Client:
+        def __init__(self, address, timeout):
+            self.status = status
+
+        def close(self):
+            logging.getLogger("distributed.client").error("Traceback")
+
+    async def connect(address, **_):
+        return SimpleNamespace(abort=lambda: None)
+
+    monkeypatch.setattr(distributed, "Client", Client)
+    monkeypatch.setattr(distributed.comm, "connect", connect)
+    for _ in range(2):  # the second time, the level of the log is as before
+        with pytest.raises(ExecutorError), connected("tcp://scheduler:8786"):
+            raise ExecutorError
+    assert caplog.messages == ["Traceback"] * 2 * (status == "running")
 
 
 def _exit(_):

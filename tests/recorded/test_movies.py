@@ -133,6 +133,15 @@ def test_a_movie_that_was_cut_off_is_told(way, tmp_path):
         refused(path)
 
 
+def test_an_array_that_was_cut_off_is_told_with_its_bytes(tmp_path):
+    path = tmp_path / "movie.npy"
+    np.save(path, np.zeros((50, 40, 40), np.uint16))
+    data = path.read_bytes()
+    for kept in (len(data) - 1, 200):
+        path.write_bytes(data[:kept])
+        assert f"movie.npy: its header states more than its {kept} bytes: it is cut off" in refused(path)
+
+
 @pytest.mark.parametrize("way", ["pages", "deflate"])
 def test_damaged_frames_are_told_with_their_number(way, tmp_path):
     path = tmp_path / "movie.tif"

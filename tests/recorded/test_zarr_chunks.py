@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import struct
 
+import dask.array
 import numcodecs
 import numpy as np
 import pytest
@@ -66,11 +67,15 @@ def test_chunks_that_are_missing_are_counted(tmp_path):
     assert not found[0][:2].any()
 
 
-@pytest.mark.parametrize("form", ["array", "counts", "path"])
+@pytest.mark.parametrize("form", ["array", "counts", "path", "from_zarr", "from_array"])
 def test_chunks_that_are_missing_are_told(form, tmp_path):
     path = made(tmp_path / "a.zarr", 2, shards=None)
     chunks(path)[1].unlink()
     images = path if form == "path" else zarr.open(str(path))["0"]
+    if form == "from_zarr":
+        images = dask.array.from_zarr(str(path), "0")
+    elif form == "from_array":
+        images = dask.array.from_array(images).astype(float)
     if form == "counts":
         with pytest.warns(UserWarning, match="1 of the 4 chunks of the folder are missing and count as 0"):
             lm.Counts.of(images, noise=lm.Noise(read=1.0))

@@ -6,6 +6,8 @@ may outlive the call: a task must therefore write parts that are complete or abs
 
 from __future__ import annotations
 
+import asyncio
+import logging
 import os
 import pickle
 import secrets
@@ -27,7 +29,7 @@ _Result = TypeVar("_Result")
 _Value = TypeVar("_Value")
 
 _PATIENCE = 10.0
-"""Seconds without a result after which a cluster is asked for its workers."""
+"""Seconds without a result after which a cluster is asked for its workers, and to connect to a scheduler."""
 _ATTEMPTS = 8
 """Number of times that a task is submitted again after a cluster gave it up because its workers ended."""
 
@@ -224,11 +226,27 @@ def connected(address: str | None) -> Iterator[Any]:
         yield None
         return
     distributed = library("distributed", "a cluster needs", "")
+
+    async def reach() -> None:
+        security = distributed.Security().get_connection_args("client")
+        comm = distributed.comm.connect(address, timeout=0.8 * _PATIENCE, **security)
+        (await asyncio.wait_for(comm, _PATIENCE)).abort()
+
     try:
-        client = distributed.Client(address, timeout="10s")
-    except (OSError, ValueError, TypeError) as error:
+        asyncio.run(reach())  # a client that fails to connect would take 20 s more to close
+    except Exception as error:  # also of programs that answer otherwise, such as MemoryError
+        known = isinstance(error, OSError | ValueError)
+        reason = str(error) or f"no answer within {_PATIENCE:g} s" if known else "another program does"
         raise ConnectionError(
-            f"no scheduler of a dask cluster answers at {validation.shown(address)}: {validation.line(str(error))}"
+            f"no scheduler of a dask cluster answers at {validation.shown(address)}: {validation.line(reason)}"
         ) from None
-    with client:
+    client = distributed.Client(address, timeout=_PATIENCE)
+    try:
         yield client
+    finally:
+        logger = logging.getLogger("distributed.client")
+        level = logger.level
+        if client.status != "running":  # it connects again, and logs a traceback if it is closed: the error is ours
+            logger.setLevel(logging.CRITICAL)
+        client.close()
+        logger.setLevel(level)

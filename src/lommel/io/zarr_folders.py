@@ -12,7 +12,7 @@ import os
 import re
 import stat
 import struct
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple, Self
@@ -71,12 +71,32 @@ class Chunks:
                     raise ValueError(f"its chunk {key} is truncated: its header states more bytes")
 
 
-def missing_chunks(array: Any) -> list[str]:
-    """Return a sentence on missing chunks of an array that zarr opened in a folder; see `Chunks.missing`."""
-    root = getattr(getattr(array, "store", None), "root", None)
-    if type(array).__module__.partition(".")[0] != "zarr" or root is None:
-        return []
-    return Chunks(Path(root), array).missing(files_of(Path(root) / array.path))
+def missing_chunks(images: Any) -> list[str]:
+    """Return sentences on missing chunks of an array of Zarr, or of those that an array of dask reads."""
+    arrays = [array for array in stored_arrays(images) if type(array).__module__.partition(".")[0] == "zarr"]
+    folders = [(folder_of(array), array) for array in arrays]
+    lists = [Chunks(root, array).missing(files_of(root / array.path)) for root, array in folders if root is not None]
+    return list(dict.fromkeys(itertools.chain.from_iterable(lists)))
+
+
+def folder_of(array: Any) -> Path | None:
+    """Return the folder of the store of an array of Zarr, None if it is in none; dask opens one by fsspec."""
+    store = getattr(array, "store", None)
+    root = getattr(store, "root", None)
+    protocol = getattr(getattr(getattr(store, "fs", None), "sync_fs", None), "protocol", ())
+    root = store.path if root is None and store is not None and "file" in protocol else root
+    return None if root is None else Path(root)
+
+
+def stored_arrays(images: Any) -> Iterator[Any]:
+    """Yield an array and, if it is one of dask, the different objects in its tasks, such as arrays of Zarr."""
+    yield images
+    graph: Any = getattr(images, "__dask_graph__", dict)()
+    found: dict[int, Any] = {}
+    for task in dict(graph or {}).values():
+        parts = task if isinstance(task, tuple) else (task, getattr(task, "value", None), *getattr(task, "args", ()))
+        found |= {id(part): part for part in parts}
+    yield from found.values()
 
 
 META = "zarr.json"

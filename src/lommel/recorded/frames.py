@@ -812,11 +812,21 @@ def _file_frames(path: Path) -> Frames:
         raise RecordingError(f"{line(source)} holds one image: omit [{part}]")
     if start.startswith(_NUMPY):
         with errors_of(source):
-            return _array_frames(_grey(np.load(source, mmap_mode="r", allow_pickle=False)), "it", source)
+            return _array_frames(_grey(_npy(source)), "it", source)
     if start.startswith(photos.TIFF):
         return _open_tiff(source, part)
     with errors_of(source):
         return _fits_or_png_frames(source, part)
+
+
+def _npy(path: Path) -> Values:
+    try:
+        values: Values = np.load(path, mmap_mode="r", allow_pickle=False)
+    except ValueError as error:
+        if "mmap length" not in str(error):
+            raise
+        raise ValueError(f"its header states more than its {reading.size(path)} bytes: it is cut off") from None
+    return values
 
 
 def _letters_of(name: str, images: object) -> str:

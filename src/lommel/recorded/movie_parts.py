@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 from lommel.base import executors, validation
 from lommel.base.arrays import Values
 from lommel.base.optional import library
+from lommel.io import zarr_folders
 from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, Source, block_size, sizes_of_chunks
 
 
@@ -83,18 +83,10 @@ def _is_dask(images: Any) -> bool:
 
 def _check_seen(images: Any) -> None:
     # Chunks of a Zarr array that are missing count as empty: without its folder all would.
-    for stored in (images, *(_values_of(images.__dask_graph__()) if _is_dask(images) else ())):
-        root = getattr(getattr(stored, "store", None), "root", None)
-        if root is not None and not Path(root).exists():
-            raise RecordingError(executors.unseen(Path(root)))
-
-
-def _values_of(graph: Mapping[Any, Any]) -> Iterator[Any]:
-    """Yield the objects in the tasks of a graph of dask, such as arrays of Zarr."""
-    for task in dict(graph).values():
-        yield from (
-            task if isinstance(task, tuple) else (task, getattr(task, "value", None), *getattr(task, "args", ()))
-        )
+    for stored in zarr_folders.stored_arrays(images):
+        root = zarr_folders.folder_of(stored)
+        if root is not None and not root.exists():
+            raise RecordingError(executors.unseen(root))
 
 
 def parts_of(images: Any, size: int | None) -> Iterator[tuple[Part, list[slice]]]:

@@ -37,7 +37,7 @@ export function describedPsf(given, psf) {
       f_number: float(state.f_number),
       apodization: float(0),
       geometry: null,
-      ...(state.vanes ? { spider: { width: float(state.vane_width), angles: vanesOf(state).map(float) } } : {}),
+      ...(state.vanes ? { spider: { name: "Spider", width: float(state.vane_width), angles: vanesOf(state).map(float) } } : {}),
     },
     method: methodOf(state, float),
     sampling: state.view === "averaged" ? "pixel" : "center",

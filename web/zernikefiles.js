@@ -135,13 +135,7 @@ export function csvTable(text, faults) {
   if (settings.unit) settings.unit = UNIT_NAMES[settings.unit.toLowerCase()] ?? settings.unit;
   const [place, head] = rows.shift() ?? [0, []];
   const numbered = (name) => /^z\s*_?(\d+)$/i.exec(name)?.[1];
-  let names = head.map((name) => name.toLowerCase());
-  if (names.length && names.every(numbered)) {
-    if (rows.length !== 1 || rows[0][1].length !== names.length) faults.push(`line ${place}: below Z1, Z2, ... there must be one row of as many values`);
-    const [at, cells] = rows.shift() ?? [place, []];
-    rows.splice(0, rows.length, ...names.map((name, k) => [at, [name, cells[k] ?? ""]]));
-    names = ["index", "value"];
-  }
+  const names = head.map((name) => name.toLowerCase());
   const kept = names.map((name, k) => [name, k]).filter(([name]) => !["name", "aberration", "description"].includes(name));
   const columns = kept.map(([name]) => name);
   const value = /^(value|coefficient|coeff|c)\s*(?:[([]\s*(\S+?)\s*[)\]])?$/.exec(columns.pop() ?? "");

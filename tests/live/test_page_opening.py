@@ -107,7 +107,7 @@ TABLES = {
     "zfr.int": CODE_V.format(kind="ZFR"),
     "nm.csv": "# unit: nm\n# normalization: rms\n# wavelength: 633 nm\nn, m, value\n3, 1, 25\n2, -2, -3.5e1\n",
     "noll.csv": "# normalization: rms\nnoll;name;coeff (waves)\n4;defocus;0.1\n8;coma;-0.2\n",
-    "row.csv": "# order: ansi\n# unit: radians\n# normalization: edge\nZ3,Z4,Z12\n0.5,-1,0.25\n",
+    "ansi.csv": "# order: ansi\n# unit: radians\n# normalization: edge\nj,c\nZ3,0.5\nZ4,-1\nZ12,0.25\n",
     "table.json": '{"order": "noll", "unit": "um", "normalization": "rms", "wavelength":"1 um","terms": {"7": 0.1}}',
     "table.toml": 'order = "fringe"\nunit = "waves"\nnormalization = "edge"\n[terms]\n4 = 0.5 # defocus\n37 = 0.01\n',
 }
@@ -187,6 +187,7 @@ FAULTS = {
     "rectangular pixels": (GOOD.replace('"3 um"', '["3 um", "4 um"]'), ".toml", ["sensor.pixel (line 6)", "square"]),
     "no unit of coefficients": ("# normalization: rms\nn,m,value\n3,1,2\n", ".csv", ["unit", "waves"]),
     "no order": ("index,value\n3,2\n", ".csv", ['the line "# order: noll": is missing']),
+    "a column of each term": ("# order: ansi\nZ3,Z4\n0.5,-1\n", ".csv", ["line 2", '"index,value"', "Z3,Z4"]),
     "annular terms": (LISTING.format(kind="Annular"), ".txt", ["annular"]),
     "a surface": (CODE_V.format(kind="ZFR").replace("WFR", "SUR"), ".int", ["WFR"]),
     "too few values": (CODE_V.format(kind="ZFR").replace(" 9 ", " 12 "), ".int", ["12 values, got 9"]),

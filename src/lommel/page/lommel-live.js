@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 4072626503a7903d3107cb560a142902b23c6ae4d9f24593fd1df6c6c8deaa5e
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: b51a7484c4712ca68fa1463fa5f5672b54bb780bc631280101ff754da6e072dd
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {
@@ -1314,7 +1314,7 @@ wavelength: float(state.wavelength * 1e-9),
 f_number: float(state.f_number),
 apodization: float(0),
 geometry: null,
-...(state.vanes ? { spider: { width: float(state.vane_width), angles: vanesOf(state).map(float) } } : {}),
+...(state.vanes ? { spider: { name: "Spider", width: float(state.vane_width), angles: vanesOf(state).map(float) } } : {}),
 },
 method: methodOf(state, float),
 sampling: state.view === "averaged" ? "pixel" : "center",
@@ -3239,13 +3239,7 @@ rows.push([index + 1, plain.split(between).map((cell) => cell.trim().replace(/^"
 if (settings.unit) settings.unit = UNIT_NAMES[settings.unit.toLowerCase()] ?? settings.unit;
 const [place, head] = rows.shift() ?? [0, []];
 const numbered = (name) => /^z\s*_?(\d+)$/i.exec(name)?.[1];
-let names = head.map((name) => name.toLowerCase());
-if (names.length && names.every(numbered)) {
-if (rows.length !== 1 || rows[0][1].length !== names.length) faults.push(`line ${place}: below Z1, Z2, ... there must be one row of as many values`);
-const [at, cells] = rows.shift() ?? [place, []];
-rows.splice(0, rows.length, ...names.map((name, k) => [at, [name, cells[k] ?? ""]]));
-names = ["index", "value"];
-}
+const names = head.map((name) => name.toLowerCase());
 const kept = names.map((name, k) => [name, k]).filter(([name]) => !["name", "aberration", "description"].includes(name));
 const columns = kept.map(([name]) => name);
 const value = /^(value|coefficient|coeff|c)\s*(?:[([]\s*(\S+?)\s*[)\]])?$/.exec(columns.pop() ?? "");

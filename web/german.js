@@ -2,10 +2,10 @@
 
 export const GERMAN = {
   // Frame of the page
-  "Point spread function, live": "Punktbildfunktion, live",
+  "Point spread function, live": "Punktbild\u00adfunktion, live",
   "Point spread functions, live": "Punktbildfunktionen, live",
   "Point spread function": "Punktbildfunktion (PSF)",
-  "Drag a slider, or type a number; double-click for the default. {0}": "Regler ziehen oder Zahl eingeben; Doppelklick stellt den Anfangswert her. Ein Klick auf ein Wort, oder auf „?“, erklärt es.",
+  "Drag a slider or type a number; double-click for the default. {0}": "Regler ziehen oder Zahl tippen; Doppelklick: Anfangswert. Klick auf ein Wort oder „?“: Bedeutung.",
   "Presets …": "Beispiele …",
   Preset: "Beispiel",
   "Open …": "Öffnen …",

@@ -126,7 +126,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
   page.preset.append(el("option", { value: "" }, "Presets …"), ...names);
   // One line high, so that nothing moves as it comes and goes; unfolded it lies over what is below.
   page.source = el("details", { class: "source note", hidden: true }, el("summary"));
-  page.hint = el("p", { class: "note" }, "Drag a slider, or type a number; double-click for the default. Click any word, or “?”, for its meaning.");
+  page.hint = el("p", { class: "note" }, "Drag a slider or type a number; double-click for the default. Click any word, or “?”, for its meaning.");
 
   const compare = el(
     "span",
@@ -156,9 +156,9 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     "div",
     { class: "tools" },
     shows("presets") ? page.preset : null,
-    shows("lessons") ? lessons.menu : null,
     shows("presets") ? button("open", "Open …", opened, () => choose(SUFFIXES.join())) : null,
     page.file,
+    shows("lessons") ? lessons.menu : null,
     shows("compare") ? compare : null,
   );
 

@@ -223,8 +223,17 @@ export function nameLesson(name) {
     address.searchParams.set("lesson", name);
     address.hash = "";
   } else address.searchParams.delete("lesson");
+  if (address.search !== location.search) goTo(address, { begun: true, further: true });
+}
+
+// In the history, whether an address is what the page or a lesson began with, from which the first change goes further.
+const BEGUN = "lommelBegun";
+export const begun = (state) => state?.[BEGUN];
+
+export function goTo(address, { begun, further = false } = {}) {
+  const state = begun === undefined ? history.state : { ...history.state, [BEGUN]: begun };
   try {
-    if (address.search !== location.search) history.pushState(null, "", address);
+    history[further ? "pushState" : "replaceState"](state, "", address);
   } catch {
     // A page that has no address of its own, as within a frame.
   }
@@ -236,7 +245,7 @@ export class Lessons {
   constructor(set, level = 2, turn = () => {}) {
     Object.assign(this, { set, turn });
     const titles = NAMES.map((name, index) => [name, `${index + 1}: ${LESSONS[name].title}`]);
-    this.menu = menu("Lessons", { "": "Lessons …", ...Object.fromEntries(titles) }, "", (name) => this.open(name));
+    this.menu = menu("Lessons", { "": "Lessons …", ...Object.fromEntries(titles) }, "", (name) => this.open(name), { class: "lessons" });
     const button = (text, label, onclick) => el("button", { type: "button", "aria-label": label, title: label, onclick }, text);
     const by = (step) => this.open(NAMES[NAMES.indexOf(this.name) + step]);
     this.title = el(`h${level + 1}`, { class: "title", "aria-live": "polite" });

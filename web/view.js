@@ -9,7 +9,7 @@ import { el } from "./dom.js";
 import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
 import { english, follow, isGerman, speak, tell } from "./language.js";
 import { layout, UNNAMED } from "./layout.js";
-import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
+import { askedLesson, begun, goTo, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { STAR, testPicture } from "./pictures.js";
 import { curveSaid, niceTop, read, short, svg } from "./plots.js";
 import { PRESETS } from "./presets.js";
@@ -155,15 +155,17 @@ export class View {
       this.nameFromLink();
     };
     if (url) addEventListener("hashchange", this.fromLink);
-    // Back to the lesson before, or to none.
-    this.fromHistory = () => {
+    // Back to the setting that the page or a lesson began with, to the lesson before, or to none.
+    this.fromHistory = ({ state }) => {
       const name = askedLesson();
-      if (name === this.lessons.name) return;
-      this.lessons.show(name);
+      if (name === this.lessons.name && begun(state) === undefined) return;
+      if (name !== this.lessons.name) this.lessons.show(name);
       this.start = lessonState(name) ?? this.given;
       this.set({ ...this.start, ...withSpikes(fromText(location.hash), this.start) });
+      clearTimeout(this.linking); // the address stays as it was
     };
     if (url) addEventListener("popstate", this.fromHistory);
+    if (url && begun(history.state) === undefined) goTo(location.href, { begun: true });
     this.wanted = "settled";
     this.redraw = true;
     if (url) this.remark(refused(fromText(location.hash), location.hash, this.lessons.name ? "" : askedLesson()));
@@ -700,11 +702,7 @@ export class View {
     if (!this.url) return;
     const address = new URL(location.href);
     address.searchParams.set("lang", language);
-    try {
-      history.replaceState(history.state, "", address);
-    } catch {
-      // A page that has no address of its own, as within a frame.
-    }
+    goTo(address);
   }
 
   tell(text) {
@@ -737,10 +735,6 @@ export class View {
 
   writeLink() {
     const text = this.linkText();
-    try {
-      history.replaceState(history.state, "", text ? `#${text}` : location.pathname + location.search);
-    } catch {
-      // A page that has no address of its own, as within a frame.
-    }
+    if (location.hash.slice(1) !== text) goTo(text ? `#${text}` : location.pathname + location.search, { begun: false, further: begun(history.state) });
   }
 }

@@ -101,3 +101,33 @@ def test_a_link_followed_on_the_same_page_is_taken(visit: Callable[..., Any]) ->
     page.evaluate("location.hash = '#a-heading-of-the-page'")
     rest(page)
     assert state(page)["coma"] == 0.5
+
+
+def test_back_leads_to_the_setting_before_the_first_change(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#coma=.5&junk=1")
+    for defocus in (1, 2, 3):
+        page.evaluate("defocus => live.set({ defocus })", defocus)
+        assert "defocus" in fragment(page)
+    page.go_back()
+    rest(page)
+    assert fragment(page) == "coma=.5&junk=1"
+    assert (state(page)["coma"], state(page)["defocus"]) == (0.5, 0.6)
+    page.go_forward()
+    rest(page)
+    assert (state(page)["coma"], state(page)["defocus"]) == (0.5, 3)
+    page.reload()
+    rest(page)
+    page.evaluate("live.set({ defocus: 4 })")
+    assert "defocus=4" in fragment(page)
+    # One step for all changes, also of a lesson.
+    page.locator("select.lessons").select_option("coma")
+    rest(page)
+    page.evaluate("live.set({ defocus: 1 })")
+    assert "defocus=1" in fragment(page)
+    for lesson, defocus in (("coma", 0), ("", 4), ("", 0.6)):
+        page.go_back()
+        rest(page)
+        assert page.locator("select.lessons").input_value() == lesson
+        assert state(page)["defocus"] == defocus
+    page.go_back()
+    assert page.url == "about:blank"

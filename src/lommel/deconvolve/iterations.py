@@ -26,8 +26,8 @@ from lommel.deconvolve.algorithms import (
 from lommel.deconvolve.likelihood import PhotographLikelihood, PoissonLikelihood, at_least
 from lommel.deconvolve.linear import PartConsumer, PlaneOperator, Result
 
-_STRIDE = 2  # stride along each axis of the voxels from which the extrapolation factor is computed
-_MAX_GROWTH = 4.0  # largest factor by which extrapolation multiplies the light of a voxel
+STRIDE = 2  # stride along each axis of the voxels from which the extrapolation factor is computed
+MAX_GROWTH = 4.0  # largest factor by which extrapolation multiplies the light of a voxel
 _DIM_START = 0.01  # smallest initial light of the specimen, relative to the mean light
 
 
@@ -131,8 +131,8 @@ class Iteration:
         # Light of the specimen beyond its margin, one value for each plane, if the blur models it.
         self._outside = None if blur.outside is None else _Estimate(np.full(blur.whole[0], start, counted.dtype))
         self.strength: float | None = None  # estimated weight of the total variation
-        # Last change of the light, sampled with stride _STRIDE.
-        self._last_change = np.zeros([-(-side // _STRIDE) for side in blur.whole], dtype=counted.dtype)
+        # Last change of the light, sampled with stride STRIDE.
+        self._last_change = np.zeros([-(-side // STRIDE) for side in blur.whole], dtype=counted.dtype)
         self.course: list[StepSettings] = []  # settings of all steps so far
         self._specimen_discrepancies: list[float] = []  # of the voxels lit by the specimen, after each step
         self.discrepancies = np.full(len(counted.known), np.inf)  # of each plane
@@ -172,7 +172,7 @@ class Iteration:
                 stopped = NOISE
             if stopped or (self._prescribed is not None and rule.steps == len(self._prescribed) - 1):
                 return rule.steps, stopped or STEPS, self.discrepancies
-            square = float(np.vdot(self._last_change, self._last_change))
+            square = self._product(self._last_change, self._last_change)
             overlap = self._step()
             if method.accelerate and rule.steps > 0:
                 rule.update_extrapolation(square, overlap)
@@ -186,10 +186,14 @@ class Iteration:
         if self._prescribed:
             settings = self._prescribed[min(len(self.course), len(self._prescribed) - 1)]
         self._extrapolate(settings)
-        self.discrepancies = self._counted.discrepancies(self._blur, self.guess, self._misfit)
+        self.discrepancies = self._compare()
         self.course.append(settings._replace(background=self._background.guess))
         self._specimen_discrepancies.append(self._counted.of_specimen[0])
         return self._counted.mean(self.discrepancies)
+
+    def _compare(self) -> Array:
+        """Compute the misfit of the extrapolated light, and return its discrepancies."""
+        return self._counted.discrepancies(self._blur, self.guess, self._misfit)
 
     def _specimen_settled(self, discrepancy: float, target: float) -> bool:
         """Check that the whole recording has reached the target, and the specimen has reached it or improves no more.
@@ -214,8 +218,12 @@ class Iteration:
             if self._background_prescribed:
                 self._background.guess = settings.background
             self._counted.set_background(self._background.guess)
+        self._extrapolate_light(factor)
+
+    def _extrapolate_light(self, factor: float) -> None:
         if self._before is None:
             return
+        smallest = self._counted.smallest
         for light, before in zip(self._light, self._before, strict=True):
             if factor == 0.0:
                 before[...] = light
@@ -244,26 +252,34 @@ class Iteration:
 
     def _back_projected(self, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the parts of A^T of the misfit; update the background and the light beyond margins."""
-        misfit, smallest = self._misfit, self._counted.smallest
+        smallest = self._counted.smallest
         if self._background_unknown:
-            means = self._counted.means(misfit, len(self._background.guess))
-            self._background.step(1.0 + means, smallest)
-        results = self._blur.adjoint(misfit, consume)
+            self._background.step(1.0 + self._means(len(self._background.guess)), smallest)
+        results = self._adjoint(consume)
         if self._outside is not None:
             ratio = np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
             self._outside.step(ratio, smallest)
         return results
 
+    def _means(self, points: int) -> Array:
+        return self._counted.means(self._misfit, points)
+
+    def _adjoint(self, consume: PartConsumer[Result]) -> list[Result]:
+        return self._blur.adjoint(self._misfit, consume)
+
+    def _product(self, a: Values, b: Values) -> float:
+        return float(np.vdot(a, b))
+
     def _update_change(self, plane: int, rows: slice, columns: slice, stepped: Values, guess: Values) -> float:
         """Replace the sampled change of a part by the change of this step, and return the scalar product of both."""
-        if plane % _STRIDE:
+        if plane % STRIDE:
             return 0.0
-        offset = -rows.start % _STRIDE, -columns.start % _STRIDE
-        sampled = np.s_[offset[0] :: _STRIDE, offset[1] :: _STRIDE]
+        offset = -rows.start % STRIDE, -columns.start % STRIDE
+        sampled = np.s_[offset[0] :: STRIDE, offset[1] :: STRIDE]
         change = stepped[sampled] - guess[sampled]
-        start = (rows.start + offset[0]) // _STRIDE, (columns.start + offset[1]) // _STRIDE
-        stored = self._last_change[plane // _STRIDE, start[0] :, start[1] :][: change.shape[0], : change.shape[1]]
-        overlap = float(np.vdot(change, stored))
+        start = (rows.start + offset[0]) // STRIDE, (columns.start + offset[1]) // STRIDE
+        stored = self._last_change[plane // STRIDE, start[0] :, start[1] :][: change.shape[0], : change.shape[1]]
+        overlap = self._product(change, stored)
         stored[...] = change
         return overlap
 
@@ -285,7 +301,7 @@ def _extrapolate(light: Values, before: Values, factor: float, least: float, out
     result += (1.0 - factor) * light
     result = np.divide(light, result, out=out)
     # A row of limits: NumPy compares two arrays much faster than an array and a number here (see `at_least`).
-    result = np.minimum(result, np.full(np.shape(result)[-1:], _MAX_GROWTH, np.asarray(result).dtype), out=out)
+    result = np.minimum(result, np.full(np.shape(result)[-1:], MAX_GROWTH, np.asarray(result).dtype), out=out)
     result *= light
     return np.maximum(result, np.full(np.shape(result)[-1:], least, np.asarray(result).dtype), out=out)
 
@@ -383,7 +399,7 @@ class VariationIteration(Iteration):
             if self.course:
                 if self._prescribed:
                     self._strength = self._prescribed[len(self.course)].strength
-                square = float(np.vdot(self._last_change, self._last_change))
+                square = self._product(self._last_change, self._last_change)
                 overlap = self._step()
                 count = len(self.objectives)
                 extrapolation = min(max(overlap / square, 0.0), 0.999) if square > 0.0 and count > 1 else 0.0

@@ -21,7 +21,7 @@ from lommel.recorded.noise import Noise
 SINGLE: np.dtype[np.floating] = np.dtype(np.float32)
 TINY = 1e-30  # smallest denominator: the ratio of a count of 0 to a model of 0 is then 0
 _MIN_ELECTRONS = 3.0  # mean electrons above which the expected deviance of the true scene is set to 1 + 1 / (6 m)
-_MAX_RATIO = 1e3  # largest ratio of counts to model
+MAX_RATIO = 1e3  # largest ratio of counts to model
 _BLOCK, _DARKEST = 8, 10.0  # side of blocks in pixels, and percentile of their means from which a background starts
 
 
@@ -172,7 +172,7 @@ class PoissonLikelihood:
         zero = self.dtype.type(0.0)
         return np.where(known, counts, zero), np.where(known, weight, zero)
 
-    def _added_at(self, rows: slice, columns: slice) -> Values:
+    def added_at(self, rows: slice, columns: slice) -> Values:
         """Return `added`, the read variance in units of light, of a part of a plane."""
         return _map_part(self._added, rows, columns)
 
@@ -266,6 +266,10 @@ class PoissonLikelihood:
         for plane, part_sums in blur.forward(specimen, compare):
             sums[plane] += part_sums[0]
             of_specimen += part_sums[1:]
+        return self.judged(sums, of_specimen)
+
+    def judged(self, sums: Array, of_specimen: Array) -> Array:
+        """Return the discrepancy of each plane, and set `of_specimen`, by the sums of `_deviance_sums`."""
         if self.judges_specimen and np.any(self.background):
             deviance, weights, squares = of_specimen
             # A term of the deviance has the variance 2. The mean of terms with weights w has the variance
@@ -289,7 +293,7 @@ class PoissonLikelihood:
         squares = light.copy() if self.judges_specimen and np.any(background) else None
         model = np.add(light, offset, out=light)
         ratio = np.divide(counts, model, out=counts)
-        np.minimum(ratio, np.full(ratio.shape[-1:], _MAX_RATIO, ratio.dtype), out=ratio)
+        np.minimum(ratio, np.full(ratio.shape[-1:], MAX_RATIO, ratio.dtype), out=ratio)
         if self._full is not None:  # the model may exceed the counts of a saturated pixel
             np.maximum(ratio, 1.0, out=ratio, where=self._full[plane, rows, columns])
         terms = at_least(ratio.copy(), TINY)

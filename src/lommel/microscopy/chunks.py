@@ -22,12 +22,14 @@ from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator, Window, tiles_of
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import PSFs
+from lommel.microscopy.device_iteration import DeviceIteration
 from lommel.microscopy.held_out import stopping_rule
 from lommel.microscopy.light_checks import Floor
 from lommel.microscopy.refinement import StackContext
 from lommel.microscopy.restored_stack import INTERRUPTED, MISFIT, Projected, ProjectionBuilder, projected
 from lommel.microscopy.store import Target
 from lommel.recorded.counts import Stack
+from lommel.traced.namespaces import Placement
 
 Report = Callable[[float, str], object]
 
@@ -44,6 +46,7 @@ class Course(NamedTuple):
     margin: tuple[int, int]  # planes and pixels
     psfs: PSFs
     side: int  # of chunks, pixels
+    place: Placement | None = None  # where the steps are computed, None for arrays of NumPy
 
 
 @dataclass
@@ -146,28 +149,26 @@ class _Job:
             blur.outside[...] = counted.level
         is_structured = settings is None and counted.flat() > 1.0 + counted.slack
         before = counted.mean(counted.discrepancies(blur, counted.scene(*course.margin)))
-        iteration = iteration_of(
-            method,
-            blur,
-            counted,
-            settings,
-            background=course.background,
-            aspect=model.aspect,
-            threads=context.threads,
-        )
+        background = course.background
+        if course.place is not None:
+            iteration: Iteration = DeviceIteration(course.place, blur, counted, settings, background=background)
+        else:
+            iteration = iteration_of(
+                method, blur, counted, settings, background=background, aspect=model.aspect, threads=context.threads
+            )
         iteration.enough = stopping_rule(method, course.best_steps, counted)
         count, stopped, discrepancies = _solve(iteration, method, report, may_interrupt=may_interrupt)
         after, finding = counted.mean(discrepancies), None
         if settings is None:
             finding = _finding(counted, stopped, count, before, after, doubts)
-        background = counted.background
+        light = counted.background
         return _Restored(
             np.ascontiguousarray(iteration.inside(*course.margin)[:, *inner]),
             projected(inner, blur, counted, iteration.guess),
             (before, after),
             float(counted.known.sum()),
             is_structured,
-            np.asarray(background)[inner] if course.background.points > 1 else background,
+            np.asarray(light)[inner] if background.points > 1 else light,
             iteration.course,
             count,
             _reason(finding, stopped),

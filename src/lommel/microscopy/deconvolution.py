@@ -40,6 +40,7 @@ from lommel.recorded.counts import LARGEST, Counts
 from lommel.recorded.frames import Frames, frames_of
 from lommel.recorded.headers import Metadata, with_header
 from lommel.recorded.noise import Noise
+from lommel.traced.namespaces import Placement
 
 _BACKGROUNDS = {"flat": 1, "uneven": 3}  # points along each side of the field at which levels are estimated
 _MEMORY = 2.0**31  # default memory limit, bytes
@@ -178,7 +179,7 @@ def deconvolve(
         Saturated voxels are ignored: by default those with the largest value of 8, 10, 12, 14 or 16 bits, if several
         voxels of an integer stack have it. NaN, masked voxels and hot pixels are ignored, too;
         :meth:`lommel.Counts.of` states masks and saturation. All time points of a series are restored, one after the
-        other.
+        other. The steps of Richardson-Lucy for an array of CuPy or PyTorch run on its device, where the result is.
     microscope : Objective, Microscope, PSF or MeasuredPSF
         Objective, or microscope from :func:`lommel.load_microscope`. A Microscope also sets modality, emitter and
         aberrations, the default depth, and the wavelength, pixel and step of files without these values. Or the PSF
@@ -269,6 +270,9 @@ def run(
 ) -> RestoredStack:
     """Deconvolve a stack: see :func:`deconvolve`; masked voxels are left out."""
     tuning = tuning or Tuning()
+    if (home := Placement.of(stack)) is not None:
+        _require_here(home, options)
+        stack = home.to_numpy(stack)
     workers = None if options.client is None else Workers.of(options.client)
     if workers is not None and options.out is None:
         raise ValueError("client needs out=, a folder that this process and the workers see")
@@ -331,6 +335,7 @@ def run(
                 found.pixel_doubt,
                 shared[number],
                 workers,
+                home,
                 _within(report, k / total, (k + 1) / total, label),
             )
             results.append(replace(result, projections=results[number].projections) if moment else result)
@@ -340,6 +345,7 @@ def run(
                 del stacks, context
                 reading.close()
         values = target.finish(" ".join(notes), len(results))
+        values = values if home is None else home.put(values)
     findings = [
         finding if len(names) == 1 else replace(finding, text=f"{name}: {finding.text}")
         for number, name in enumerate(names)
@@ -347,6 +353,18 @@ def run(
     ]
     summary = _summary(results, len(names) if series else 0)
     return RestoredStack(values, tuple(results), used, tuple(notes), findings=Findings(findings), summary=summary)
+
+
+def _require_here(home: Placement, options: DeconvolveOptions) -> None:
+    """Raise ValueError for options that arrays on a device do not support."""
+    name = home.namespace.name
+    for option in ("out", "client"):
+        if getattr(options, option) is not None:
+            raise ValueError(f"{option} needs a file, or an array of NumPy, dask or Zarr; stack is one of {name}")
+    if isinstance(options.method, TotalVariation):
+        raise ValueError(
+            f"method must be RichardsonLucy for arrays of {name}, got TotalVariation: give a NumPy array"
+        )
 
 
 @dataclass
@@ -416,6 +434,7 @@ def _restored(
     pixel_doubt: str,
     shared: _Shared,
     workers: Workers | None,
+    home: Placement | None,
     report: Report,
 ) -> RestoredChannel:
     """Restore a prepared channel: orient, solve, check."""
@@ -447,7 +466,7 @@ def _restored(
     if tuning.margin is None and shape[0] < model.window[0] // 2:
         remarks.notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
     course = Course(
-        options.method, background if level is None else Background(level), best_steps, margin, psfs, side
+        options.method, background if level is None else Background(level), best_steps, margin, psfs, side, home
     )
     last_fraction = stages[-1]
 

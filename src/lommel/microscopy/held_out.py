@@ -87,7 +87,7 @@ class _Half(PoissonLikelihood):
         if self._validation is not None:
             position = plane, rows, columns
             _, weight = self.part(*position)
-            counts = np.maximum(self._validation[position] + self._added_at(rows, columns), np.float32(0.0))
+            counts = np.maximum(self._validation[position] + self.added_at(rows, columns), np.float32(0.0))
             valid = np.isfinite(counts) & (weight > 0.0)
             counts = np.where(valid, counts, light)  # `light` now holds the model
             # The Poisson deviance m - y + y ln(y / m) of the held-out counts y.

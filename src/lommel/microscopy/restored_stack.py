@@ -19,6 +19,7 @@ from lommel.recorded import stack_files
 from lommel.recorded.frames import Frames
 from lommel.recorded.noise import Noise
 from lommel.show import estimates as pictures
+from lommel.traced.namespaces import Placement
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -110,7 +111,12 @@ class RestoredStack(FitReport):
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
         """Return the values."""
-        return np.array(self.values[...], dtype=dtype, copy=copy)
+        return np.array(self._on_host, dtype=dtype, copy=copy)
+
+    @property
+    def _on_host(self) -> Values:
+        place = Placement.of(self.values)
+        return self.values[...] if place is None else place.to_numpy(self.values)
 
     def to_dict(self) -> Json:
         """Return the result as data that can be written as JSON, without `values`.
@@ -181,7 +187,7 @@ class RestoredStack(FitReport):
         places = [validation.path("paths", path) for path in paths]
         for place in places:
             stack_files.kind_of(place, self.recording.path)
-        values = np.asarray(self.values[...], np.float32)
+        values = np.asarray(self._on_host, np.float32)
         values = values[np.newaxis] if values.ndim == 3 else values
         for place in places:
             stack_files.save_stack(place, values, self.recording, " ".join(self.notes))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from itertools import chain
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 import scipy
@@ -217,6 +217,20 @@ class TiledBlur(PlaneOperator):
             parts = spectrum.reshape(planes, groups, -1)[:, :, _COLUMNS].transpose(1, 0, 2)
             ordered[row, :, :, 0], ordered[row, :, :, 1] = parts.real, parts.imag
         return ordered.reshape(rows, groups, planes, -1)
+
+    def spectrum(self, number: int) -> Values:
+        """Return the transform of a kernel in the order of FFTs, shape (depth, rows, columns // 2 + 1), complex."""
+        height, width = self._tile
+        ordered: Any = self._transfers[number]
+        rows, groups, planes, _ = ordered.shape
+        parts = ordered.reshape(rows, groups, planes, 2, -1)[..., np.argsort(_COLUMNS)]
+        spectrum = (parts[..., 0, :] + 1j * parts[..., 1, :]).transpose(2, 0, 1, 3).reshape(planes, rows, -1)
+        spectrum = spectrum[..., : width // 2 + 1] * np.float32(self._depth)
+        if planes < self._depth:  # of an even kernel
+            spectrum = np.concatenate([spectrum, spectrum[1 : (self._depth + 1) // 2][::-1].conj()])
+            row = np.arange(height)
+            spectrum = spectrum[:, np.minimum(row, height - row)]
+        return np.asarray(spectrum)
 
     def _recorded_ranges(self) -> tuple[list[NDArray[np.intp]], list[NDArray[np.intp]]]:
         """Return the distinct ranges of recorded kernel pixels along y and x, and the range number of each row.

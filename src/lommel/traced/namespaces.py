@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 from importlib import import_module
-from typing import Any, Protocol, TypeAlias, TypeVar, cast
+from typing import Any, NamedTuple, Protocol, TypeAlias, TypeVar, cast
 
 import numpy as np
 
@@ -77,9 +77,9 @@ class Namespace:
         name = name.removeprefix("array_api_compat.")
         top = name.partition(".")[0]
         if top in _EXTRAS:
-            library(top, f"a traced plan in {top} needs", top)
+            library(top, f"arrays of {top} need", top)
             home = "jax.numpy" if top == "jax" else f"array_api_compat.{top}"
-            return cls(top, library(home, f"a traced plan in {top} needs", top))
+            return cls(top, library(home, f"arrays of {top} need", top))
         try:
             namespace = import_module(name) if isinstance(module, str) else module
         except (ImportError, ValueError):
@@ -221,3 +221,26 @@ class Namespace:
         if hasattr(x, "to_device") and self.name == "array_api_strict":
             x = x.to_device(self.xp.Device("CPU_DEVICE"))
         return np.asarray(x)
+
+
+class Placement(NamedTuple):
+    """A namespace and a device on which arrays lie."""
+
+    namespace: Namespace
+    device: Any
+
+    @classmethod
+    def of(cls, array: Any) -> Placement | None:
+        """Return where an array of CuPy, PyTorch or array_api_strict lies; None for arrays of other packages."""
+        top = type(array).__module__.partition(".")[0]
+        return cls(Namespace.of(top), array.device) if top in ("cupy", "torch", "array_api_strict") else None
+
+    def put(self, values: Values) -> Operand:
+        """Return a NumPy array there, floats in single precision."""
+        xp: Any = self.namespace.xp
+        kinds = {"f": xp.float32, "c": xp.complex64, "i": xp.int64}
+        return self.namespace.put(values, self.device, kinds[np.asarray(values).dtype.kind])
+
+    def to_numpy(self, array: Operand) -> Values:
+        """Return an array there as an array of NumPy."""
+        return self.namespace.to_numpy(array)

@@ -1,5 +1,6 @@
 // The page in German: texts are written in English, and what is shown of them is looked up in one table. Keys may hold {0}, {1}, … for
-// parts that differ, which are looked up in turn; those of long texts end in {0} after as many words as tell them apart.
+// parts that differ, which are looked up in turn, or kept where the German has {0!}; those of long texts end in {0} after as many words
+// as tell them apart.
 
 import { GERMAN } from "./german.js";
 
@@ -13,13 +14,16 @@ const written = new WeakMap(); // node -> {attribute or "data": [English, as sho
 const followed = new Map(); // root -> what to call when the language changes
 
 const plain = (text) => text.replace(/\s+/g, " ").trim();
-// Those that begin with a text come first, and longer ones before shorter ones.
-const place = (key) => [key.startsWith("{") ? 0 : 1, key.length];
+// Those with more text of their own come first.
+const own = (key) => key.replace(/\{\d\}/g, "").length;
 const patterns = Object.keys(GERMAN)
   .filter((key) => key.includes("{0}"))
-  .sort((a, b) => place(b)[0] - place(a)[0] || place(b)[1] - place(a)[1])
+  .sort((a, b) => own(b) - own(a))
   .map((key) => {
-    const part = /^\{0\} [^\s{]+$/.test(key) ? "([-−\\d.e∞<> ]*[\\d∞])" : "(.*?[^\\s,;:])"; // before a unit a number
+    const number = /^\{0\} [^\s{]+$/.test(key) && "([-−\\d.e∞<> ]*[\\d∞])"; // before a unit
+    // What begins with a part is within one of several sentences or errors.
+    const any = key.startsWith("{") ? "(?!; )." : ".";
+    const part = (name) => number || `((?:${name === "{0}" && any !== "." ? "(?![;:] )." : any})*?[^\\s,;:])`;
     return [new RegExp(`^${key.replace(/[.*+?^$()|[\]\\]/g, "\\$&").replace(/\{\d\}/g, part)}$`, "u"), GERMAN[key]];
   });
 
@@ -30,7 +34,7 @@ function translated(text) {
   if (Object.hasOwn(GERMAN, text)) return GERMAN[text];
   for (const [pattern, to] of patterns) {
     const parts = pattern.exec(text);
-    if (parts) return to.replace(/\{(\d)\}/g, (_, k) => translated(parts[Number(k) + 1]));
+    if (parts) return to.replace(/\{(\d)(!?)\}/g, (_, k, kept) => (kept ? parts[Number(k) + 1] : translated(parts[Number(k) + 1])));
   }
   if (/[^.]\.$/.test(text)) return `${translated(text.slice(0, -1))}.`;
   const between = /\p{L}{2}/u.test(text) && SEPARATORS.find((separator) => text.split(separator).length > 1);

@@ -15,7 +15,7 @@ const refuse = (wanted, value) => {
 };
 const real = (value) => (typeof value === "number" && Number.isFinite(value) ? value : refuse("a number", value));
 const bounded = (from, to, open = false) => (value) =>
-  real(value) >= from && value <= to && !(open && value === to) ? value : refuse(`from ${from} to ${open ? "below " : ""}${to}`, value);
+  real(value) >= from && value <= to && !(open && value === to) ? value : refuse(`from ${from} ${open ? "to below" : "to"} ${to}`, value);
 const positive = (value) => (real(value) > 0 ? value : refuse("a positive number", value));
 const signed = (value) => (Number.isFinite(metresOf(value)) ? metresOf(value) : refuse("a finite length", value));
 const distance = (value) => (metresOf(value) > 0 ? metresOf(value) : refuse("a positive length", value));
@@ -35,7 +35,7 @@ function angle(value) {
   const found = typeof value === "number" ? [value, value, "rad"] : ANGLE.exec(value);
   if (!found) return refuse('an angle, a number of radians or a text such as "45 deg"', value);
   const radians = real(Number(found[1]) * ANGLES[found[2]]);
-  return Math.abs(radians) <= TWO_TURNS ? radians : refuse('within two turns: radians, or a text such as "45 deg"', value);
+  return Math.abs(radians) <= TWO_TURNS ? radians : refuse('within two turns, in radians or a text such as "45 deg"', value);
 }
 const pitch = (value) => {
   const sides = Array.isArray(value) ? list(extent, 2, 2)(value) : [extent(value)];
@@ -173,7 +173,7 @@ function lensOf(raw, where, faults, opened) {
   if (spider && !(Boolean(spider.vanes) !== Boolean(spider.angles))) faults.push(`${where("aperture.spider")}: needs vanes or angles: one of the two`);
   for (const [one, other, least] of [["f_number", "aperture_diameter", 1], ["focus_distance", "sensor_distance", 0]]) {
     const got = (raw.lens?.[one] !== undefined) + (raw.lens?.[other] !== undefined);
-    if (got > 1 || got < least) faults.push(`${where("lens")}: give ${least ? "exactly" : "at most"} one of ${one} and ${other}`);
+    if (got > 1 || got < least) faults.push(`${where("lens")}: ${least ? "give exactly" : "give at most"} one of ${one} and ${other}`);
   }
   const { focal_length: f, wavelength, obscuration = 0, focus_distance: focus = Infinity } = lens;
   if (focus <= f) faults.push(`${where("lens.focus_distance")}: must exceed the focal length`);

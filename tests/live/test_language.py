@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from live_page import state
+from live_page import rest, state
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 LESSONS = ("", "airy", "quarter", "axis", "contrast", "hubble", "coma", "depth")
@@ -78,6 +78,25 @@ def test_the_language_is_that_of_the_browser_or_of_the_address(visit: Callable[.
     assert page.locator(".numbers dt", has_text="Halbwertsbreite").is_visible()
     page = visit("/mounted?lang=en", locale="de-DE")
     assert page.locator(".numbers dt", has_text="FWHM").is_visible()
+
+
+def test_sources_and_refusals_are_german(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?lang=de#pixel=1000&view=fin&coma=-0.5&side=64")
+    said = [page.locator(".notice").inner_text()]
+    assert "Koma" not in said[0]  # keys of the address are as they are there
+    menu = page.locator('select[data-key="preset"]')
+    for index in range(1, menu.locator("option").count() - 1):
+        menu.select_option(str(index))
+        rest(page)
+        said.append(page.locator("details.source").text_content())
+    for key, value in (("coma", "-1"), ("vanes", "2.5"), ("f_number", "0.1")):
+        page.locator(f'.line input[data-key="{key}"]').fill(value)
+        page.keyboard.press("Enter")
+        said.append(page.locator(f'[data-row="{key}"] .fault').inner_text())
+    assert all(said)
+    assert len(set(said)) == len(said) > 8
+    names = re.compile(r"Journal of|Hubble Space Telescope Primer|doi:\S+")
+    assert [text for text in said if ENGLISH.search(names.sub("", text))] == []
 
 
 def test_every_key_of_the_table_is_a_text_of_the_page() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -192,6 +193,49 @@ FAULTS = {
     "a surface": (CODE_V.format(kind="ZFR").replace("WFR", "SUR"), ".int", ["WFR"]),
     "too few values": (CODE_V.format(kind="ZFR").replace(" 9 ", " 12 "), ".int", ["12 values, got 9"]),
 }
+
+
+MORE_FAULTS = {
+    "sections": (GOOD + "fill = 0.5\nintegrate = 1\n[aperture]\nspider = 3\n[foo]\na = 1\n", ".toml"),
+    "values": (GOOD.replace("f_number = 2", 'f_number = "x"\nobscuration = 1\nmodel = "foo"'), ".toml"),
+    "lengths": (
+        '[lens]\nf_number = 0.1\nfocal_length = "0 mm"\nfocus_distance = "inf"\nwavelength = "5 m"\n',
+        ".toml",
+    ),
+    "vanes": (
+        GOOD + '[aperture.spider]\nvanes = 2.5\nwidth = "1 mm"\n[aberrations]\nfield = [1]\nzernike = 4\n',
+        ".toml",
+    ),
+    "large": (GOOD + "[aberrations]\ndefocus = 4000\n", ".toml"),
+    "no sections": ('focal_length = "1 mm"', ".toml"),
+    "a microscope": ("[objective]\nna = 1", ".toml"),
+    "a list": ("[1]", ".json"),
+    "another suffix": ("x", ".abc"),
+    "no quote": (GOOD.replace('"3 um"', '"3 um'), ".toml"),
+    "no comma": (GOOD + "a = [1 2]\n", ".toml"),
+    "no key": (GOOD + "= 2\n", ".toml"),
+    "two entries": (GOOD + "a = 1 b = 2\n", ".toml"),
+    "twice": (GOOD + "[sensor]\n", ".toml"),
+    "no table": (GOOD + "pixel.x = 1\n", ".toml"),
+    "wrong orders": ("# order: noll\n# unit: parsec\n# normalization: rms\n# foo: 1\nj,c\n0,1\n4,x\n", ".csv"),
+    "wrong terms": ("# unit: waves\n# normalization: rms\nn,m,c\n3,2,1\n70,0,1\n2,0,1\n2,0,2\n", ".csv"),
+    "other columns": ("# order: ansi\n# unit: waves\n# normalization: rms\nn,m,c (nm)\n1,2\n", ".csv"),
+    "no kind": ("Using Zernike\nZ 5 foo\n", ".txt"),
+}
+ENGLISH = re.compile(r"\b(the|of|and|with|is|are|from|to|by|not|or|no|at|must|got|has|line|there|missing|below)\b")
+KEPT = re.compile(r'"[^"]*"|nm \(n and m\)|\b(true|false) or\b|Listing of|Peak to Valley')
+
+
+def test_errors_are_german_where_the_page_is(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?controls=numbers&lang=de#side=32&coma=1")
+    faults = FAULTS | MORE_FAULTS
+    for name, (text, suffix, *_) in faults.items():
+        seen = opened(page, f"file{suffix}", text)
+        assert not seen["taken"], name
+        assert not ENGLISH.search(KEPT.sub("", seen["said"])), (name, seen["said"])
+    # What stands in a file is not translated.
+    assert '"# unit: waves"' in opened(page, "file.csv", FAULTS["no unit of coefficients"][0])["said"]
+    assert "nicht 0.5" in opened(page, "file.toml", MORE_FAULTS["sections"][0])["said"]
 
 
 def test_errors_name_the_line_and_what_is_allowed_and_change_nothing(visit: Callable[..., Any]) -> None:

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 1797c34e528288f488b97dd9de2677e5775ac9619e81b9e5156c7232fa779adb
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: b33becfdd74cf19f8c3288930f57e7a1f3bb00fad641bc7dcb5ecbab2902a651
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {
@@ -2323,7 +2323,7 @@ Remove: "Entfernen",
 "Further Zernike terms: {0} waves rms": "Weitere Zernike-Terme: {0} Wellenlängen rms",
 "Further Zernike terms": "Weitere Zernike-Terme",
 "{0} Double click, or Delete, for the default": "{0} Doppelklick oder Entf: Anfangswert",
-"{0}. Still {1}.": "{0}. Weiterhin {1}.",
+"Still {0}": "Weiterhin {0}",
 Defocus: "Defokus",
 "Seidel term W020 ρ², {0}": "Seidel-Term W020 ρ², in Wellenlängen am Rand der Pupille; positiv: der Sensor liegt zwischen Linse und Fokus.",
 "Focused at": "Scharf bei",
@@ -2430,6 +2430,124 @@ Signs: "Vorzeichen",
 "pixel of the sensor {0}": "Pixel des Sensors {0}",
 "focus distance {0}": "Einstellentfernung {0}",
 "object distance {0}": "Gegenstandsweite {0}",
+"{0} is {1} to {2}": "{0} geht von {1} bis {2}",
+"{0} is a whole number, {1} to {2}": "{0} ist eine ganze Zahl von {1} bis {2}",
+"∞ (or inf) {0}": "∞ (oder inf) {0}",
+"for the other sign turn its angle by {0}°": "für das andere Vorzeichen den Winkel um {0}° drehen",
+"{0} is {1} to {2}, so {3} is shown instead of {4}": "{0!} geht von {1} bis {2}; gezeigt ist {3} statt {4!}",
+"of its {0} characters the first {1} are read": "von {0} Zeichen werden die ersten {1} gelesen",
+"and {0} more": "und {0} weitere",
+"the focus distance must exceed the focal length of {0} mm, and is {1} m": "die Einstellentfernung muss größer sein als die Brennweite von {0} mm, und ist {1} m",
+"the computation stopped for want of memory ({0})": "die Rechnung endete aus Mangel an Speicher ({0})",
+"{0} is not a picture that the browser reads": "{0!} ist kein Bild, das der Browser liest",
+"line {0}": "Zeile {0}",
+"{0} (line {1})": "{0!} (Zeile {1})",
+"must be {0}, got {1}": "muss {0} sein, nicht {1!}",
+"a number": "eine Zahl",
+"a positive number": "eine positive Zahl",
+"a finite number": "eine endliche Zahl",
+"a finite length": "eine endliche Länge",
+"a positive length": "eine positive Länge",
+"a whole number from {0} to {1}": "eine ganze Zahl von {0} bis {1}",
+"a list of {0} to {1}": "eine Liste von {0} bis {1}",
+"one of {0}": "eines von {0!}",
+"a text in quotes": "ein Text in Anführungszeichen",
+"true or false": "true oder false",
+"from {0} to {1}": "von {0} bis {1}",
+"from {0} to {1} on this page": "auf dieser Seite von {0} bis {1}",
+"from {0} to below {1}": "von {0} bis unter {1}",
+"at most {0}": "höchstens {0}",
+"at least 0.5, the limit in air": "mindestens 0,5 (die Grenze in Luft)",
+"an angle, a number of radians or a text such as {0}": "ein Winkel, eine Zahl in Radiant oder ein Text wie {0!}",
+"within two turns, in radians or a text such as {0}": "innerhalb von zwei Umdrehungen, in Radiant oder ein Text wie {0!},",
+"one length on this page, whose pixels are square": "auf dieser Seite eine Länge (ihre Pixel sind quadratisch)",
+"1 on this page, whose pixels are active all over": "auf dieser Seite 1 (ihre Pixel sind ganz aktiv)",
+"a length with a unit, such as {0}": "eine Länge mit Einheit wie {0!}",
+"a wavelength from 1e-12 m to 1e-2 m": "eine Wellenlänge von 1e-12 m bis 1e-2 m",
+"must have a unit, one of {0}, got {1}": "braucht eine Einheit, eine von {0!}, nicht {1!}",
+"{0} must be {1} on this page, got {2}": "{0} muss auf dieser Seite {1} sein, nicht {2!}",
+"unknown key": "unbekannter Schlüssel",
+"it is in {0}": "er gehört in {0}",
+"there are {0}": "es gibt {0!}",
+"there are order, unit, normalization, wavelength and terms": "es gibt order, unit, normalization, wavelength und terms",
+"must be a section": "muss ein Abschnitt sein",
+"is missing": "fehlt",
+"width is missing": "width fehlt",
+"it is one of {0}": "möglich sind {0!}",
+"is missing or empty": "fehlt oder ist leer",
+"it has the coefficients by index": "er hat die Koeffizienten nach ihrem Index",
+"needs vanes or angles": "braucht vanes oder angles",
+"one of the two": "eines von beiden",
+"give exactly one of {0} and {1}": "genau eines von {0!} und {1!} angeben",
+"give at most one of {0} and {1}": "höchstens eines von {0!} und {1!} angeben",
+"must exceed the focal length": "muss größer sein als die Brennweite",
+"must be below the diameter of the aperture": "muss kleiner sein als der Durchmesser der Öffnung",
+"aplanatic is not possible with this aperture and these distances": "aplanatic ist mit dieser Öffnung und diesen Entfernungen nicht möglich",
+"the sensor lies inside the focal plane, and no object is in focus": "der Sensor liegt vor der Brennebene, und kein Gegenstand ist scharf",
+"has no sections": "hat keine Abschnitte",
+"expected are {0}, each on a line of its own before its keys, such as {1} above {2}": "erwartet sind {0}, jeder in einer eigenen Zeile vor seinen Schlüsseln, so {1!} über {2!}",
+"[lens] and [sensor]": "[lens] und [sensor]",
+"describes a microscope, [objective]": "beschreibt ein Mikroskop, [objective]",
+"this page takes lenses, [lens]": "diese Seite nimmt Linsen, [lens]",
+"must hold an object": "muss ein Objekt enthalten",
+"{0} has {1} bytes": "{0!} hat {1} Bytes",
+"has {0} characters": "hat {0} Zeichen",
+"the limit is {0}": "die Grenze ist {0}",
+"must end in {0}": "muss auf {0!} enden",
+"a lens file or a Zernike table": "eine Linsendatei oder eine Zernike-Tabelle",
+"the Zernike table {0}, which can be opened after this file": "die Zernike-Tabelle {0!}, die nach dieser Datei geöffnet werden kann",
+"the spider": "die Streben",
+"the vignetting": "die Vignettierung",
+"the stop": "die Blende",
+"the mask": "die Maske",
+"the apodization": "die Apodisation",
+"colour aberrations": "Farbfehler",
+"aberrations of the field": "Bildfeldfehler",
+"further Zernike terms": "weitere Zernike-Terme",
+"there is no Zernike term {0} in the order {1}": "es gibt keinen Zernike-Term {0!} in der Ordnung {1}",
+"it is written {0}": "man schreibt ihn {0!}",
+"it is a whole number from {0}": "er ist eine ganze Zahl ab {0}",
+"it ends with {0}": "sie endet mit {0}",
+"m must be from -n to n, and n - m even": "m muss von -n bis n gehen, und n - m gerade sein",
+"n must be at most {0}": "n darf höchstens {0} sein",
+"the term {0} is given twice": "der Term {0} ist doppelt angegeben",
+"the term {0}": "der Term {0}",
+"the term {0} has no value (NDA)": "der Term {0} hat keinen Wert (NDA)",
+"the columns say the {0} {1}, line {2} {3}": "die Spalten nennen für {0!} {1!}, Zeile {2} {3!}",
+"the columns must be \"n,m,value\" or \"index,value\", got {0}": "die Spalten müssen \"n,m,value\" oder \"index,value\" sein, nicht {0!}",
+"must have {0} cells, got {1}": "muss {0} Zellen haben, nicht {1}",
+"the line {0}: is missing": "die Zeile {0!} fehlt",
+"{0}: the line {1}: is missing": "{0!}: die Zeile {1!} fehlt",
+"the terms must be Standard or Fringe, which the line 'Listing of Zernike ...' states": "die Terme müssen Standard oder Fringe sein, was die Zeile 'Listing of Zernike ...' angibt",
+"annular terms are not read here": "ringförmige Terme werden hier nicht gelesen",
+"lommel.load_zernike reads them, and saves them as a table": "lommel.load_zernike liest sie und sichert sie als Tabelle",
+"the unit is not stated": "die Einheit ist nicht angegeben",
+"listings have 'Peak to Valley ... waves'": "Listen haben 'Peak to Valley ... waves'",
+"a term must have a number and a value, got {0}": "ein Term braucht eine Nummer und einen Wert, nicht {0!}",
+"the second line must begin with ZRN or ZFR and have WFR": "die zweite Zeile muss mit ZRN oder ZFR beginnen und WFR haben",
+"Zernike terms of a wavefront": "Zernike-Terme einer Wellenfront",
+"the second line must have WVL and SSZ, the wavelength in um and the value of one wave": "die zweite Zeile muss WVL und SSZ haben, die Wellenlänge in um und den Wert einer Wellenlänge",
+"the second line says {0} values, got {1}": "die zweite Zeile nennt {0} Werte, nicht {1}",
+"{0} is missing before {1}": "{0!} fehlt vor {1!}",
+"a key is missing before {0}": "ein Schlüssel fehlt vor {0!}",
+"a comma or {0} is missing before {1}": "ein Komma oder {0!} fehlt vor {1!}",
+"a text has no closing quote": "ein Text endet ohne Anführungszeichen",
+"{0} is not an escape of TOML": "{0!} ist keine Escape-Folge von TOML",
+"{0} is given twice": "{0!} ist doppelt angegeben",
+"the table {0} is given twice": "die Tabelle {0!} ist doppelt angegeben",
+"{0} has a value and is no table": "{0!} hat einen Wert und ist keine Tabelle",
+"{0} has a value and is no array of tables": "{0!} hat einen Wert und ist keine Liste von Tabellen",
+"{0} adds to a table that is complete": "{0!} ergänzt eine Tabelle, die schon vollständig ist",
+"brackets are nested too deeply": "Klammern sind zu tief verschachtelt",
+"{0} is not a text in quotes, a decimal number, true, false, a list or a table": "{0!} ist weder Text in Anführungszeichen noch Dezimalzahl, true, false, Liste oder Tabelle",
+"only one entry may stand in a line, got {0} behind it": "in einer Zeile steht nur ein Eintrag, nicht {0!} dahinter",
+"Illustrative: Seidel coefficients {0}": "Zur Anschauung: Seidel-Koeffizienten, wie sie ein klassisches lichtstarkes Doppel-Gauß-Objektiv hat, nicht die eines gebauten.",
+"Nominal figures of the 85 mm f/1.4 class; {0}": "Nennwerte der Klasse 85 mm f/1,4; Farbfehler wie bei einem Achromaten mit einem sekundären Spektrum von f/2000.",
+"2.4 m aperture, f/24, obscuration 0.33: STScI, Hubble Space Telescope Primer. Spherical aberration {0}": "2,4 m Öffnung, f/24, Abschattung 0,33: STScI, Hubble Space Telescope Primer. Sphärische Aberration von etwa 0,265 µm rms: C. J. Burrows et al., Astrophys. J. 369, L21 (1991), doi:10.1086/185950.",
+"Magnification and aperture as of {0}": "Vergrößerung und Öffnung wie beim Nikon CFI Plan Apochromat 20x/0,75 (Tubuslinse 200 mm); Kamera mit Pixeln von 6,5 µm. Die Aberration ist die eines Deckglases, dessen Dicke um einige hundertstel Millimeter abweicht.",
+"Invented telescope. Its coma {0}": "Erfundenes Teleskop. Koma und Astigmatismus sind die eines Paraboloids mit der Blende am Spiegel, W131 = a theta / (16 N^2) und W222 = -a^2 theta^2 / (2 f): D. J. Schroeder, Astronomical Optics, 2. Aufl. (2000), Kapitel 6. Streben und Formfehler des Spiegels sind erfunden, in einer für Amateurspiegel üblichen Größe.",
+"Nominal figures of the 50 mm f/1.8 class; {0}": "Nennwerte der Klasse 50 mm f/1,8; das Pixel ist das des Sensors Sony IMX250.",
+"Focal length and f-number as in the EXIF data {0}": "Brennweite und Blendenzahl wie in den EXIF-Daten der Hauptkamera des Apple iPhone 8; ihre Pixel haben 1,22 µm.",
 "Lessons …": "Lektionen …",
 Lessons: "Lektionen",
 Lesson: "Lektion",
@@ -2538,12 +2656,14 @@ const known = new Map(); // what was looked up
 const written = new WeakMap(); // node -> {attribute or "data": [English, as shown]}
 const followed = new Map(); // root -> what to call when the language changes
 const plain = (text) => text.replace(/\s+/g, " ").trim();
-const place = (key) => [key.startsWith("{") ? 0 : 1, key.length];
+const own = (key) => key.replace(/\{\d\}/g, "").length;
 const patterns = Object.keys(GERMAN)
 .filter((key) => key.includes("{0}"))
-.sort((a, b) => place(b)[0] - place(a)[0] || place(b)[1] - place(a)[1])
+.sort((a, b) => own(b) - own(a))
 .map((key) => {
-const part = /^\{0\} [^\s{]+$/.test(key) ? "([-−\\d.e∞<> ]*[\\d∞])" : "(.*?[^\\s,;:])"; // before a unit a number
+const number = /^\{0\} [^\s{]+$/.test(key) && "([-−\\d.e∞<> ]*[\\d∞])"; // before a unit
+const any = key.startsWith("{") ? "(?!; )." : ".";
+const part = (name) => number || `((?:${name === "{0}" && any !== "." ? "(?![;:] )." : any})*?[^\\s,;:])`;
 return [new RegExp(`^${key.replace(/[.*+?^$()|[\]\\]/g, "\\$&").replace(/\{\d\}/g, part)}$`, "u"), GERMAN[key]];
 });
 const numbers = (text) => (/doi:/.test(text) ? text : text.replace(/(\d)\.(?=\d)/g, "$1,"));
@@ -2551,7 +2671,7 @@ function translated(text) {
 if (Object.hasOwn(GERMAN, text)) return GERMAN[text];
 for (const [pattern, to] of patterns) {
 const parts = pattern.exec(text);
-if (parts) return to.replace(/\{(\d)\}/g, (_, k) => translated(parts[Number(k) + 1]));
+if (parts) return to.replace(/\{(\d)(!?)\}/g, (_, k, kept) => (kept ? parts[Number(k) + 1] : translated(parts[Number(k) + 1])));
 }
 if (/[^.]\.$/.test(text)) return `${translated(text.slice(0, -1))}.`;
 const between = /\p{L}{2}/u.test(text) && SEPARATORS.find((separator) => text.split(separator).length > 1);
@@ -3312,7 +3432,7 @@ throw new Error(`must be ${wanted}, got ${inWords(value)}`);
 };
 const real = (value) => (typeof value === "number" && Number.isFinite(value) ? value : refuse("a number", value));
 const bounded = (from, to, open = false) => (value) =>
-real(value) >= from && value <= to && !(open && value === to) ? value : refuse(`from ${from} to ${open ? "below " : ""}${to}`, value);
+real(value) >= from && value <= to && !(open && value === to) ? value : refuse(`from ${from} ${open ? "to below" : "to"} ${to}`, value);
 const positive = (value) => (real(value) > 0 ? value : refuse("a positive number", value));
 const signed = (value) => (Number.isFinite(metresOf(value)) ? metresOf(value) : refuse("a finite length", value));
 const distance = (value) => (metresOf(value) > 0 ? metresOf(value) : refuse("a positive length", value));
@@ -3332,7 +3452,7 @@ function angle(value) {
 const found = typeof value === "number" ? [value, value, "rad"] : ANGLE.exec(value);
 if (!found) return refuse('an angle, a number of radians or a text such as "45 deg"', value);
 const radians = real(Number(found[1]) * ANGLES[found[2]]);
-return Math.abs(radians) <= TWO_TURNS ? radians : refuse('within two turns: radians, or a text such as "45 deg"', value);
+return Math.abs(radians) <= TWO_TURNS ? radians : refuse('within two turns, in radians or a text such as "45 deg"', value);
 }
 const pitch = (value) => {
 const sides = Array.isArray(value) ? list(extent, 2, 2)(value) : [extent(value)];
@@ -3456,7 +3576,7 @@ if (spider && raw.aperture.spider.width === undefined) faults.push(`${where("ape
 if (spider && !(Boolean(spider.vanes) !== Boolean(spider.angles))) faults.push(`${where("aperture.spider")}: needs vanes or angles: one of the two`);
 for (const [one, other, least] of [["f_number", "aperture_diameter", 1], ["focus_distance", "sensor_distance", 0]]) {
 const got = (raw.lens?.[one] !== undefined) + (raw.lens?.[other] !== undefined);
-if (got > 1 || got < least) faults.push(`${where("lens")}: give ${least ? "exactly" : "at most"} one of ${one} and ${other}`);
+if (got > 1 || got < least) faults.push(`${where("lens")}: ${least ? "give exactly" : "give at most"} one of ${one} and ${other}`);
 }
 const { focal_length: f, wavelength, obscuration = 0, focus_distance: focus = Infinity } = lens;
 if (focus <= f) faults.push(`${where("lens.focus_distance")}: must exceed the focal length`);

@@ -494,6 +494,17 @@ def test_sources_are_packed_with_these_files_and_folders_at_the_top_alone(tmp_pa
         assert {member.name.split("/")[1] for member in tar} == PACKED
 
 
+def test_the_release_imports_only_what_its_target_installs():
+    installed = FIRST | {
+        canonicalize_name(Requirement(text).name) for text in GROUPS["maintain"] if isinstance(text, str)
+    }
+    pages = [path.read_text(encoding="utf-8") for path in (ROOT / "release").glob("*.py")]
+    names = {name for page in pages for name in re.findall(r"^(?:import|from) (\w+)", page, re.MULTILINE)}
+    owners = packages_distributions()
+    assert {canonicalize_name(owner) for name in names for owner in owners.get(name, ())} <= installed
+    assert "yaml" in names
+
+
 @pytest.mark.skipif(not os.environ.get("LOMMEL_RELEASE"), reason="half an hour; LOMMEL_RELEASE=1 makes two releases")
 def test_two_releases_are_the_same_bytes(tmp_path):
     made = []

@@ -136,10 +136,11 @@ def camera(settings: Settings) -> Table:
         f"{SIDE}² pixels at {_WAVELENGTH * 1e9:g} nm, each the average over its area; 12 random Zernike terms, Noll "
         f"{_TERMS[0]} to {_TERMS[-1]}; tol 1e-4 unless said, float32, one thread, each call with other pupils. "
         "Beside SciPy's FFT of 128² complex128 alone, in the cache, for each PSF, though windows of pixels of 2 λN "
-        "and more do not fit into it; and beside the whole method as an expert would write it in complex64 (grey "
-        "edges, the phase by a matrix of Zernike terms, pruned FFTs, pixels and seeing by their transfer function), "
-        "of the smallest size tried whose averages are as exact as tol. True errors over the peak: against "
-        "quadrature of pupil and pixels (with vanes: NonuniformFFT at 1e-7; through seeing: that method with 2048²).",
+        "and more do not fit into it. And beside the whole method in complex64, of the smallest size tried whose "
+        "averages are as exact as tol. It is written as an expert would: grey edges, the phase by a matrix of "
+        "Zernike terms, pruned FFTs, pixels and seeing by their transfer function. True errors over the peak: "
+        "against quadrature of pupil and pixels (with vanes: NonuniformFFT at 1e-7; through seeing: that method with "
+        "2048²).",
         {
             "what": "text",
             "must": "text",
@@ -368,7 +369,7 @@ def general_over_samples(settings: Settings, *, pixel: float) -> Measured:
     rows = np.array([bright - 1, bright, bright + 1, 7])
     exact_values = exact_averages(q, rows)
     worst = float(np.abs(values[rows] - exact_values).max() / exact_values.max())
-    return Measured(result.ratio(mine.name, other.name), worst, f"{q}: {mine.config}; error of four rows")
+    return Measured(result.ratio(mine.name, other.name), worst, f"{q}: {mine.config}. Error of four rows")
 
 
 def stack_over_samples(settings: Settings) -> Measured:

@@ -86,9 +86,9 @@ def costs(settings: Settings) -> Table:
     table = Table(
         "costs",
         "Cost of a pixel",
-        "Time for a value of an image by a plan, into an array that is there already, over that of `np.abs` for one "
-        "number of 512² of complex64; one thread, pixels of 0.5 λN, tol 1e-6. General pupils have 15 random Zernike "
-        "terms of 1 rad rms together unless said.",
+        "Time for a value of an image by a plan, over that of `np.abs` for one number of 512² of complex64. One "
+        "thread, pixels of 0.5 λN, tol 1e-6, into an array that is there already. General pupils have 15 random "
+        "Zernike terms of 1 rad rms together unless said.",
         {"against": "text", "pupil": "text", "at": "text", "cost": "spread"},
     )
     numbers = np.ones((512, 512), np.complex64)
@@ -133,9 +133,10 @@ def physical(settings: Settings) -> Table:
     table = Table(
         "physical",
         "Beside the limits of the machine",
-        "How many times as long each work takes as the least that its limit allows: storing its values as fast as "
-        "`np.copyto` writes an array of this size, or the multiply-adds of its two matrix products, as fast as "
-        "`np.matmul` of 1024² float32. One thread, into an array that is there already.",
+        "How many times as long each work takes as the least that its limit allows. The limit of memory: storing "
+        "its values as fast as `np.copyto` writes an array of this size. That of arithmetic: the multiply-adds of "
+        "its two matrix products, as fast as `np.matmul` of 1024² float32. One thread, into an array that is there "
+        "already.",
         {"work": "text", "limit": "text", "over it": "spread", "what bounds it": "text"},
     )
     n = 1024
@@ -281,7 +282,7 @@ def aberrations(settings: Settings) -> Table:
         "Cost and error against the aberrations",
         "512², pixels of 0.5 λN, tol 1e-6, float32, one thread. The last columns are the errors of the whole FFT "
         "method at 1024² with 512 samples across the pupil, a sample counting whole or by the part of its cell that "
-        "is clear; it aliases where light from outside the FFT's window would fall into it.",
+        "is clear. It aliases where light from outside the FFT's window would fall into it.",
         {
             "C_d": "text",
             "C_s": "text",
@@ -362,8 +363,8 @@ def accuracy(settings: Settings) -> Table:
         "accuracy",
         "The smallest FFT of equal accuracy",
         "512², pixels of 0.5 λN, one thread. For each error asked, the smallest of the FFTs tried that stays below "
-        f"it (the whole method, 1024² to {largest}², binary and grey edge; at this pitch more padding changes "
-        "nothing, more samples across the pupil do), against lommel with that tolerance.",
+        f"it, against lommel with that tolerance. Tried is the whole method, 1024² to {largest}², binary and grey "
+        "edge. At this pitch more padding changes nothing, more samples across the pupil do.",
         {
             "pupil": "text",
             "error asked": "text",
@@ -456,8 +457,8 @@ def threads(settings: Settings) -> Table:
         "Two threads",
         "How many times as fast `threads=2` is as `threads=1`, into an array that is there already. On a machine "
         "with other things to do this says more about the machine, and the two processors of a virtual one may be "
-        "near or far from each other: where they answered each other within 90 ns, a general 512² gained 1.6 and "
-        "occlusion 1.5, where it took them 400 ns, 1.2 and 0.75.",
+        "near or far from each other. Where they answered each other within 90 ns, a general 512² gained 1.6 and "
+        "occlusion 1.5. Where it took them 400 ns, 1.2 and 0.75.",
         {"work": "text", "speed": "spread"},
     )
     works: list[tuple[str, list[Contender]]] = []
@@ -482,7 +483,7 @@ def numpy(settings: Settings) -> Table:
         "numpy",
         "Plain NumPy and SciPy",
         "512², pixels of 0.5 λN, float32, one thread: Gauss-Legendre in rho² with the J0 of all nodes and radii "
-        "tabulated beforehand (which is not counted), with about the fewest nodes and radii for an error of 1e-6, "
+        "tabulated beforehand (which is not counted). Nodes and radii are about the fewest for an error of 1e-6, "
         "found by trying for each pupil.",
         {"pupil": "text", "way": "text", "over lommel": "spread", "true error": "error"},
     )

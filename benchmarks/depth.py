@@ -107,8 +107,8 @@ def against_fixed(settings: Settings, *, bank: bool) -> Measured:
     mean = np.mean([np.mean((2.0 * np.ceil(cut) + 1.0) ** 2) for cut in cuts])
     note = (
         f"{mine.config}, {_THREADS} threads, {1e3 * result.median(mine.name):.0f} ms, {count}, {mean:.0f} pixels a "
-        f"window in the mean; {other.config}, {1e3 * result.median(other.name):.0f} ms; error over the largest value "
-        f"of {_PATCH}² pixels, against the sum of exact windows"
+        f"window in the mean. Against {other.config}, {1e3 * result.median(other.name):.0f} ms. Error over the "
+        f"largest value of {_PATCH}² pixels, against the sum of exact windows"
     )
     return Measured(result.ratio(mine.name, other.name), _error(result.values[mine.name]), note)
 
@@ -147,7 +147,7 @@ def against_points(settings: Settings) -> Measured:
     result = race([mine, other], settings.rounds)
     ratio, scale = result.ratio(other.name, mine.name), 3 * HEIGHT * WIDTH / _PART
     scaled = Spread(scale * ratio.median, scale * ratio.low, scale * ratio.high, ratio.rounds)
-    return Measured(scaled, _error(result.values[mine.name]), f"{mine.config}, {_THREADS} threads; {config}")
+    return Measured(scaled, _error(result.values[mine.name]), f"{mine.config}, {_THREADS} threads. Against {config}")
 
 
 def _depths() -> dict[str, NDArray[np.float64]]:
@@ -175,7 +175,7 @@ def occluded(settings: Settings) -> Measured:
         found[name] = race([mine, fixed], settings.rounds).ratio("occluded", "fixed")
     worst = max(found.values(), key=lambda ratio: ratio.median)
     each = ", ".join(f"{name} {ratio.median:.1f}" for name, ratio in found.items())
-    note = f"Occlusion(blur).forward(light) after the second, {_THREADS} threads; {fixed.config}: {each}"
+    note = f"Occlusion(blur).forward(light) after the second, {_THREADS} threads. Against {fixed.config}: {each}"
     return Measured(worst, None, note)
 
 
@@ -220,6 +220,6 @@ def focus_pull(settings: Settings) -> Measured:
     note = (
         f"FocusPlan(..., occlusion=False)(focus_distance=..., out=out), sRGB uint8, all processors, "
         f"{_FRAMES} frames from 1.6 to 1.9 m, {1e3 * result.median(mine.name) / _FRAMES:.0f} ms each; windows of "
-        f"{min(sides)}² to {max(sides)}²; {other.config}"
+        f"{min(sides)}² to {max(sides)}². Against {other.config}"
     )
     return Measured(each, None, note)

@@ -42,9 +42,9 @@ def microscopes(settings: Settings) -> Table:
     table = Table(
         "microscopes",
         "Microscopes",
-        "NA 1.4, oil, 2 um deep in water or at random depths up to 3 um, 520 nm, pixels of 0.1 um in the sample; "
-        "float32, tol 1e-6, one thread, each time a new stack of an objective that was seen before, unless said. "
-        "Beside a stack of the same size of a lens, defocused by 20 rad at most, sampled; and beside psfmodels, "
+        "NA 1.4, oil, 2 um deep in water or at random depths up to 3 um, 520 nm, pixels of 0.1 um in the sample. "
+        "Float32, tol 1e-6, one thread, each time a new stack of an objective that was seen before, unless said. "
+        "Beside a stack of the same size of a lens, defocused by 20 rad at most, sampled. Beside psfmodels, "
         "whose values are interpolated linearly, or pyotf, of which scalar light in one medium is asked, a transform "
         "a plane: the least that it computes. True errors are over the peak of each plane, against the reference.",
         {
@@ -351,7 +351,7 @@ def beads(settings: Settings) -> Table:
         "beads",
         "The PSF of a microscope from beads",
         "Stacks of one bead of 0.1 um on the glass, NA 1.4, oil, 21 planes of 31², seventeen Zernike terms from "
-        "nothing, the constants held, one thread; images by `lm.methods.Bead`, apart from those of the fit. Seconds "
+        "nothing, the constants held, one thread. Images by `lm.methods.Bead`, apart from those of the fit. Seconds "
         "are of a processor. Means of beads are given their places, flux and background.",
         {"what": "text", "found": "text", "errors over standard errors": "number", "seconds": "number"},
     )
@@ -366,7 +366,7 @@ def beads(settings: Settings) -> Table:
     here, deep, ours = averaged(4, 1e4)
     found.notes.append(
         f"PSF 3 um deep, largest error over the peak: {ours:.2g} % of a fit of one bead, {deep:.2g} % of the mean of "
-        f"four beads, which is off by {here:.2g} % at their own depth."
+        f"four beads. Their mean is off by {here:.2g} % at their own depth."
     )
     return found
 

@@ -90,7 +90,7 @@ def paper(settings: Settings) -> Table:
         f"A lens out of focus, with spherical aberration or without, pixels of {_PIXEL:g} λN, one thread, float32. "
         "The FFT is SciPy's, of complex64, with all that does not depend on the phase at hand: one as large as the "
         "window, as in the paper, and one of twice its side. The closed form takes 16 quadratic phases for spherical "
-        "aberration and is compiled, like the default method; its error is that of its approximations, whatever its "
+        "aberration and is compiled, like the default method. Its error is that of its approximations, whatever its "
         "error function, but for the rings that 30 terms bring into large windows. "
         f"The stack has {_STACK} pupils, C_d up to ±20 and C_s up to ±5; errors are those of the "
         "worst image. Huygens' superposition, of which most of the error is physics (no Fresnel approximation), "

@@ -516,7 +516,7 @@ def images(settings: Settings) -> Table:
     table = Table(
         "peers",
         "Other packages: one PSF",
-        f"512², {q}, one thread. Each package is given the same pupil and, where it can, the same window; its grids, "
+        f"512², {q}, one thread. Each package is given the same pupil and, where it can, the same window. Its grids, "
         "masks, plans and compiled code are there beforehand, so what is timed is the phase, the propagation and the "
         "squared modulus. The true error is against quadrature at the radii of the package's own pixels, its values "
         "multiplied by the one number that fits best, since the units of intensity differ. Of each package there is "
@@ -541,9 +541,9 @@ def nonradial(settings: Settings) -> Table:
         "peers-nonradial",
         "Other packages: one PSF of a pupil that is not radially symmetric",
         f"512², coma, astigmatism, trefoil and defocus of {asked[1].reach:g} rad each, directions "
-        f"{asked[1].degrees}, one thread, in the same way, but of packages that sample the pupil on a lattice their "
-        "usual configuration at 0.5 λN only. An image turned by half a turn, as transforms of the other sign make "
-        "it, is as good.",
+        f"{asked[1].degrees}, one thread, in the same way. Of packages that sample the pupil on a lattice there is "
+        "only their usual configuration, at 0.5 λN. An image turned by half a turn, as transforms of the other "
+        "sign make it, is as good.",
         {"pixel": "text"} | _COLUMNS,
     )
     images = _adapters()[0]

@@ -91,8 +91,8 @@ _FORMATS: dict[str, Callable[[Any], str]] = {
 
 
 def markdown(table: Table) -> str:
-    """Write a table as a section of a Markdown page."""
-    lines = [f"## {table.title}", "", table.about, ""]
+    """Write a table as a section of the details of the page."""
+    lines = [f"### {table.title}", "", table.about, ""]
     if not table.rows:
         return "\n".join(lines)
     lines.append("| " + " | ".join(table.columns) + " |")
@@ -132,17 +132,19 @@ _HEAD = """# Benchmarks
 ## In short
 
 Time of the other over that of lommel, one thread each. Pupils are new in every call; the window, its size and pixels,
-is that of a call before, which made the tables. lommel meets the tolerance that is stated; an FFT is the transform
-alone, whatever the error of an image by it, and SciPy's is not the fastest ([ducc0's](#all-rows) is faster).
+is that of a call before, which made the tables. The tolerance that is stated is met by lommel. An FFT is the
+transform alone, whatever the error of an image by it; SciPy's is not the fastest ([ducc0's](#all-rows) is faster).
 
 {short}
 
 [All rows](#all-rows) have their true errors, and the ranges of the ratios on the first machine.
 
-## How it is measured
+## Details
 
-Every number is a ratio of two runs measured alternately in one process (A B A B ...), warm unless a row says cold:
-the median of the ratios of neighbouring runs, with the smallest and the largest in brackets. Each run is the
+### How it is measured
+
+Every number is a ratio of two runs measured alternately in one process (A B A B ...), warm unless a row says cold.
+It is the median of the ratios of neighbouring runs, with the smallest and the largest in brackets. Each run is the
 fastest of three batches of calls of at least 2 ms, which reduces the influence of other programs. BLAS and FFT of
 the baselines use one thread, lommel one unless the row says two. Every call of lommel is given a pupil that it has
 not seen before.
@@ -153,16 +155,16 @@ pupils the reference is Gauss-Legendre quadrature (`Hankel`) at the radius of ev
 in plain NumPy, for every pixel of 33 rows of 512², including those about the peak, and for 16 images of a stack.
 
 C_d and C_s are the coefficients of defocus and primary spherical aberration in radians at the edge of the pupil
-(W020 = C_d / π and W040 = C_s / (2π) waves); λN is the wavelength times the f-number.
+(W020 = C_d / π and W040 = C_s / (2π) waves). The unit λN is the wavelength times the f-number.
 """
 
-_AGAIN = """## Differentiable PSFs
+_AGAIN = """### Differentiable PSFs
 
 [Differentiable PSFs](differentiable.md) are measured by `python -m benchmarks.differentiable` on CPUs, and by
 `python -m benchmarks.gpu` on graphics processors. No graphics processor has been measured yet: the figures for these
 are estimates from the memory traffic of a PSF and the bandwidth of the memory.
 
-## Reproduce
+### Reproduce
 
 ```sh
 make bench                                        # everything: a few minutes; writes this page

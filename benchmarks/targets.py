@@ -77,7 +77,9 @@ def against_fft(settings: Settings) -> Measured:
         mine = engine(q)
         result = race([mine, other], settings.rounds)
         error = truth(q).error(result.values[mine.name])
-        found.append(Measured(result.ratio(other.name, mine.name), error, f"{q}: {mine.config}; {other.config}"))
+        found.append(
+            Measured(result.ratio(other.name, mine.name), error, f"{q}: {mine.config}. Against {other.config}")
+        )
     return worst(found, more=True)
 
 
@@ -88,7 +90,9 @@ def against_copy(settings: Settings) -> Measured:
         mine = engine(q)
         result = race([mine, other], settings.rounds)
         error = truth(q).error(result.values[mine.name])
-        found.append(Measured(result.ratio(mine.name, other.name), error, f"{q}: {mine.config}; {other.config}"))
+        found.append(
+            Measured(result.ratio(mine.name, other.name), error, f"{q}: {mine.config}. Against {other.config}")
+        )
     return worst(found, more=False)
 
 
@@ -111,7 +115,7 @@ def _against_plain(settings: Settings, *ways: str) -> Measured:
         result = race([mine, *others.values()], settings.rounds)
         other = others[fastest(result, list(others))]
         theirs = stack_error(result.values[other.name], reference)
-        note = f"{q}: {mine.config}; {other.config}, whose error is {theirs:.1e}"
+        note = f"{q}: {mine.config}. Against {other.config}, whose error is {theirs:.1e}"
         error = truth(q).error(result.values[mine.name])
         found.append(Measured(result.ratio(other.name, mine.name), error, note))
     return worst(found, more=True)
@@ -136,7 +140,9 @@ def large(settings: Settings, *, out: bool) -> Measured:
         mine = engine(q, threads=2, out=out)
         result = race([mine, other], settings.rounds)
         error = truth(q).error(result.values[mine.name])
-        found.append(Measured(result.ratio(mine.name, other.name), error, f"{q}: {mine.config}; {other.config}"))
+        found.append(
+            Measured(result.ratio(mine.name, other.name), error, f"{q}: {mine.config}. Against {other.config}")
+        )
     return worst(found, more=False)
 
 
@@ -149,7 +155,7 @@ def stack_copy(settings: Settings, *, out: bool) -> Measured:
     fresh = through_focus(20.0, 4096)
     mine, other = stack(fresh, 33, 0.5, out=out), copy((4096, 33, 33), np.float64)
     result = race([mine, other], settings.rounds)
-    note = f"abs(C_d) <= 20, pixel 0.5 λN: {mine.config}; {other.config}"
+    note = f"abs(C_d) <= 20, pixel 0.5 λN: {mine.config}. Against {other.config}"
     return Measured(result.ratio(mine.name, other.name), _stack_error(fresh, result, mine.name, 33, 0.5), note)
 
 
@@ -167,7 +173,7 @@ def stack_gemm(settings: Settings) -> Measured:
     other = next(o for o in others if o.name == best)
     reference = exact_stack(fresh(1)[0], 33, 0.5)
     error, theirs = (stack_error(result.values[name], reference) for name in (mine.name, best))
-    note = f"abs(C_d) <= 10, pixel 0.5 λN: {mine.config}; {other.config}, whose error is {theirs:.1e}"
+    note = f"abs(C_d) <= 10, pixel 0.5 λN: {mine.config}. Against {other.config}, whose error is {theirs:.1e}"
     return Measured(result.ratio(best, mine.name), error, note)
 
 
@@ -187,7 +193,7 @@ def focus(settings: Settings, *, ways: tuple[str, ...]) -> Measured:
     best = fastest(result, [o.name for o in others])
     other = next(o for o in others if o.name == best)
     error, theirs = (stack_error(result.values[name], reference) for name in (mine.name, best))
-    note = f"abs(C_d) <= 20, pixel 0.5 λN: {mine.config}; {other.config}, whose error is {theirs:.1e}"
+    note = f"abs(C_d) <= 20, pixel 0.5 λN: {mine.config}. Against {other.config}, whose error is {theirs:.1e}"
     return Measured(result.ratio(best, mine.name), error, note)
 
 
@@ -219,7 +225,7 @@ def peak_memory(settings: Settings) -> Measured:
             raise NotImplementedError("only Linux tells the peak of resident memory")
         peak = used["peak"]
         case = f"C_d = {defocus:g}, C_s = {spherical:g}"
-        note = f"{case}: the first three calls of a process, out= given; {used['kept']:.1f} MiB kept afterwards"
+        note = f"{case}: the first three calls of a process, out= given. Kept afterwards: {used['kept']:.1f} MiB"
         found.append(Measured(Spread(peak, peak, peak, 1), None, note))
     return worst(found, more=False)
 
@@ -473,7 +479,7 @@ def targets(settings: Settings) -> Table:
     table = Table(
         "targets",
         "All rows",
-        "Through the public Python call, warm, one thread unless the row says otherwise; the least favourable "
+        "Through the public Python call, warm, one thread unless the row says otherwise. The least favourable "
         "case of each row, with the largest true error of all its cases. "
         f"{_unit(settings)}",
         {
@@ -498,12 +504,12 @@ def targets(settings: Settings) -> Table:
         again = ""
         if target.verdict(found.value.median) == "MISSED":
             settings.tick(f"again: {target.work} against {target.against}")
-            again = f"; second try, the first came to {found.value.median:.3g}"
+            again = f". Second try, the first came to {found.value.median:.3g}"
             found = target.measure(settings)
         verdict = target.verdict(found.value.median)
         if found.error is not None and found.error > target.tol:
             verdict = "MISSED"
-            again += f"; the error exceeds {target.tol:g}"
+            again += f". The error exceeds {target.tol:g}"
         table.add(*_words(target), found.value, target.counted_in, verdict, found.error)
         table.notes.append(f"row {number}: {found.note}{again}")
     return table

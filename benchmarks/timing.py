@@ -185,5 +185,5 @@ def worst(found: list[Measured], *, more: bool) -> Measured:
     errors = [m.error for m in found if m.error is not None]
     note = ranked[0].note
     if len(found) > 1:
-        note = f"worst of {len(found)} cases, {note}; the best came to {ranked[-1].value.median:.3g}"
+        note = f"worst of {len(found)} cases, {note}. The best came to {ranked[-1].value.median:.3g}"
     return Measured(ranked[0].value, max(errors, default=None), note)

@@ -83,7 +83,7 @@ def stacks_against_fft(settings: Settings, *, each: bool, threads: int) -> Measu
     error = stack_error(result.values[mine.name][:_JUDGED], exact(fresh(1)[0][:_JUDGED]))
     note = (
         f"15 terms (Noll 2 to 16) of 1 rad rms {'each' if each else 'together'}, pixel {PIXEL} λN: {mine.config}, "
-        f"{1e6 * result.median(mine.name) / COUNT:.1f} µs a PSF; {ffts().config}; error of {_JUDGED} of them"
+        f"{1e6 * result.median(mine.name) / COUNT:.1f} µs a PSF. Against {ffts().config}. Error of {_JUDGED} of them"
     )
     return Measured(result.ratio(ffts().name, mine.name), error, note)
 
@@ -112,7 +112,7 @@ def derivatives_over_images(settings: Settings, *, tol: float) -> Measured:
     error = float((missed / exact(judged).max(axis=(1, 2))).max())
     ratio = result.ratio(mine.name, images.name)
     value = type(ratio)(ratio.median / 16.0, ratio.low / 16.0, ratio.high / 16.0, ratio.rounds)
-    return Measured(value, error, f"{mine.config}; error of the last of {_JUDGED} of them, over the peak")
+    return Measured(value, error, f"{mine.config}. Error of the last of {_JUDGED} of them, over the peak")
 
 
 def gradient_over_images(settings: Settings, *, terms: int) -> Measured:
@@ -126,7 +126,7 @@ def gradient_over_images(settings: Settings, *, terms: int) -> Measured:
     config = f"ChordalGauss(1e-06).gradient by {terms} terms, all threads"
     mine, images = Contender("gradient", call, config, random_zernikes(True)), _images(1e-6, np.float64, (), 0)
     result = race([mine, images], settings.rounds)
-    return Measured(result.ratio(mine.name, images.name), None, f"{config}; {images.config}")
+    return Measured(result.ratio(mine.name, images.name), None, f"{config}. Against {images.config}")
 
 
 PIXELS = (0.25, 0.5, 1.0)
@@ -145,7 +145,7 @@ def window_against_fft(
     for q in (replace(q, reach=r) for r in reaches for q in _cases(settings, *pixels)):
         mine = engine(q, threads=threads, out=True)
         result = race([mine, other], settings.rounds)
-        note = f"{q}: {mine.config}, {1e3 * result.median(mine.name):.2f} ms; {other.config}"
+        note = f"{q}: {mine.config}, {1e3 * result.median(mine.name):.2f} ms. Against {other.config}"
         found.append(Measured(result.ratio(other.name, mine.name), aperture_error(q, result.values[mine.name]), note))
     return worst(found, more=True)
 
@@ -168,7 +168,7 @@ def against_ducc0(settings: Settings, *, pixel: float) -> Measured:
         other = Contender("ducc0", lambda _, call=theirs.call: call())  # type: ignore[misc]
         result = race([mine, other], settings.rounds)
         off = min(aperture_error(way, result.values[other.name], fit=True) for way in (q, q.turned()))
-        note = f"{q}: {mine.config}; ducc0, {theirs.config}, whose error is {off:.1e}"
+        note = f"{q}: {mine.config}. Against ducc0, {theirs.config}, whose error is {off:.1e}"
         found.append(Measured(result.ratio(other.name, mine.name), aperture_error(q, result.values[mine.name]), note))
     return worst(found, more=True)
 
@@ -188,6 +188,6 @@ def method_against_fft(settings: Settings, *, name: str) -> Measured:
     for q in _cases(settings, *PIXELS)[:6]:
         mine = engine(q, method=_method(name, q.pixel))
         result = race([mine, other], settings.rounds, budget=1.0)
-        note = f"{q}: {mine.config}; {other.config}"
+        note = f"{q}: {mine.config}. Against {other.config}"
         found.append(Measured(result.ratio(other.name, mine.name), aperture_error(q, result.values[mine.name]), note))
     return worst(found, more=True)

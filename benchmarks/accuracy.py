@@ -742,12 +742,11 @@ TEXT = """# Accuracy of PSF packages
 <!-- index: ! GalSim, ! HCIPy, ! dLux, ! aotools, ! solvephase -->
 
 How wrong is a PSF? Each package is asked what its own tests and examples ask, at its default settings and, where
-there is one, at a setting of an expert. The error is the largest difference from direct quadrature over the
-aperture, which uses no FFT and no code of lommel, relative to the peak; the unit of an image is the one that fits
-best, and its rows and columns may be mirrored. Pixels of GalSim and poppy are of 0.25 lambda/D where a row
-names none. Errors of measured numbers (widths, energies, Strehl ratios) are
-relative to them. The last but one column is processor time of the package over that of lommel for the same values,
-on one core, to a factor of about 1.5.
+there is one, at a setting of an expert. The error is the largest difference from direct quadrature over the aperture,
+relative to the peak. The quadrature uses no FFT and no code of lommel. The unit of an image is the one that fits
+best, and its rows and columns may be mirrored. Pixels of GalSim and poppy are of 0.25 lambda/D where a row names
+none. Errors of measured numbers (widths, energies, Strehl ratios) are relative to them. The last but one column is
+processor time of the package over that of lommel for the same values, on one core, to a factor of about 1.5.
 
 An error is not a fault: most packages state the sampling as an option, and 1e-3 of the peak is below the noise of
 many images. The last column has the cause. The benchmark also holds the truth:

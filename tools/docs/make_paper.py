@@ -48,7 +48,7 @@ Compiled code, one thread, float32, point samples 0.5 lambda F apart (F: f-numbe
 [More methods, and the spread of the times](benchmarks.md#the-question-of-the-paper).
 
 A successor (Ganino and Guo 2026, *Fast PSF synthesis with defocused and spherical aberration*,
-[arXiv:2605.21608](https://arxiv.org/abs/2605.21608)) follows the same approach and states up to twice the speed of a
+[arXiv:2605.21608](https://arxiv.org/abs/2605.21608)) follows the same approach. It states up to twice the speed of a
 Hankel transform and four times that of an FFT.
 
 `lommel paper OUTDIR` writes all figures and their data in about half a minute; this page and its pictures are
@@ -60,9 +60,9 @@ the paper. The paper does not give the size of the window. Here v is 145 at the 
 first MSE of the paper is reproduced (185 in Fig. 7). MSE is the mean over the image of the squared error, over the
 squared peak of the exact PSF.
 
-**Reference.** Errors are differences from the exact PSF: `NijboerZernike(tol=1e-9)`, whose error bound is proven.
-The FFT beside it is what the paper most likely compares with: one transform as large as the image, without more
-padding, which samples the pupil with a radius of 145 / pi = 46 samples.
+**Reference.** Errors are differences from the exact PSF: `NijboerZernike(tol=1e-9)`, whose error bound is proven. The
+FFT beside it is what the paper most likely compares with: one transform as large as the image, without more padding.
+It samples the pupil with a radius of 145 / pi = 46 samples.
 
 **Variants.** "Printed" is Eq. (12) as printed, without the factor sqrt(2/pi) of Eq. (7); the paper's figures and
 numbers come from it. "Corrected" has the factor. All other misprints are corrected in both; see
@@ -85,7 +85,7 @@ NOTES = {
     "NijboerZernike, which costs less than either.",
     "2": "Eq. (6) with three terms, Eq. (7), the two joined at a = 1 as in Eq. (8), and what Eq. (12) makes of "
     "them with the tangent line (9). As printed, the form is close up to a = 20, where the tangent line, too "
-    "low there, makes up for the missing sqrt(2/pi); corrected, it is close where the tangent line is, near a "
+    "low there, makes up for the missing sqrt(2/pi). Corrected, it is close where the tangent line is, near a "
     "= 100.",
     "3": "As printed, error is largest near the axis, as in the paper, and the PSF is too bright; corrected, it is "
     "too dark at the rings, which lie where the tangent line is too low.",

@@ -583,5 +583,6 @@ def test_every_fragment_of_the_changelog_has_a_known_type():
     pattern = re.compile(rf"(\d+|\+[\w-]+)\.({'|'.join(kinds)})(\.\d+)?\.md")
     names = [path.name for path in (ROOT / "changes").iterdir() if path.name != "README.md"]
     assert [name for name in names if not pattern.fullmatch(name)] == []
+    assert [name for name in names if (ROOT / "changes" / name).read_text(encoding="utf-8").startswith("- ")] == []
     about = (ROOT / "changes" / "README.md").read_text(encoding="utf-8")
     assert re.findall(r"^- `(\w+)`:", about, re.MULTILINE) == kinds

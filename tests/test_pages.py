@@ -637,6 +637,28 @@ def test_the_speeds_of_the_paper_and_the_changelog_are_those_of_the_results(name
             assert f"1/{ratio:.3g} " in " ".join(text.split()), results
 
 
+def test_the_errors_of_the_paper_are_those_of_the_page_of_accuracy():
+    text = " ".join((ROOT / "paper.md").read_text(encoding="utf-8").split())
+    lines = accuracy.PAGE.read_text(encoding="utf-8").splitlines()
+    rows = [line.strip("| ").split(" | ") for line in lines if line.startswith("| ") and "| its error |" not in line]
+    # A measured number has no bound; a profile is no image.
+    images = [row for row in rows if row[4] != "–" and "profiles" not in row[1]]
+    others = [row for row in rows if row[4] == "–"]
+    errors = [float(row[2]) for row in images if row[6] != "a formula"]
+    told = re.search(r"closed forms are (\S+) to (\S+) of the peak.* up to (\d+) %.* at most (\S+)\. A second", text)
+    worst = [max(float(row[column]) for row in others) for column in (2, 3)]
+    assert [float(each) for each in told.groups()] == [
+        min(errors),
+        max(errors),
+        100 * worst[0],
+        float(f"{worst[1]:.0e}"),
+    ]
+    assert max(float(row[3]) for row in images) < 1e-7
+    assert max(float(row[4]) for row in images) < 1e-6
+    assert len({row[0].split()[0] for row in rows}) == 13
+    assert "compares thirteen packages" in text
+
+
 def test_the_numbers_of_instruments_that_are_told_are_those_of_the_files():
     objectives, cameras = (len(list((ROOT / "examples" / name).glob("*.toml"))) for name in ("objectives", "cameras"))
     guide, changes = ((ROOT / name).read_text(encoding="utf-8") for name in ("docs/guide.md", "CHANGELOG.md"))

@@ -265,7 +265,8 @@ def section_of(module: str) -> Section:
 def groups() -> dict[str, tuple[Section, list[str], list[str]]]:
     """Return, by name of the page, each section with its public names and those of its modules."""
     found, names = {}, public()
-    seen: set[int] = set()  # of what several packages have under one name
+    # What several packages have under one name is described once, and at the top where that has it.
+    seen = {id(getattr(import_module(f"lommel.{module}"), name)) for name, module in names.items()}
     for section in SECTIONS:
         listed = sorted((name for name, module in names.items() if section_of(module) is section), key=str.lower)
         if section.package:

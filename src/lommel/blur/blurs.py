@@ -222,7 +222,7 @@ class Seeing(Blur):
         return float(self.r0 * colour**0.2 / (self.wavelength * self.focal_length))
 
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
-        """Return the transfer function at frequencies `fx`, `fy` and a `wavelength`; see :class:`Blur`.
+        """Return the transfer function at `fx`, `fy` and a `wavelength`; see :class:`~lommel.blur.blurs.Blur`.
 
         Raise TypeError or ValueError if numbers are not finite, or the shapes of `fx` and `fy` are not broadcastable.
         """

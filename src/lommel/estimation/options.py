@@ -103,8 +103,8 @@ class RetrieveOptions(FitOptions):
     checks : bool, default True
         False: omit the tests of effects that the model lacks, of patterns and of standard errors, which take longer
         than the fit of small images. Coefficients are then those of maximum likelihood, `errors` the Cramér-Rao
-        bound, and the result is in doubt until :meth:`Retrieval.checked` tests it. With `blur`, tests are part of
-        the fit.
+        bound, and the result is in doubt until :meth:`~lommel.estimation.phase_retrieval.Retrieval.checked` tests it.
+        With `blur`, tests are part of the fit.
     """
 
     terms: Terms = 15

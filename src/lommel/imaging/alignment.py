@@ -26,7 +26,7 @@ _MISFIT = 0.3  # pixels, rms: displacements of parts of a frame that are told
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Aligned:
-    """Frames in the place of the first one, and how they were moved: of :func:`align`.
+    """Frames in the place of the first one, and how they were moved: of :func:`~lommel.imaging.align`.
 
     Attributes
     ----------

@@ -159,7 +159,8 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
     """Write a table; the suffix chooses the format, and :func:`lommel.load_zernike` returns the same numbers.
 
     A single wavefront is written as a table of Noll terms in waves rms; for other orders and units use
-    :meth:`ZernikeTable.from_wavefront`. The file is written under a temporary name and moved into place.
+    :meth:`~lommel.io.zernike_tables.ZernikeTable.from_wavefront`. The file is written under a temporary name and
+    moved into place.
 
     Parameters
     ----------
@@ -197,7 +198,7 @@ def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[i
 
 @display.save.register(Wavefront)
 def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: Any) -> None:
-    """Write the Zernike coefficients of a single wavefront, the table of :meth:`ZernikeTable.from_wavefront`.
+    """Write a wavefront as :meth:`~lommel.io.zernike_tables.ZernikeTable.from_wavefront` tabulates it.
 
     Parameters
     ----------
@@ -205,7 +206,7 @@ def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: A
     path : path
         Ending in .json, .toml or .csv.
     **options
-        Options of :meth:`ZernikeTable.from_wavefront`.
+        Options of :meth:`~lommel.io.zernike_tables.ZernikeTable.from_wavefront`.
 
     Raises
     ------

@@ -50,7 +50,7 @@ def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
     Raises
     ------
     TypeError, ValueError
-        On the conditions of :func:`mse`.
+        On the conditions of :func:`~lommel.measures.errors.mse`.
     """
     return _relative_error(lambda a, b: np.abs(a - b).max() / b.max(), values, reference)
 

@@ -34,7 +34,7 @@ class ChordalGauss(Method[Pupil]):
     tol : float, default 1e-6
         Bound on ``max abs(I - I_exact) / max I`` over the window, max I being the largest value in the window, 1e-12
         to 1e-1. Quadrature and rounding errors are bounded, the bound is compared with the largest computed value,
-        and :class:`ToleranceError` is raised if the bound cannot be brought below `tol`, for
+        and :class:`~lommel.ToleranceError` is raised if the bound cannot be brought below `tol`, for
         example in a window far from the light.
 
     Raises

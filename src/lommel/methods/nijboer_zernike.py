@@ -40,8 +40,8 @@ class NijboerZernike(FieldMethod["Pupil"]):
     ----------
     tol : float, default 1e-6
         Bound on ``max|I - I_exact| / max I`` over the window, max I being the peak of the PSF, 1e-12 to 1e-1. The
-        errors of truncation, quadrature, interpolation and rounding are bounded, and :class:`ToleranceError` is
-        raised if their sum, divided by the computed peak, cannot be brought below `tol`. Without radial symmetry
+        errors of truncation, quadrature, interpolation and rounding are bounded, and :class:`~lommel.ToleranceError`
+        is raised if their sum, divided by the computed peak, cannot be brought below `tol`. Without radial symmetry
         this is so below about 1e-9; :class:`ChordalGauss` then reaches about 1e-11.
 
     Raises

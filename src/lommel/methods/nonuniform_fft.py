@@ -436,8 +436,8 @@ class NonuniformFFT(Method[Pupil]):
     ----------
     tol : float, default 1e-6
         Bound on ``max|I - I_exact| / max I``, 1e-12 to below 0.1; max I is the largest value in the window or on a
-        coarse lattice over the whole blur. :class:`ToleranceError` is raised if the bound cannot be met. The exact
-        image of a mask is the sum over its samples.
+        coarse lattice over the whole blur. :class:`~lommel.ToleranceError` is raised if the bound cannot be met. The
+        exact image of a mask is the sum over its samples.
 
     Raises
     ------

@@ -60,7 +60,7 @@ ERFS: dict[str, type[AbramowitzErf | TableErf | FresnelErf]] = {
 
 
 def method_from_dict(description: Mapping[str, object]) -> Method:
-    """Rebuild a method from a `description` by :meth:`Method.to_dict`.
+    """Rebuild a method from a `description` by :meth:`~lommel.methods.Method.to_dict`.
 
     Parameters
     ----------

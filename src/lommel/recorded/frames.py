@@ -371,7 +371,7 @@ class Frames(OnDemand):
         Parameters
         ----------
         noise, mask, saturation
-            See :meth:`Counts.of`.
+            See :meth:`~lommel.Counts.of`.
 
         Returns
         -------
@@ -380,7 +380,7 @@ class Frames(OnDemand):
         Raises
         ------
         TypeError, ValueError
-            See :meth:`Counts.of`.
+            See :meth:`~lommel.Counts.of`.
 
         Examples
         --------

@@ -84,8 +84,8 @@ class ChordalDebye(AberratedMethod):
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance relative to the largest value in the window, 1e-12 to 1e-1; :class:`ToleranceError` is raised if
-        it cannot be met, for example in a window far from the image.
+        Tolerance relative to the largest value in the window, 1e-12 to 1e-1; :class:`~lommel.ToleranceError` is
+        raised if it cannot be met, for example in a window far from the image.
 
     Raises
     ------

@@ -57,7 +57,7 @@ class DebyeRings(AberratedMethod):
     ----------
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane, 1e-12 to 1e-1. Because of rounding errors, tolerances below
-        about 1e-10 may raise :class:`ToleranceError`.
+        about 1e-10 may raise :class:`~lommel.ToleranceError`.
 
     Raises
     ------

@@ -104,9 +104,10 @@ class ClosedForm(FieldMethod[Pupil]):
     def best(cls, pupil: Pupil, shape: int | tuple[int, int], pixel: float, variant: str = "corrected") -> ClosedForm:
         """Return the form with the best tangent-line centre, and the best number of erf terms, for a window.
 
-        The centre minimizes the mean squared difference from :class:`NijboerZernike` over the window. It is searched
-        between 1 and four times the largest v, then refined around the best value. `erf` is Eq. (14) with the fewest
-        terms (5, 10, ... 200) whose mean squared error is at most 1 % above the minimum, else `FresnelErf`.
+        The centre minimizes the mean squared difference from :class:`~lommel.methods.NijboerZernike` over the window.
+        It is searched between 1 and four times the largest v, then refined around the best value. `erf` is Eq. (14)
+        with the fewest terms (5, 10, ... 200) whose mean squared error is at most 1 % above the minimum, else
+        `FresnelErf`.
 
         Parameters
         ----------
@@ -244,13 +245,13 @@ def _points() -> tuple[Array, Array, Array]:
 class TunedClosedForm(FieldMethod[Pupil]):
     r"""The closed form with all approximations refined to meet a tolerance; slower than the default.
 
-    It takes tens of times as long as :class:`NijboerZernike`, or longer.
+    It takes tens of times as long as :class:`~lommel.methods.NijboerZernike`, or longer.
 
     Parameters
     ----------
     tol : float, default 1e-4
-        Bound on ``max abs(I - I_exact) / max I`` over the window, 1e-6 to 1e-1. :class:`ToleranceError` is raised if
-        `tol` cannot be met: near 1e-6, and for phases of hundreds of radians.
+        Bound on ``max abs(I - I_exact) / max I`` over the window, 1e-6 to 1e-1. :class:`~lommel.ToleranceError` is
+        raised if `tol` cannot be met: near 1e-6, and for phases of hundreds of radians.
 
     Raises
     ------

@@ -197,10 +197,10 @@ class Opening:
     def strips(self) -> tuple[float, Array] | None:
         """Radius of an annulus' obscuration, and disjoint strips that vanes cut out of it, (strips, 9), or None.
 
-        Vanes are those of a spider, and strips (:meth:`Polygon.strip`) that a stop lacks. Of each strip: cosine and
-        sine of its direction; the range of distances across; 1 if its mirror image across, 2 if the strip turned by
-        half a turn belongs to it, too; 1 if it lies ahead, behind the axis; 0 if it begins at a circle, 1 at lines
-        t = kappa abs(s), 2 at the opposite rim; radius or kappa.
+        Vanes are those of a spider, and strips (:meth:`lommel.Polygon.strip`) that a stop lacks. Of each strip:
+        cosine and sine of its direction; the range of distances across; 1 if its mirror image across, 2 if the strip
+        turned by half a turn belongs to it, too; 1 if it lies ahead, behind the axis; 0 if it begins at a circle, 1
+        at lines t = kappa abs(s), 2 at the opposite rim; radius or kappa.
         """
         return _strips(self)
 

@@ -298,8 +298,9 @@ def section(one: Set, result: Result) -> list[str]:
 
 _HEAD = """# Real data
 
-<!-- index: ! real data, ! measured data -->
 <!-- Written by `python -m benchmarks.real_data` from benchmarks/real_data.json: do not edit this page. -->
+
+<!-- index: ! real data, ! measured data -->
 
 Measured data, and data that other programs made, with the numbers of another program or a known truth beside
 lommel's. All other figures of these pages are of simulations ([the proving ground](trust.md)).

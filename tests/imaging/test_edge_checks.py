@@ -91,7 +91,10 @@ def test_another_encoding_shows_in_the_symmetry_of_the_profile():
     found = lm.sfr(srgb(image)).findings.get("asymmetric")
     assert found.severity == "doubt"
     assert found.numbers["power"] > 1.5
-    assert lm.sfr(bytes_of(image), encoding="srgb").findings.get("asymmetric").numbers["power"] < 0.7
+    assert found.numbers["encoding"] == "srgb"
+    found = lm.sfr(bytes_of(image), encoding="srgb").findings.get("asymmetric")
+    assert found.numbers["power"] < 0.7
+    assert "values are linear, not sRGB: give encoding='linear'" in found.text
 
 
 @pytest.mark.parametrize("seed", range(8))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -22,6 +23,7 @@ UNTESTED = 4.5
 _LOSS = 2.0  # largest loss of it by an encoding that the noise of both sides shows
 _LEVEL = 0.005  # uncertainty of the levels of both sides by uneven light, fraction of the step
 _GAMMA = 2.2  # of that encoding
+_OF_ENCODING = 1.75  # least power that names it
 _CURVE = 0.5  # strength of a tone curve of cameras, from none to 3 v^2 - 2 v^3
 _FLAT = 0.9  # fraction of equal pixels of a bright side that is clipped, beside a dark one with noise
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
@@ -193,12 +195,31 @@ def _of_symmetry(
         return [Finding("flat_top", "error", text, {"change": change, "value": value})], evidence
     if change < _EFFECT:
         return [], evidence
-    text = (
-        f"the profile is not symmetric{' and the dark side is noisier' if noisier else ''}: values are not "
-        f"{named(encoding)} (light = value ** {power:.2g} would be), are clipped, or the lens has coma; "
-        f"the response changes by {change:.2g}"
-    )
-    return [Finding("asymmetric", "doubt", text, {"power": power, "change": change})], evidence
+    sides = f"the profile is not symmetric{' and the dark side is noisier' if noisier else ''}"
+    numbers: dict[str, Any] = {"power": power, "change": change}
+    if (other := _likely_encoding(power, encoding)) is not None:
+        numbers["encoding"] = other
+        causes = (
+            f"values are {'sRGB' if other == 'srgb' else other}, not {named(encoding)}: give encoding={other!r}; "
+            "else they are clipped or sharpened at edges, or the lens has coma"
+        )
+    else:
+        causes = (
+            "the picture was sharpened at edges or clipped, the lens has coma, or values are not "
+            f"{named(encoding)} (light = value ** {power:.2g} would be)"
+        )
+    text = f"{sides}: {causes}; the response changes by {change:.2g}"
+    return [Finding("asymmetric", "doubt", text, numbers)], evidence
+
+
+def _likely_encoding(power: float, encoding: Encoding) -> str | None:
+    """Return the other one of linear and sRGB if a power of the values, which makes profiles symmetric, is its own.
+
+    Sharpening at edges needs powers nearer to 1.
+    """
+    if encoding == "linear":
+        return "srgb" if power > _OF_ENCODING else None
+    return "linear" if encoding == "srgb" and power < 1.0 / _OF_ENCODING else None
 
 
 def unless_brighter(finding: Finding, top: float, *, processed: bool) -> list[Finding]:

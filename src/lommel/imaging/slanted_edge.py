@@ -293,12 +293,13 @@ def with_processing(
 
     def joined(one: EdgeResponse, name: str) -> EdgeResponse:
         processed = [part for part in found[name] if part.code in ("sharpened", "correlated_noise")]
-        # Sharpening, and the ripples of JPEG, may look like another encoding.
-        overshoots = any(part.code == "sharpened" or part.numbers.get("overshoot", 0.0) > 0.0 for part in processed)
+        # Sharpening, and the ripples of JPEG, may look like another encoding, which makes no overshoot.
+        sharpened = any(part.code == "sharpened" for part in processed)
+        overshoots = any(part.numbers.get("overshoot", 0.0) > 0.0 for part in processed)
         others = [
             kept
             for finding in one.findings
-            if finding.code != "asymmetric" or not overshoots
+            if finding.code != "asymmetric" or not (overshoots or (sharpened and "encoding" not in finding.numbers))
             for kept in unless_brighter(finding, tops[name], processed=compressed or bool(processed))
         ]
         return replace(one, findings=Findings([*others, *found[name]]))

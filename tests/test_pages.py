@@ -598,7 +598,7 @@ def test_what_the_readme_says_of_ffts_pairs_of_frames_and_fits_is_that_of_the_pa
     assert {work for work, speed in speeds.items() if speed < 1.0} == set(ends)
     assert (
         "Slower than FFTs of 128×128 (their time over lommel's): one PSF {:.2f} to {:.2f}, JWST {:.2f}, "
-        "vanes and pixels of 2.6 λN {:.2f}, one PSF with vanes and seeing {:.1g}"
+        "vanes and pixels of 2.6 λN {:.2f}, with seeing {:.1g}"
     ).format(*(speeds[end] for end in ends)) in readme
     # Pairs a second in the table of three lenses, the sharp image included.
     rows = re.findall(r"^\| \d+ mm f/[\d.]+ \| \d+ rad \|(?:[^|]+\|){3} (\d+) \|", pages["live-depth"], re.MULTILINE)

@@ -107,9 +107,12 @@ def test_a_stack_of_beads_is_the_psf(run, files):
         files / "beads.tif", np.load(files / "beads.npy").astype(np.float32), imagej=True, metadata=facts
     )
     stated = ("--psf", files / "beads.tif", "--psf-pixel", "0.1um", "--psf-step", "0.2um")
-    found = run(*alone, *stated)
-    assert "the PSF was resampled" in " ".join(found.stdout.split())
-    assert "state planes 220 nm apart, but 200 nm was used" in " ".join(found.stderr.split())
+    found = run(*alone, *stated, "--json")
+    texts = {finding["text"]: finding["severity"] for finding in json.loads(found.stdout)["findings"]}
+    assert any("the PSF was resampled" in text for text in texts)
+    doubt = "the images of the PSF state planes 220 nm apart, but 200 nm was used, and lengths of the PSF along z are"
+    assert [severity for text, severity in texts.items() if text.startswith(f"{doubt} 0.909 times")] == ["doubt"]
+    assert found.stderr.count(f"Note: T{doubt[1:]}") == 1
     assert "LENS is missing: give the file of the objective, or --psf" in run(*alone).stderr
 
 

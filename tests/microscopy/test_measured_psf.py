@@ -66,7 +66,10 @@ def test_a_step_unlike_that_of_the_file_is_told(tmp_path):
         tmp_path / "bead.tif", light, imagej=True, resolution=(1e-6 / PIXEL, 1e-6 / PIXEL), metadata=facts
     )
     with pytest.warns(UserWarning, match=r"images of the PSF state .* 200 nm.*, but 220 nm was used"):
-        assert measured_psf(tmp_path / "bead.tif", PIXEL, 1.1 * STEP).step == 1.1 * STEP
+        found = measured_psf(tmp_path / "bead.tif", PIXEL, 1.1 * STEP)
+    assert found.step == 1.1 * STEP
+    assert (found.findings[0].code, found.findings[0].severity) == ("contradiction", "doubt")
+    assert "lengths of the PSF along z are 1.1 times as long" in found.findings[0].text
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert measured_psf(tmp_path / "bead.tif").step == pytest.approx(STEP)

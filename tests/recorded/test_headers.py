@@ -116,11 +116,44 @@ def test_sizes_that_contradict_those_in_use_are_told():
 
 def test_voxels_of_beads_that_contradict_the_microscope_are_told():
     objective = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33)
-    bead, microscope = labelled(z=np.arange(9) * 0.25), lm.Microscope(objective, wavelength=600e-9, pixel=6.5e-6)
+    bead, microscope = labelled(z=np.arange(9) * 0.25), lm.Microscope(objective, wavelength=600e-9, pixel=6.1e-6)
 
     def fit(step):
         with pytest.raises(ValueError, match="more pixels than there are unknowns"):
             lm.fit_beads(bead[:, :2, :2], microscope, z=step * np.arange(9), noise=READ, terms=30, diameter=1e-7)
 
-    assert told(lambda: fit(0.25e-6))[1] == "The images state pixels of 108 nm in the sample, but 103.2 nm was used."
-    assert "The images state planes 250 nm apart, but 300 nm was used." in told(lambda: fit(0.3e-6))[1]
+    words = "pixels of 108 nm in the sample, but 96.83 nm was used, and lengths across are 0.897 times as long"
+    assert told(lambda: fit(0.25e-6))[1] == f"The images state {words}: correct the one that is wrong."
+    words = "The images state planes 250 nm apart, but 300 nm was used, and lengths along z are 1.2 times as long:"
+    assert words in told(lambda: fit(0.3e-6))[1]
+
+
+def test_statements_that_contradict_a_stack_are_doubts_of_its_restoration():
+    """2 % of difference are none; of one emission 5 %."""
+    stack = labelled().assign_coords(emission=xr.DataArray(525.0, attrs={"units": "nm"}))
+    objective = lm.Objective(NA=1.3, magnification=60, immersion=1.518, sample=1.518)
+    method = lm.imaging.RichardsonLucy(steps=1, target=0.0)
+    own = {"noise": READ, "direction": "up", "depth": 3e-6, "diagnosis": False, "method": method}
+
+    def doubts(**stated):
+        found, words = told(lambda: lm.microscopy.deconvolve(stack, objective, **own, **stated))
+        doubts = [one for one in found.findings if one.severity == "doubt" and one.code != "not_settled"]
+        assert words.count("was used") == len(doubts)  # told before, too
+        return {one.code: one.text for one in doubts}
+
+    assert doubts(step=0.254e-6, pixel=6.5e-6, wavelength=545e-9) == {}
+    found = doubts(step=0.2e-6, pixel=13e-6)
+    assert "planes 250 nm apart, but 200 nm was used, and lengths along z are 0.8 times" in found["contradiction"]
+    assert "pixels of 108 nm in the sample, but 216.7 nm was used" in found["pixel_pitch"]
+    found = doubts(wavelength=630e-9)["contradiction"]
+    assert "an emission of 525 nm, but 630 nm was used, and the PSF is 1.2 times as wide" in found
+
+
+def test_pixels_that_contradict_those_of_a_movie_are_a_doubt_of_its_molecules():
+    objective = lm.Objective(NA=1.3, magnification=60, immersion=1.518, sample=1.33)
+    pupil = objective.pupil(depth=1e-6, wavelength=525e-9)
+    table = lm.localize.Table(pupil, shape=5, pixel=13e-6, z=(-1e-7, 1e-7))
+    movie = labelled().rename(z="t").drop_vars("t")
+    found, words = told(lambda: lm.localize.localize_movie(movie, table, noise=READ, flat=True))
+    assert found.findings.get("pixel_pitch").severity == "doubt"
+    assert "The images state pixels of 108 nm in the sample, but 216.7 nm was used" in words

@@ -36,6 +36,10 @@ def tell(note: str, category: type[Warning] = UserWarning) -> None:
     warnings.warn(note, category, stacklevel=level)
 
 
+class Early(UserWarning):
+    """Warning before a computation that takes long, of what the findings of its result repeat."""
+
+
 _collected: ContextVar[tuple[list[str], str] | None] = ContextVar("collected", default=None)
 
 

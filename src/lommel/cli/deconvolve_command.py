@@ -16,7 +16,7 @@ from lommel.base.executors import connected
 from lommel.base.options import HIDDEN, In, Shown
 from lommel.cli.command import CLIENT, OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraMaps, require_microscope, require_order
-from lommel.cli.messages import collected_notes, report_findings
+from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_folder, save_figure, written
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
 from lommel.microscopy.bead_average import measured_psf
@@ -170,22 +170,17 @@ def deconvolve(
         ):
             recording = frames.as_channels(time=time, axes=axes, series=True)
             beads: dict[str, Any] = {"microscope": microscope, "diameter": diameter}
-            early = list[str]()
-            with collected_notes(early):
-                psfs = (
-                    None
-                    if psf is None
-                    else [
-                        measured_psf(psf, psf_pixel, psf_step, channel=channel, **beads)
-                        for channel in range(recording.shape[-4])
-                    ]
-                )
-            for note in early:  # before the restoration, and among its notes
-                report_progress.tell(note)
-                validation.tell(note)
+            psfs = (
+                None
+                if psf is None
+                else [
+                    measured_psf(psf, psf_pixel, psf_step, channel=channel, **beads)
+                    for channel in range(recording.shape[-4])
+                ]
+            )
             result = run(
                 recording,
-                microscope if psfs is None else psfs,
+                psfs or microscope,
                 noise,
                 replace(
                     options,

@@ -22,7 +22,7 @@ from lommel.base.units import ARCSEC, format_length
 from lommel.base.validation import line
 from lommel.blur.blurs import Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
-from lommel.cli.instruments import CameraNoise, header_differences, instrument_of, require_microscope
+from lommel.cli.instruments import CameraNoise, instrument_of, require_microscope
 from lommel.cli.messages import report_findings, verdict_lines
 from lommel.cli.output import progress, require_file, require_folder, save_figure, written
 from lommel.detection.molecules import smoothed
@@ -44,14 +44,12 @@ if TYPE_CHECKING:
     from lommel.estimation.field_fit import FieldFit
     from lommel.estimation.phase_retrieval import Retrieval
     from lommel.lensfiles.microscope_files import Microscope
-    from lommel.recorded.headers import Unusable
     from lommel.recorded.noise import Noise
 
 _MOST_CROSSINGS = 100
 _WAVE = 2.0 * math.pi  # radians
 _FIELD_FACTOR = 1.6  # images whose side exceeds this multiple of the window show a field with several beads
 _MUCH_LARGER = 1.5  # images whose sides exceed this multiple of the window around a star are cut
-_MAX_PITCH_DIFFERENCE = 0.05  # relative: five times the error of the pixel pitch that a fit allows for
 _LONG = 45.0  # seconds: fits that take longer are announced
 _BEAD_SECONDS = 5e-6  # processor time of the fit of a bead, for each pixel and parameter
 _SHAPE = "(beads, planes, height, width)"
@@ -501,7 +499,7 @@ def beads(
     from lommel.estimation.star_images import label
     from lommel.lensfiles.microscope_files import stage_step
     from lommel.recorded.frames import read_each
-    from lommel.recorded.headers import combined_metadata
+    from lommel.recorded.headers import combined_metadata, microscope_facts, microscope_findings, told_early
 
     require_file(output, ".toml")
     stacks = _bead_files(stacks)
@@ -517,7 +515,7 @@ def beads(
     with progress("reading") as status:
         read = list(read_each(tuple(stacks)))
         metadata = combined_metadata([stack.metadata for stack in read])
-        noise, saturation, header = camera.resolve(metadata, microscope.camera, microscope.pixel)
+        noise, saturation, header = camera.resolve(metadata, microscope.camera)
         steps = {stack.metadata.get("step") for stack in read} if step is None else {step}
         used_step = steps.pop() if len(steps) == 1 else None
         if used_step is None:
@@ -532,18 +530,17 @@ def beads(
             notes.append(f"The step of {format_length(used_step)} between planes is that of the files.")
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
-        windows, pitches, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
+        windows, contradicted, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
         z = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step
         sharpest = _sharpest(microscope, z, options)
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
             if stack.axes[0] == "T":
                 notes.append(f"{line(file)} states {len(stack)} time points, which were taken as planes along z.")
-            differences = header_differences(stack.metadata, microscope, used_step)
-            for key in ("pixel", "down"):
-                if (pitch := differences.pop(key, None)) and pitch not in pitches:
-                    pitches[pitch] = _pitch_finding(pitch, stack.metadata.get(key), microscope)
-            notes += [*stack.notes, *(note for note in differences.values() if note not in notes)]
+            facts = microscope_facts(microscope.objective, microscope.wavelength)
+            lengths, differences = microscope_findings(stack.metadata, microscope.pixel, used_step, **facts)
+            contradicted |= {finding.text: finding for finding in lengths}
+            notes += [*stack.notes, *(note for note in differences if note not in notes)]
             recorded_planes = stack[...]
             mask = camera.mask_of(recorded_planes)
             ignored = np.broadcast_to(False if mask is None else mask, recorded_planes.shape)
@@ -563,6 +560,7 @@ def beads(
                 status.tell(f"{text}.")
             values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
             windows += _beads(file, values, Counts.of(values, noise=noise, saturation=saturation), window, notes)
+        told_early(list(contradicted.values()))
         cut_out = [bead.window for bead in windows]
         status("fitting")
         columns = 12 + (options.terms if isinstance(options.terms, int) else len(options.terms))
@@ -614,7 +612,7 @@ def beads(
                 ]  # fmt: skip
             table = report.write(folder, each, _earlier(folder), dates)
             rows += table["table"]
-    result = replace(result, findings=Findings([*pitches.values(), *findings, *result.findings]))
+    result = replace(result, findings=Findings([*contradicted.values(), *findings, *result.findings]))
     if output is not None:
         _fitted(microscope, result, used_step).save(output)
     save_figure(result.plot, figure)
@@ -684,15 +682,6 @@ def _fitted(microscope: Microscope, result: BeadFit, step: float) -> Microscope:
         source=f"{source} Fitted to beads: {result.message}.".lstrip(),
         depth=result.beads[0].depth, planes=planes, step=step, origin="brightest", shape=tuple(shape),
     )  # fmt: skip
-
-
-def _pitch_finding(note: str, stated: float | Unusable | None, microscope: Microscope) -> Finding:
-    """Return the finding on pixels that the images state, which differ from those in use; a doubt if by far."""
-    in_use = microscope.pixel / microscope.objective.magnification
-    differs = isinstance(stated, float) and abs(stated - in_use) > _MAX_PITCH_DIFFERENCE * in_use
-    text = f"{note[0].lower()}{note[1:-1]}"
-    text += ": correct the one that is wrong" if isinstance(stated, float) else "; state it in the images"
-    return Finding("pixel_pitch", "doubt" if differs else "note", text, {"pixel": in_use})
 
 
 def _sharpest(microscope: Microscope, z: Values, options: BeadOptions) -> float:

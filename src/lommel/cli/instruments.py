@@ -341,15 +341,6 @@ def tell_optics(name: object, exif: Exif, pixel: float, lens: Lens) -> None:
         validation.tell(note)
 
 
-def header_differences(header: Metadata, microscope: Microscope, step: float | None = None) -> dict[str, str]:
-    """Return a note on each value in the header of images that differs from that of the microscope or the `step`."""
-    from lommel.recorded.headers import microscope_facts, size_notes
-
-    pixel = microscope.pixel / microscope.objective.magnification
-    facts = microscope_facts(microscope.objective, microscope.wavelength)
-    return size_notes(header, pixel=pixel, down=pixel, step=step, **facts)
-
-
 _UNITS = {
     "white": ("gain", " electrons per count", 1.0),
     "offset": ("offset", " counts", 0.0),

@@ -14,7 +14,7 @@ from rich.text import Text
 from lommel.base.executors import connected
 from lommel.base.options import In, Options, Shown, filled
 from lommel.cli.command import CLIENT, OUTPUT, PLOT, command
-from lommel.cli.instruments import CameraMaps, header_differences, require_microscope, require_order
+from lommel.cli.instruments import CameraMaps, require_microscope, require_order
 from lommel.cli.messages import finding_lines
 from lommel.cli.output import progress, require_folder, save_figure, written
 from lommel.io import registry
@@ -22,6 +22,7 @@ from lommel.localize import Localizations, LocalizeOptions, Table, writer
 from lommel.localize.localizations import MEDIANS, joined
 from lommel.localize.movie_fits import movie_blocks
 from lommel.recorded.frames import open_frames
+from lommel.recorded.headers import SIZES
 from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.table import described
 
@@ -116,8 +117,9 @@ def localize(
         connected(client) as cluster,
     ):
         frames = movie_file.as_stack()
-        noise, saturation, header = camera.resolve(frames.metadata, microscope.camera, microscope.pixel)
-        header = [*frames.notes, *header, *header_differences(frames.metadata, microscope).values()]
+        noise, saturation, header = camera.resolve(frames.metadata, microscope.camera)
+        header = [*frames.notes, *header]
+        optics = {key: value for key, value in frames.metadata.items() if key in SIZES}
         mask = camera.mask_of(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, _SIDE, pixel, z=z, along=along, reach=molecules.reach)
@@ -130,7 +132,7 @@ def localize(
         )
         with writer(*outputs) as write:
             for part in movie_blocks(
-                dataclasses.replace(frames, metadata={}), table, noise, told, mask=mask, saturation=saturation
+                dataclasses.replace(frames, metadata=optics), table, noise, told, mask=mask, saturation=saturation
             ):
                 write(part)
                 parts.append(part if figure is not None else _keep_report_columns(part))

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from lommel.base.executors import ExecutorError, Waiting
 from lommel.base.units import with_units
-from lommel.base.validation import brief, line
+from lommel.base.validation import Early, brief, line
 from lommel.cli.interrupts import discard
 from lommel.lensfiles import example_files
 from lommel.report import Facts, Report, Wrapped
@@ -69,8 +69,8 @@ def collected_notes(notes: list[str]) -> Iterator[None]:
         old_show = warnings.showwarning
 
         def show(message: Warning | str, category: type[Warning], *place: Any, **keywords: Any) -> None:
-            if issubclass(category, Waiting):  # now, since the wait may have no end
-                print(f"Note: {message}", file=sys.stderr)
+            if issubclass(category, Waiting | Early):  # now, since the wait, or the computation, may be long
+                print(f"Note: {with_options(str(message))}", file=sys.stderr)
             elif not issubclass(category, UserWarning):
                 old_show(message, category, *place, **keywords)
             elif (note := with_options(str(message))) not in notes:

@@ -62,7 +62,7 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, length
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.counts import Counts, counts_of, recording_findings
-from lommel.recorded.headers import microscope_facts, tell_sizes
+from lommel.recorded.headers import microscope_facts, microscope_findings, told_early
 from lommel.recorded.noise import Noise
 
 if TYPE_CHECKING:
@@ -640,11 +640,15 @@ def fit_stacks(
     pitch = validation.real("pixel", microscope.pixel, above=0.0, unit="metres")
     step = float(spacing.mean()) if np.ptp(spacing) < EVEN * abs(spacing.mean()) else None
     facts = microscope_facts(objective, microscope.wavelength)
-    tell_sizes(counts.metadata, pitch, step, **facts)
+    findings, remarks = microscope_findings(counts.metadata, pitch, step, **facts)
+    told_early(findings)
+    for remark in remarks:
+        validation.tell(remark)
     wavelength, emitter = validation.wavelength(microscope.wavelength), emitter_of(microscope.emitter)
     integrate = microscope.integrate is not False
     setup = Setup(objective, wavelength, emitter, pitch, options.diameter, integrate=integrate)
     setup, priors, depth_error, notes = _priors(options.priors, setup, depth_values)
+    notes = findings + notes
     amplitudes = (name for name in list(AMPLITUDES)[: options.apodization] if name not in priors)
     priors |= {name: Prior(setup.value(name), math.inf) for name in amplitudes}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}

@@ -119,12 +119,12 @@ class Checks:
 
     def __init__(
         self, recording: MovieInfo, table: Table, refit: partial[Molecules], background: str,
-        surface: FocalSurface | None,
+        surface: FocalSurface | None, contradicted: Sequence[Finding],
     ) -> None:  # fmt: skip
         self._stated = {} if surface is None else surface.terms
         self._recording, self._table, self._refit, self._background = recording, table, refit, background
         self._noise: Noise = refit.keywords["noise"]
-        self._once: dict[str, Finding] = {}
+        self._once = {finding.code: finding for finding in contradicted}
         self._counts = np.zeros((recording.rows, recording.columns), np.int64)
         self._sums = dict.fromkeys(
             ("spots", "borders", "overlapping", "saturated", "left_out", "ends", "doubtful"), 0

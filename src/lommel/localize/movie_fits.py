@@ -27,7 +27,7 @@ from lommel.localize.table import Table
 from lommel.optics.layers.objective import FocalSurface
 from lommel.recorded.counts import Counts, is_on_demand
 from lommel.recorded.frames import Frames, frames_of
-from lommel.recorded.headers import Metadata, metadata_of, tell_sizes, with_header
+from lommel.recorded.headers import Metadata, metadata_of, microscope_findings, told_early, with_header
 from lommel.recorded.noise import Noise
 
 _HEIGHTS, _ITERATIONS = 65, 100  # fit of Gaussians: number of heights z, and number of iterations
@@ -186,7 +186,12 @@ def movie_blocks(
         camera, saturation = with_header(noise, saturation, header, read=0.0)
         layers, times = table.pupil.layers, table.pupil.magnification
         facts = {"NA": layers.NA, "immersion": layers.immersion, "emission": layers.wavelength}
-        tell_sizes(header, table.pixel, magnification=times, modality="widefield", **facts)
+        contradicted, remarks = microscope_findings(
+            header, table.pixel, magnification=times, modality="widefield", **facts
+        )
+        told_early(contradicted)
+        for remark in remarks:
+            validation.tell(remark)
         if surface is not None and (surface.frame != tuple(shape[1:]) or table.along == "depth"):
             got = f"its frame is {surface.frame}, got frames of {tuple(shape[1:])} and z along {table.along}"
             raise ValueError(f"surface must be that of the frames of the movie, along z of the stage: {got}")
@@ -194,7 +199,7 @@ def movie_blocks(
         along = "none" if options.flat else table.along
         recording = MovieInfo(*shape, pixel, table.shape, along, name)
         fits = BlockFits(table, camera, width, None if options.client is None else 1)
-        checks = Checks(recording, table, fits.fit_boxes, background, surface)
+        checks = Checks(recording, table, fits.fit_boxes, background, surface, contradicted)
         state = State(saturation, "flat" if background == "auto" else background)
         count, is_tested = 0, False
         with kept_results(options.keep, images, block, fits, mask) as unfinished:

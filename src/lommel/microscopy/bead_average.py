@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Sequence
+from dataclasses import replace
 from os import PathLike
 from typing import Any, NamedTuple
 
@@ -22,7 +24,7 @@ from lommel.optics.layers.objective import Objective
 from lommel.psf import psf
 from lommel.recorded.camera_noise import measured_noise
 from lommel.recorded.frames import Frames, frames_of
-from lommel.recorded.headers import size_notes
+from lommel.recorded.headers import size_findings, told_early
 
 MOST_ON_RIM = 0.2
 """Largest fraction of the light of a measured PSF on the outermost pixels of its planes."""
@@ -83,9 +85,11 @@ def measured_psf(
                 f"{name} of the PSF must be stated (--psf-{name}), metres in the sample: {recording.name} states none"
             )
         sizes[name] = validation.real(name, stated, above=0.0, most=1e-4, unit="metres")
-    if not channel:  # told once, before a restoration that takes minutes
-        for note in size_notes(metadata, **sizes).values():
-            validation.tell(note.replace("The images state", "The images of the PSF state"))
+    remarks = [
+        replace(finding, text=finding.text.replace("the images", "the images of the PSF", 1))
+        for finding in (() if channel else size_findings(metadata, " of the PSF", **sizes))  # once for all channels
+    ]
+    told_early(remarks)
     sides = stack.shape if len(stack) > 1 else stack.shape[1:]
     if min(sides) < 2 * _LEAST_HALF + 1 or not np.isfinite(stack).all():
         raise ValueError(f"array must be finite and have 5 voxels or more in each direction, got {sides}")
@@ -101,7 +105,7 @@ def measured_psf(
         if not isinstance(objective, Objective):
             raise TypeError(f"microscope must be a Microscope, got {validation.shown(microscope)}")
         optics = _Optics(objective, float(metadata["emission"][channel or 0] or microscope.wavelength))
-    return _Beads(stack, sizes["pixel"], sizes["step"], optics, background).mean(diameter)
+    return _Beads(stack, sizes["pixel"], sizes["step"], optics, background).mean(diameter, remarks)
 
 
 class _Beads:
@@ -188,8 +192,8 @@ class _Beads:
                 f"{peak / max(noise, 1e-300):.3g}"
             )
 
-    def mean(self, diameter: float | None) -> MeasuredPSF:
-        """Return the mean of the registered beads, without what is outside of the pass band."""
+    def mean(self, diameter: float | None, remarks: Sequence[Finding]) -> MeasuredPSF:
+        """Return the mean of the registered beads, without what is outside of the pass band; `remarks` are kept."""
         crops, lights = self._crops, _inner(self._crops).sum(axis=(1, 2, 3))
         shape, ideal = crops.shape[1:], None if self._ideal is None else self._ideal / _inner(self._ideal).sum()
         mean = crops[lights.argmax()] / lights.max() if ideal is None else ideal
@@ -233,7 +237,7 @@ class _Beads:
             f"the rim, {100.0 * float(values.max()):.2g} % in the brightest "
             + (f"voxel; {removed}" if len(mean) > 1 else "pixel")
         )
-        findings = [Finding("measured_psf", "note", text, numbers)]
+        findings = [*remarks, Finding("measured_psf", "note", text, numbers)]
         if self._refused:
             reasons = ", ".join(f"{number} {reason}" for reason, number in self._refused.items())
             findings.append(Finding("left_out", "note", f"beads were left out: {reasons}", self._refused))

@@ -22,7 +22,7 @@ from lommel.base.options import HIDDEN, In, Options, Shown, listed
 from lommel.base.units import format_length, percent
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background
-from lommel.fit.findings import Finding, Findings
+from lommel.fit.findings import Finding, Findings, doubts_in_words
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.microscopy.chunks import Course, Outcome, chunk_side, restore_chunks
 from lommel.microscopy.depth_model import MAX_RIM, DepthModel, GivenPSF, PSFs
@@ -38,7 +38,7 @@ from lommel.recorded.camera_noise import unrepeated
 from lommel.recorded.copies import local_stacks
 from lommel.recorded.counts import LARGEST, Counts
 from lommel.recorded.frames import Frames, frames_of
-from lommel.recorded.headers import Metadata, with_header
+from lommel.recorded.headers import Metadata, told_early, with_header
 from lommel.recorded.noise import Noise
 from lommel.traced.namespaces import Placement
 
@@ -297,6 +297,7 @@ def run(
             noise, saturation = with_header(noise, saturation, recording.metadata)
         notes = list(recording.notes)
         found = sampled(moments[0], microscope, stated, tuning.window, notes)
+        doubts = told_early(found.findings)
         used = replace(recording, metadata=found.recording.metadata)
         ignored = _mask_of(mask, array_mask, moments[0].shape)
         names = used.metadata["names"]
@@ -344,9 +345,9 @@ def run(
             if number == len(names) - 1:
                 del stacks, context
                 reading.close()
-        values = target.finish(" ".join(notes), len(results))
+        values = target.finish(" ".join(doubts_in_words(doubts) + notes), len(results))
         values = values if home is None else home.put(values)
-    findings = [
+    findings = doubts + [
         finding if len(names) == 1 else replace(finding, text=f"{name}: {finding.text}")
         for number, name in enumerate(names)
         for finding in _over_time(results[number :: len(names)])

@@ -14,7 +14,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values
 from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
-from lommel.fit.findings import Findings, FitReport
+from lommel.fit.findings import Findings, FitReport, doubts_in_words
 from lommel.recorded import stack_files
 from lommel.recorded.frames import Frames
 from lommel.recorded.noise import Noise
@@ -98,7 +98,8 @@ class RestoredStack(FitReport):
     findings : Findings
         Results of the checks of all channels. Errors: "misfit", "too_quiet", and "not_settled" and "interrupted",
         where the steps ended above the noise. Doubts: "psf_doubtful", where held-out photons agree better with
-        another PSF; "misfit" where no other PSF fits better; "hot_pixels". All other findings are notes. Findings
+        another PSF; "misfit" where no other PSF fits better; "hot_pixels"; "contradiction" and "pixel_pitch", where
+        the file states another step, emission or pixel than the one in use. All other findings are notes. Findings
         set ``converged``, ``reliable`` and ``status``.
     summary : str
         Discrepancy and number of steps of each channel, of a time series the range of its time points.
@@ -189,8 +190,9 @@ class RestoredStack(FitReport):
             stack_files.kind_of(place, self.recording.path)
         values = np.asarray(self._on_host, np.float32)
         values = values[np.newaxis] if values.ndim == 3 else values
+        remarks = " ".join([*doubts_in_words(self.findings), *self.notes])
         for place in places:
-            stack_files.save_stack(place, values, self.recording, " ".join(self.notes))
+            stack_files.save_stack(place, values, self.recording, remarks)
 
 
 class Projections(NamedTuple):

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, Protocol
 from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
+from lommel.fit.findings import Finding
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.microscopy.depth_model import DepthModel, GivenPSF, usual_window
 from lommel.optics.layers.emitter import Emitter, emitter_of
@@ -17,9 +18,10 @@ from lommel.optics.layers.objective import FocalSurface, Objective
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF
 from lommel.recorded.frames import Frames
-from lommel.recorded.headers import microscope_facts, size_notes
+from lommel.recorded.headers import microscope_facts, size_findings, size_notes
 
 _TOLERANCE = 0.02  # relative difference between values of the file and of the objective above which a note is added
+_EMISSION = 0.05  # relative difference of the emission from that of the file above which the result is in doubt
 _FINEST = 5e-9  # finest pixel in the sample times NA, metres: a twentieth of Nyquist sampling at 400 nm
 _LEAST_PLANES = 3  # a single plane has no depth to restore
 
@@ -53,6 +55,7 @@ class Sampled(NamedTuple):
     recording: Frames
     models: list[DepthModel | GivenPSF]
     pixel_doubt: str  # note on a pixel of the stack that contradicts the file of the objective
+    findings: list[Finding]  # on arguments that contradict the file of the stack
 
 
 def sampled(
@@ -91,6 +94,14 @@ def sampled(
     kind = "widefield" if device is None else device.modality.kind
     notes += size_notes(recording.metadata, **microscope_facts(lens, None, kind)).values()
     waves = _wavelengths(recording, device, stated.wavelength, notes)
+    findings = size_findings(
+        recording.metadata, pixel=None if stated.pixel is None else pixel / lens.magnification, step=stated.step
+    )
+    for wave, of_file, name in zip(waves, recording.metadata["emission"], recording.metadata["names"], strict=True):
+        of = f" of {name}" if len(waves) > 1 else ""
+        findings += size_findings(
+            {"emission": of_file}, of, most=_EMISSION, emission=wave if stated.wavelength else None
+        )
     depth = stated.depth
     if depth is None:
         depth = planes // 2 * step if device is None else device.depth
@@ -126,7 +137,7 @@ def sampled(
         notes.append("The focal surface of the microscope was not used: z counts from it, over the field.")
     sizes = {"pixel": pixel / lens.magnification, "step": step, "emission": tuple(waves)}
     used = replace(recording, metadata=recording.metadata | sizes)
-    return Sampled(used, models, doubt)
+    return Sampled(used, models, doubt, findings)
 
 
 def _source(recording: Frames) -> str:
@@ -151,8 +162,8 @@ def _with_psfs(recording: Frames, psfs: Sequence[PSF | MeasuredPSF], stated: Sta
     models = [GivenPSF(psf, recording.shape[1]) for psf in psfs]
     waves = [model.wavelength or wave for model, wave in zip(models, recording.metadata["emission"], strict=True)]
     sizes = {"pixel": models[0].pixel, "step": models[0].step, "emission": tuple(waves)}
-    notes += size_notes(recording.metadata, pixel=models[0].pixel, step=models[0].step).values()
-    return Sampled(replace(recording, metadata=recording.metadata | sizes), list(models), "")
+    findings = size_findings(recording.metadata, pixel=models[0].pixel, step=models[0].step)
+    return Sampled(replace(recording, metadata=recording.metadata | sizes), list(models), "", findings)
 
 
 def _measured_voxel(recording: Frames, psf: MeasuredPSF, stated: Stated, notes: list[str]) -> tuple[float, float]:
@@ -209,10 +220,8 @@ def _length(
     of_microscope: float | None,
     notes: list[str],
 ) -> float:
-    """Return the length in the argument, else in the file, else of the microscope; note differences."""
+    """Return the length in the argument, else in the file, else of the microscope; note what was assumed."""
     if argument is not None:
-        if of_file is not None and abs(argument - of_file) > _TOLERANCE * of_file:
-            notes.append(f"The argument {name}={format_length(argument)} was used, not the value of the file.")
         return argument
     if of_file is not None:
         if of_microscope is not None and abs(of_microscope - of_file) > _TOLERANCE * of_file:

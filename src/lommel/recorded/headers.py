@@ -15,6 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Json
 from lommel.base.quantities import ANGLES, BARE, EVEN, LENGTHS, metres_of, spacings, stated_unit
 from lommel.base.units import ARCSEC, format_length
+from lommel.fit.findings import Finding, doubts_in_words
 from lommel.io import fits_images
 from lommel.io.zarr_folders import missing_chunks
 from lommel.recorded.noise import Noise
@@ -339,9 +340,11 @@ def with_header(
     return Noise(**{"read": read} | stated), limit
 
 
-_SIZES = {"pixel": "pixels of {} in the sample", "down": "pixels {} high", "sensor_pixel": "pixels of {}"}
-_SIZES |= {"emission": "an emission of {}", "step": "planes {} apart", "NA": "an NA of {}", "modality": "{}"}
-_SIZES |= {"magnification": "a magnification of {}", "immersion": "an immersion of the index {}"}
+SIZES = {"pixel": "pixels of {} in the sample", "down": "pixels {} high", "sensor_pixel": "pixels of {}"}
+SIZES |= {"emission": "an emission of {}", "step": "planes {} apart", "NA": "an NA of {}", "modality": "{}"}
+SIZES |= {"magnification": "a magnification of {}", "immersion": "an immersion of the index {}"}
+"""Metadata of the sampling and the microscope, in words."""
+
 NEGATIVE_STEP = "a negative plane spacing, of which the magnitude was used: its sign does not set the direction of z."
 
 
@@ -355,21 +358,59 @@ def size_notes(header: Metadata, **used: float | str | None) -> dict[str, str]:
         stated = header.get(key)
         if key == "modality" and stated is not None and stated[0] != size:
             notes[key] = f"The images state {stated[1]}, but a {size} microscope was used."
-        stated = next(iter(stated), None) if isinstance(stated, list | tuple) else stated
+        stated = _first(stated)
         if not isinstance(size, float | int) or not isinstance(stated, float | Unusable):
             continue
         unit = (lambda value: f"{value:.4g}") if key in ("NA", "magnification", "immersion") else format_length
         text, used_text = stated.words if isinstance(stated, Unusable) else unit(stated), unit(abs(size))
         if isinstance(stated, Unusable):
             lacking = "is no length in a known unit" if unit is format_length else "cannot be used"
-            notes[key] = f"The images state {_SIZES[key].format(text)}, which {lacking}: {used_text} was used."
+            notes[key] = f"The images state {SIZES[key].format(text)}, which {lacking}: {used_text} was used."
         elif abs(stated - abs(size)) > EVEN * abs(size):
-            notes[key] = f"The images state {_SIZES[key].format(text)}, but {used_text} was used."
+            notes[key] = f"The images state {SIZES[key].format(text)}, but {used_text} was used."
         elif key == "step" and size > 0.0 and header.get("is_step_negative"):
             notes["direction"] = f"The images state {NEGATIVE_STEP}"
     if notes.keys() & {"pixel", "sensor_pixel"}:
         notes.pop("down", None)
     return notes
+
+
+def _first(stated: Any) -> Any:
+    """Return a value that images state, or the first of several."""
+    return next(iter(stated), None) if isinstance(stated, list | tuple) else stated
+
+
+_ACROSS = "lengths{} across are {:.3g} times as long"
+_SCALED = {"pixel": _ACROSS, "down": _ACROSS, "sensor_pixel": _ACROSS, "step": _ACROSS.replace("across", "along z")}
+_SCALED |= {"emission": "the PSF{} is {:.3g} times as wide"}
+
+
+def size_findings(header: Metadata, of: str = "", *, most: float = EVEN, **used: float | None) -> list[Finding]:
+    """Return a finding on each length that images state and that differs from the one in use: see `size_notes`.
+
+    It is a doubt if they differ by more than `most`, and has the ratio of lengths in the result, or `of` something.
+    """
+    findings = list[Finding]()
+    for key, note in size_notes(header, **used).items():
+        stated, size = _first(header.get(key)), used.get(key)
+        text, code = f"{note[0].lower()}{note[1:-1]}", "pixel_pitch" if "pixels" in note else "contradiction"
+        if size is None:  # the direction of z
+            findings.append(Finding("stated", "note", text))
+        elif isinstance(stated, float):
+            text += f", and {_SCALED[key].format(of, abs(size) / stated)}: correct the one that is wrong"
+            is_far = abs(stated - abs(size)) > most * abs(size)
+            numbers = {"used": abs(size), "stated": stated}
+            findings.append(Finding(code, "doubt" if is_far else "note", text, numbers))
+        else:
+            findings.append(Finding(code, "note", f"{text}; state it in the images"))
+    return findings
+
+
+def told_early(findings: Sequence[Finding]) -> list[Finding]:
+    """Tell the doubts among findings, before a computation that takes long, and return all of them."""
+    for sentence in doubts_in_words(findings):
+        validation.tell(sentence, validation.Early)
+    return list(findings)
 
 
 def microscope_facts(objective: Any, wavelength: float | None, modality: str = "widefield") -> dict[str, Any]:
@@ -378,22 +419,28 @@ def microscope_facts(objective: Any, wavelength: float | None, modality: str = "
     return facts | {"emission": wavelength, "modality": modality}
 
 
-def tell_sizes(
-    header: Metadata, pixel: float | tuple[float, float], step: float | None = None, **microscope: Any
-) -> None:
-    """Tell values that images state, and that differ from the `pixel` (height, width) on the camera or the `step`.
+_MOST_DIFFERENT = 0.05  # relative difference of pixels and steps that fits allow for, or that lens files have
 
-    With a microscope, by :func:`microscope_facts`, pixels that images state are those in the sample.
-    """
+
+def tell_sizes(header: Metadata, pixel: float | tuple[float, float]) -> None:
+    """Tell pixels that images state, and that differ from the `pixel` (height, width) on the camera."""
     height, width = pixel if isinstance(pixel, tuple) else (pixel, pixel)
-    sizes: dict[str, Any] = {"sensor_pixel": width, "down": height}
-    if microscope:
-        times = microscope["magnification"]
-        sizes |= {"pixel": width / times, "down": height / times, "step": step} | microscope
-    else:
-        header = {"sensor_pixel": header.get("pixel", header.get("sensor_pixel")), "down": header.get("down")}
-    if notes := size_notes(header, **sizes):
+    header = {"sensor_pixel": header.get("pixel", header.get("sensor_pixel")), "down": header.get("down")}
+    if notes := size_notes(header, sensor_pixel=width, down=height):
         validation.tell(" ".join(notes.values()))
+
+
+def microscope_findings(
+    header: Metadata, pixel: float, step: float | None = None, **microscope: Any
+) -> tuple[list[Finding], list[str]]:
+    """Return (1) findings on pixel and step and (2) notes on other values that images state, and that differ.
+
+    `pixel` is the pitch on the camera; `microscope` is that of :func:`microscope_facts`. Pixels that images state are
+    those in the sample.
+    """
+    side = pixel / microscope["magnification"]
+    findings = size_findings(header, most=_MOST_DIFFERENT, sensor_pixel=pixel, pixel=side, down=side, step=step)
+    return findings, list(size_notes(header, **microscope).values())
 
 
 def combined_metadata(files: Sequence[Metadata]) -> Metadata:

@@ -341,9 +341,10 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
         assert re.search(rf"header of the images states {stated}.*: state --gain", result.stderr), result.stderr
     _, said = asked(words, BAYERPAT="RGGB")
     assert "states BAYERPAT = RGGB, a mosaic of colours" in said
-    _, said = asked(words, XPIXSZ=99.0, FOCALLEN=7e5)
-    assert "The header of the images states pixels of 99 um; " in said
-    assert ("states a focal length of 700 m; " in said) is (command in ("retrieve", "fit-field"))
+    has_lens = command in ("retrieve", "fit-field")
+    _, said = asked(words, FOCALLEN=7e5, **{"XPIXSZ": 99.0} if has_lens else {})  # of microscopes a doubt
+    assert ("The header of the images states pixels of 99 um; " in said) is has_lens
+    assert ("states a focal length of 700 m; " in said) is has_lens
     if command in ("retrieve", "fit-field"):
         instrument = load_instrument(folder / words[0])
         lens, scale = instrument.lens, instrument.side / instrument.lens.focal_length * 648000 / math.pi

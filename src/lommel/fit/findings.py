@@ -210,9 +210,9 @@ def place_of(code: str, severity: str, reliable: bool) -> int:
     return -2 if is_cause else {"missed_light": -1, "untested": 2}.get(code, 0)
 
 
-def doubts_in_words(findings: Iterable[Finding]) -> list[str]:
-    """Return a sentence for each finding that is a doubt."""
-    return [f"{one.text[0].upper()}{one.text[1:]}." for one in findings if one.severity == "doubt"]
+def in_words(findings: Iterable[Finding], severity: Severity = "doubt") -> list[str]:
+    """Return a sentence for each finding of a severity."""
+    return [f"{one.text[0].upper()}{one.text[1:]}." for one in findings if one.severity == severity]
 
 
 def shortened(findings: Sequence[tuple[str, str]]) -> list[str]:

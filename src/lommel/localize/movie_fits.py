@@ -19,6 +19,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import HIDDEN, Options, listed
 from lommel.detection.molecules import Spots
+from lommel.fit.findings import in_words
 from lommel.localize.block_fits import BlockFits, MovieBlocks, State, kept_results
 from lommel.localize.checks import TILTED, Checks
 from lommel.localize.fitting import STATES, MoleculeErrors, Molecules
@@ -186,11 +187,9 @@ def movie_blocks(
         camera, saturation = with_header(noise, saturation, header, read=0.0)
         layers, times = table.pupil.layers, table.pupil.magnification
         facts = {"NA": layers.NA, "immersion": layers.immersion, "emission": layers.wavelength}
-        contradicted, remarks = microscope_findings(
-            header, table.pixel, magnification=times, modality="widefield", **facts
-        )
-        told_early(contradicted)
-        for remark in remarks:
+        found, remarks = microscope_findings(header, table.pixel, magnification=times, modality="widefield", **facts)
+        contradicted = [finding for finding in told_early(found) if finding.severity == "doubt"]
+        for remark in (*in_words(found, "note"), *remarks):
             validation.tell(remark)
         if surface is not None and (surface.frame != tuple(shape[1:]) or table.along == "depth"):
             got = f"its frame is {surface.frame}, got frames of {tuple(shape[1:])} and z along {table.along}"

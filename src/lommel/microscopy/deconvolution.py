@@ -22,7 +22,7 @@ from lommel.base.options import HIDDEN, In, Options, Shown, listed
 from lommel.base.units import format_length, percent
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background
-from lommel.fit.findings import Finding, Findings, doubts_in_words
+from lommel.fit.findings import Finding, Findings, in_words
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.microscopy.chunks import Course, Outcome, chunk_side, restore_chunks
 from lommel.microscopy.depth_model import MAX_RIM, DepthModel, GivenPSF, PSFs
@@ -345,7 +345,7 @@ def run(
             if number == len(names) - 1:
                 del stacks, context
                 reading.close()
-        values = target.finish(" ".join(doubts_in_words(doubts) + notes), len(results))
+        values = target.finish(" ".join(in_words(doubts) + notes), len(results))
         values = values if home is None else home.put(values)
     findings = doubts + [
         finding if len(names) == 1 else replace(finding, text=f"{name}: {finding.text}")
@@ -531,13 +531,15 @@ def _psf_notes(model: DepthModel | GivenPSF, psfs: PSFs, depths: Array) -> list[
         notes.append(
             f"The PSF changes with depth: {len(psfs.depths)} were used, {placement}, at depths from {depth_range}."
         )
-    if model.spreads or model.keeps_light:
-        planes = model.window[0]
-        where = f" of {model.window[1]} x {model.window[1]} pixels" if isinstance(model, GivenPSF) else ""
-        notes.append(
-            f"Restored values are the light of a voxel in all {planes} planes{where} of its PSF together: a point "
-            f"that sends F counts into each plane (if it fades, into their mean) has the value {planes} F."
-        )
+    planes, share = model.window[0], f"each plane (if it fades, into their mean) has the value {model.window[0]}"
+    if not (model.spreads or model.keeps_light):
+        light = model.point_image(psfs.depths[len(psfs.depths) // 2]).sum(axis=(1, 2))
+        share = f"the plane in focus has the value {light.sum() / light.max():.3g}"
+    where = f" of {model.window[1]} x {model.window[1]} pixels" if isinstance(model, GivenPSF) else ""
+    notes.append(
+        f"Restored values are the light of a voxel in all {planes} planes{where} of its PSF together: a point "
+        f"that sends F counts into {share} F."
+    )
     return notes
 
 

@@ -14,7 +14,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values
 from lommel.deconvolve.likelihood import PoissonLikelihood
 from lommel.deconvolve.linear import PlaneOperator
-from lommel.fit.findings import Findings, FitReport, doubts_in_words
+from lommel.fit.findings import Findings, FitReport, in_words
 from lommel.recorded import stack_files
 from lommel.recorded.frames import Frames
 from lommel.recorded.noise import Noise
@@ -190,7 +190,7 @@ class RestoredStack(FitReport):
             stack_files.kind_of(place, self.recording.path)
         values = np.asarray(self._on_host, np.float32)
         values = values[np.newaxis] if values.ndim == 3 else values
-        remarks = " ".join([*doubts_in_words(self.findings), *self.notes])
+        remarks = " ".join([*in_words(self.findings), *self.notes])
         for place in places:
             stack_files.save_stack(place, values, self.recording, remarks)
 

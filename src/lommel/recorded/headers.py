@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Json
 from lommel.base.quantities import ANGLES, BARE, EVEN, LENGTHS, metres_of, spacings, stated_unit
 from lommel.base.units import ARCSEC, format_length
-from lommel.fit.findings import Finding, doubts_in_words
+from lommel.fit.findings import Finding, in_words
 from lommel.io import fits_images
 from lommel.io.zarr_folders import missing_chunks
 from lommel.recorded.noise import Noise
@@ -408,7 +408,7 @@ def size_findings(header: Metadata, of: str = "", *, most: float = EVEN, **used:
 
 def told_early(findings: Sequence[Finding]) -> list[Finding]:
     """Tell the doubts among findings, before a computation that takes long, and return all of them."""
-    for sentence in doubts_in_words(findings):
+    for sentence in in_words(findings):
         validation.tell(sentence, validation.Early)
     return list(findings)
 

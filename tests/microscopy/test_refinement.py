@@ -93,6 +93,26 @@ def flat(light=40.0, planes=20):
     return np.rint(100.0 + electrons / 0.5).astype(np.uint16)
 
 
+@pytest.mark.parametrize(
+    ("start", "change", "named"),
+    [
+        (1.33, 0.06, ["a larger index of the sample (about 1.39)"]),
+        (1.33, -0.07, []),  # of no liquid
+        (1.47, -0.18, []),  # far beyond a linear estimate
+        (1.52, 0.1, []),
+        (1.0, -0.02, []),
+    ],
+)
+def test_only_indices_of_media_near_the_stated_one_are_named(monkeypatch, start, change, named):
+    information = 1e6 / change**2
+    monkeypatch.setattr(
+        HeldOut, "score", lambda _, name: Score(information * change, information) if name == "sample" else None
+    )
+    comparison = held(flat(planes=3), Model(start))
+    comparison._tests = SimpleNamespace(chi2=1.0)
+    assert comparison.alternatives(lambda *_: None, try_reversed=False) == named
+
+
 def test_halves_add_up_to_the_counts_and_are_independent():
     stack = flat()
     stack[3, 4, 5] = 4000

@@ -50,6 +50,7 @@ _ALTERNATIVES = {
     "wavelength": (0.03, "wavelength"),
     "step": (0.03, "step of z"),
 }
+_MEDIA, _FARTHEST_INDEX = (1.28, 1.6), 0.15  # indices of liquids and mounting media; largest change that is named
 _FARTHEST = 0.25  # largest relative change of NA, wavelength and step: 525 nm is not light of 273 nm
 _REVERSED_STEPS = 5, 20  # iterations with reversed planes, and of these if the first ones agree better
 _SCORE_STEPS = 10  # steps that take as long as a score test, for the progress
@@ -294,10 +295,11 @@ class HeldOut(TrialDeconvolution):
             excluded = [f"{i:.4g}" for i, (x, sigma) in gains.items() if x <= -max(_SIGNIFICANT * sigma, _MIN_GAIN)]
             text += f", which excludes {' and '.join(excluded)}" if excluded else ""
             return Finding("psf_compared", "note", text, numbers)
+        best = f", and best with one near {preferred:.4g}" if _is_medium(start, preferred) else ""
         text = (
             f"held-out photons agree better with an index of the sample of {value:.4g} than of {start:.4g} (lnL by "
-            f"{gain:.0f} +- {error:.0f}), and best with one near {preferred:.4g}: the PSF may be wrong; only the "
-            "index was varied, and another depth, spherical aberration, pixel or NA has a similar effect"
+            f"{gain:.0f} +- {error:.0f}){best}: the PSF may be wrong; only the index was varied, and another depth, "
+            "spherical aberration, pixel or NA has a similar effect"
         )
         return Finding("psf_doubtful", "doubt", text, numbers)
 
@@ -307,7 +309,7 @@ class HeldOut(TrialDeconvolution):
         Points between voxels cause a misfit with any PSF, but hardly change which PSF is the best. Reversed planes
         are tried if `try_reversed`. Spherical aberration is not tried: its effect is similar to another index. Errors
         of index, depth and step have similar effects: all PSFs are returned that lower the deviance by at least half
-        as much as the best PSF.
+        as much as the best PSF. An index that no medium has is left out: it stands for another error.
         """
         self._work = Work(
             progress, _USUAL_STEPS + _REVERSED_STEPS[0] * try_reversed + _SCORE_STEPS * len(_ALTERNATIVES)
@@ -327,8 +329,11 @@ class HeldOut(TrialDeconvolution):
         is_explained = max(decreases.values(), default=0.0) > _COMPARABLE * excess > 0.0
         for name, (_, title) in _ALTERNATIVES.items():
             if not is_explained and (score := self.score(name)) is not None:
+                start = _start(self._model, name)
+                if name == "sample" and not _is_medium(start, start + score.change):
+                    continue
                 label = f"a {'smaller' if score.change < 0.0 else 'larger'} {title}"
-                value = _value_in_words(self._model, name, _start(self._model, name) + score.change)
+                value = _value_in_words(self._model, name, start + score.change)
                 decreases[f"{label} (about {value})"] = score.deviance
         largest = max(decreases.values(), default=0.0)
         least = max(_SIGNIFICANT**2 * chi2, _MIN_EXPLAINED * excess, _COMPARABLE * largest)
@@ -342,6 +347,12 @@ def _start(model: DepthModel, name: str) -> float:
     return model.objective.sample if name == "sample" else 1.0
 
 
+def _is_medium(start: float, index: float) -> bool:
+    """Return whether a medium has the `index`, near enough to the index at the `start` for a linear estimate."""
+    least, most = _MEDIA
+    return min(start, least) <= index <= max(start, most) and abs(index - start) <= _FARTHEST_INDEX
+
+
 def _value_in_words(model: DepthModel, name: str, value: float) -> str:
     """Return a parameter in words; for wavelength, step and NA `value` is a factor of the value of the model."""
     if name == "depth":
@@ -350,7 +361,7 @@ def _value_in_words(model: DepthModel, name: str, value: float) -> str:
         return f"{value:.4g}"
     factor = min(max(value, 1.0 - _FARTHEST), 1.0 + _FARTHEST)
     return (
-        f"{factor * model.objective.NA:.4g}"
+        f"{min(factor * model.objective.NA, model.objective.immersion):.4g}"
         if name == "NA"
         else format_length(factor * getattr(model, name), digits=3)
     )

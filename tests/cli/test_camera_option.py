@@ -12,7 +12,7 @@ import pytest
 
 import lommel as lm
 from lommel.cli import deconvolve_command
-from lommel.cli.instruments import instrument_of, microscope_of, noise_of
+from lommel.cli.instruments import Sensor, instrument_of, microscope_of, noise_of
 from lommel.lensfiles import example_files
 
 ZYLA = lm.load_camera("andor-zyla-4.2")
@@ -130,3 +130,25 @@ def test_deconvolve_takes_the_noise_of_a_camera_that_is_named(call_lommel, monke
         assert "enough" in call_lommel(*call, *more, folder=tmp_path).stderr
     # The voxels are those of the stack; a camera that is only an example in the file of the objective is not taken.
     assert seen == [(lm.Noise(white=0.45, read=0.9, offset=100.0), None), (None, None)]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("sfr", "chart.png", "--pixel", "3.45mm"), "got 3.45 mm; did you mean 3.45 um?"),
+        (("psf", "lens.toml", "--pixel", "4umx3mm"), "got 3 mm; did you mean 3 um?"),
+        (("deconvolve", "a.tif", "b.toml", "-o", "c.tif", "--pixel", "6.5nm"), "got 6.5 nm; did you mean 6.5 um?"),
+        (("localize", "a.tif", "b.toml", "-o", "c.csv", "--pixel", "-3um"), "--pixel must be "),
+    ],
+)
+def test_pixels_that_no_camera_has_are_refused_before_files_are_read(call_lommel, tmp_path, words, said):
+    result = call_lommel(*words, folder=tmp_path)
+    assert result.returncode == 2
+    assert said in " ".join(result.stderr.split())
+
+
+@pytest.mark.parametrize("pixel", [10e-9, 0.5e-6, 55e-6, 150e-6, 353e-6])
+def test_pixels_of_scans_of_detectors_and_in_the_sample_are_accepted(pixel):
+    """In the sample, of SPAD arrays and X-ray detectors, and of a print at 72 dpi."""
+    assert Sensor(pixel=pixel).pixel == pixel
+    assert lm.microscopy.DeconvolveOptions(pixel=pixel).pixel == pixel

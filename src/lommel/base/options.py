@@ -101,7 +101,7 @@ class Field(NamedTuple):
 
     def check(self, value: Any) -> Any:
         """Return a value, converted; TypeError or ValueError names the field and what is allowed."""
-        if value is None and self.optional:
+        if value is None and (self.optional or self.kind is Any):
             return None
         if self.kind is bool:
             validation.truth(self.name, value)

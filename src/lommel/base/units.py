@@ -12,6 +12,7 @@ from lommel.base.validation import angle, real, shown
 ARCSEC = math.pi / 648000.0
 """Radians of an arcsecond."""
 
+_FINEST, _COARSEST = 1e-8, 5e-4  # pixels: in the sample, and of scans of prints or X-ray detectors
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
 
 
@@ -59,6 +60,20 @@ def parse_angle(text: str | float) -> float:
     if isinstance(text, int | float) and not isinstance(text, bool):
         return angle("an angle without a unit", text)
     return _parse(text, ANGLES, "angle", "0.1 arcsec")
+
+
+def camera_pixel(name: str, value: float | tuple[float, ...]) -> float | tuple[float, ...]:
+    """Return the pitch of pixels, metres, if a camera, a scanner or a microscope may have it: 10 nm to 0.5 mm."""
+    for side in value if isinstance(value, tuple) else (value,):
+        if not _FINEST <= side <= _COARSEST:
+            likely = real(name, side, above=0.0, unit="metres")
+            while not 1e-6 <= likely < 1e-3:
+                likely *= 1e3 if likely < 1e-6 else 1e-3
+            raise ValueError(
+                f"{name} must be from {format_length(_FINEST)} to {format_length(_COARSEST)}, got "
+                f"{format_length(side)}; did you mean {format_length(likely)}?"
+            )
+    return value
 
 
 def parse_radius(text: str | float, focal_length: float) -> float:

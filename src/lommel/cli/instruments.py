@@ -13,7 +13,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import ARCSEC, format_length
+from lommel.base.units import ARCSEC, camera_pixel, format_length
 from lommel.cli.command import is_number, length
 from lommel.cli.messages import flag_of
 from lommel.io.photos import Exif, optics_of
@@ -70,7 +70,7 @@ class Sensor(Options):
 
     heading: ClassVar[str] = "Camera"
     camera: Annotated[Camera | None, Shown(("--camera",), metavar="NAME|FILE", parse=_camera)] = None
-    pixel: Annotated[float | None, Shown(length="um")] = None
+    pixel: Annotated[float | None, Shown(length="um"), camera_pixel] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,7 +112,7 @@ class Optics(PhotoCamera):
     heading: ClassVar[str] = "Lens, object and sensor"
     object_distance: Annotated[float | None, Shown(length="m")] = None
     wavelength: Annotated[float | None, Shown(length="nm")] = None
-    pixel: Annotated[Any, Shown(parse=sides, metavar="LENGTH")] = None
+    pixel: Annotated[Any, Shown(parse=sides, metavar="LENGTH"), camera_pixel] = None
     shape: Annotated[Any, WINDOW] = None
 
 

@@ -19,7 +19,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.executors import Workers, called
 from lommel.base.options import HIDDEN, In, Options, Shown, listed
-from lommel.base.units import format_length, percent
+from lommel.base.units import camera_pixel, format_length, percent
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background
 from lommel.fit.findings import Finding, Findings, in_words
@@ -146,7 +146,7 @@ class DeconvolveOptions(Options):
 
     depth: Annotated[float | None, In(least=0.0, most=1e-2, unit="metres"), Shown(length="um")] = None
     wavelength: Annotated[tuple[float, ...] | None, Shown(length="nm"), _wavelengths] = None
-    pixel: Annotated[float | None, In(above=0.0, unit="metres"), Shown(length="um")] = None
+    pixel: Annotated[float | None, In(above=0.0, unit="metres"), Shown(length="um"), camera_pixel] = None
     step: Annotated[float | None, In(above=0.0, unit="metres"), Shown(length="nm")] = None
     direction: Literal["auto", "up", "down"] = "auto"
     method: Annotated[RichardsonLucy | TotalVariation, _algorithm, HIDDEN] = _METHOD

@@ -361,6 +361,26 @@ def test_a_library_that_is_missing_is_named_with_its_extra(tmp_path, monkeypatch
         open_frames(tmp_path / file)
 
 
+@pytest.mark.parametrize(
+    ("file", "start", "message"),
+    [
+        ("a.sif", b"Andor Technology Multi-Channel File\n", r"a.sif: SIF \(Andor\) is not read; export FITS or TIFF"),
+        ("a.spe", b"\0\0\1\0", r"a.spe: SPE \(Princeton Instruments\) is not read; export FITS or TIFF"),
+        ("a.ser", b"LUCAM-RECORDER", r"a.ser: SER \(planetary video\) is not read; export FITS or TIFF"),
+        ("a.oib", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "pip install bioio bioio-bioformats"),
+        ("a.ims", b"\x89HDF\r\n\x1a\n", "pip install bioio bioio-bioformats"),
+        ("a.vsi", b"II*\0", "pip install bioio bioio-vsi"),
+        ("a.cr3", b"\0\0\0\x18ftypcrx ", "LibRaw: [A-Z]"),
+    ],
+)
+def test_formats_that_are_not_read_are_named_with_a_way_out(tmp_path, file, start, message):
+    if file == "a.cr3":
+        pytest.importorskip("rawpy")
+    (tmp_path / file).write_bytes(start + bytes(4200))
+    with pytest.raises((RecordingError, ImportError), match=message):
+        open_frames(tmp_path / file)
+
+
 def test_packed_bits_of_a_tiff_are_values_or_an_error_that_names_the_package(tmp_path):
     values = STACK[0, 0, 0] % 4096
     data = int("".join(f"{value:012b}" for value in values.ravel()), 2).to_bytes(72, "big")

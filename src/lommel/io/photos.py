@@ -673,7 +673,11 @@ def open_raw(data: bytes) -> Iterator[Any]:
     rawpy = library("rawpy", "raw photographs need", "raw")
     if data.startswith(TIFF[:2]):
         reading.require_whole(data)
-    with rawpy.imread(io.BytesIO(data)) as file:
+    try:
+        opened = rawpy.imread(io.BytesIO(data))
+    except rawpy.LibRawError as error:
+        raise OSError(f"LibRaw: {error.args[0].decode()}") from None  # bytes
+    with opened as file:
         reading.pixels(file.sizes.raw_width, file.sizes.raw_height)
         if file.raw_type.name == "Flat" and not file.raw_image_visible[-1].any():  # as LibRaw leaves what is missing
             raise ValueError("its last rows are empty: it is cut off")

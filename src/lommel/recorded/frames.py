@@ -894,6 +894,8 @@ def _fits_or_png_frames(path: Path, part: str | None) -> Frames:
     try:
         file_format = registry.identify("images", data)
     except ValueError:
+        if data and (name := instrument_files.EXPORTED.get(path.suffix.lower())):
+            raise RecordingError(f"{line(path)}: {name} is not read; export FITS or TIFF of 16 bits") from None
         problem = (
             "is not a TIFF, FITS, NPY, PNG, ND2, CZI or LIF file, nor a folder of OME-Zarr; save it as one of these"
             if data

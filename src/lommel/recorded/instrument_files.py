@@ -32,6 +32,8 @@ _PLUGINS = {".dv": "bioio-dv", ".r3d": "bioio-dv", ".sldy": "bioio-sldy", ".vsi"
 _PLUGINS |= dict.fromkeys(
     (".ims", ".ipl", ".liff", ".mvd2", ".oib", ".oif", ".oir", ".sld", ".zvi"), "bioio-bioformats"
 )
+EXPORTED = {".sif": "SIF (Andor)", ".spe": "SPE (Princeton Instruments)", ".ser": "SER (planetary video)"}
+"""Formats that no library here reads, by suffix: their programs export FITS or TIFF."""
 
 
 class Opened(NamedTuple):

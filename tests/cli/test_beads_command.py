@@ -77,7 +77,8 @@ def test_planes_whose_unit_or_meaning_is_missing_are_refused_or_named(folder):
     assert "--step must be given: the files state 0.2 pixel between planes, which is no length" in found.stderr
     tifffile.imwrite("a.ome.tif", stack, metadata={"axes": "TYX", **sizes})
     found = " ".join(run("a.ome.tif", *ASKED).stdout.split())
-    assert "the images state pixels 200 nm high, but 103.2 nm was used: correct the one" in found
+    said = "the images state pixels 200 nm high, but 103.2 nm was used, and lengths across are 0.516 times as long"
+    assert f"{said}: correct the one that is wrong" in found
     assert "a.ome.tif states 9 time points, which were taken as planes along z" in found
 
 

@@ -354,7 +354,7 @@ export class Engine {
       const { side, pixel } = asked(state, of);
       return this.tooLong(state, side, pixel, state.view === "averaged");
     };
-    if (late(stated, quality)) throw new RangeError(`it would take too long. ${advice(stated, (given) => !late(given, "settled"))}`);
+    if (late(stated, quality)) throw new RangeError(`it would take too long: ${advice(stated, (given) => !late(given, "settled"))}`);
   }
 
   // Averages over pixels that are much larger than a fine view's: each of its pixels is within one of them, or two in a row.
@@ -403,7 +403,7 @@ export class Engine {
     if (near ? !(error < MISSING) : cost > DEAREST) {
       const none = Float64Array.of(NaN, NaN);
       const cheap = (given) => this.contrastAt(focused(given), "settled", DEAREST).cost <= DEAREST_CUT;
-      const refused = `No MTF: it would take too long. ${advice(stated, cheap, 1)}`;
+      const refused = `No MTF: it would take too long: ${advice(stated, cheap, 1)}`;
       return { f: Float64Array.of(0, end * cutoff(state)), x: none, y: none, limit: none, refused };
     }
     if (!near) core.call("contrast", at, count, nodes, out, out + 16 * count, out + 32 * count);
@@ -533,8 +533,7 @@ function advice(state, fits, most = 4) {
       if (helps) found.push([first && `${first} and`, name, helps[0]].filter(Boolean).join(" "));
     }
   }
-  const said = found.join(", or ") || "reduce the aberrations";
-  return `${said[0].toUpperCase()}${said.slice(1)}.`;
+  return found.join(", or ") || "reduce the aberrations";
 }
 
 function beyondCircles(state) {

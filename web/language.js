@@ -21,8 +21,8 @@ const patterns = Object.keys(GERMAN)
   .sort((a, b) => own(b) - own(a))
   .map((key) => {
     const number = /^\{0\} [^\s{]+$/.test(key) && "([-−\\d.e∞<> ]*[\\d∞])"; // before a unit
-    // What begins with a part is within one of several sentences or errors.
-    const any = key.startsWith("{") ? "(?!; )." : ".";
+    // What begins with a part, or is a word and a value, is within one of several sentences or errors.
+    const any = /^\{|^[^\p{Lu}:.,;]+ \{0\}$/u.test(key) ? "(?!; )." : ".";
     const part = (name) => number || `((?:${name === "{0}" && any !== "." ? "(?![;:] )." : any})*?[^\\s,;:])`;
     return [new RegExp(`^${key.replace(/[.*+?^$()|[\]\\]/g, "\\$&").replace(/\{\d\}/g, part)}$`, "u"), GERMAN[key]];
   });

@@ -483,7 +483,7 @@ export class View {
     jobs.push(renewed.catch((error) => {
       if (error.message === LATE || this.stopped || compare.held !== held) throw error;
       compare.release();
-      this.remark(`A was let go, for with this sampling it cannot be computed: ${error.message}`);
+      this.remark(`A was let go, for with this sampling it cannot be computed: ${error.message}.`);
       this.draw();
     }));
   }

@@ -99,11 +99,25 @@ def test_sources_and_refusals_are_german(visit: Callable[..., Any]) -> None:
     assert [text for text in said if ENGLISH.search(names.sub("", text))] == []
 
 
+def test_texts_made_of_parts_are_german(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?lang=de#defocus=99&coma=99&zernike=1,1:.1;4,4:.05;6,0:.02;5,1:.01")
+    said = [page.locator(".notice").inner_text(), page.locator('[data-row="zernike"] span').inner_text()]
+    assert "gezeigt ist 50 statt 99; coma geht" in said[0]
+    assert "Kippung x" in said[1]
+    page.evaluate(
+        'live.set({ defocus: 0, zernike: "", focus: "distances", coma: 10, f_number: 0.8, object_distance: 0.7 })'
+    )
+    rest(page)
+    said.append(page.locator(".notice").inner_text())
+    assert "blenden Sie ab auf f/" in said[2]
+    assert [text for text in said if ENGLISH.search(text)] == []
+
+
 def test_every_key_of_the_table_is_a_text_of_the_page() -> None:
     table = (ROOT / "web" / "german.js").read_text(encoding="utf-8")
     keys = re.findall(r'^  (?:"((?:[^"\\]|\\.)+)"|(\w+)): "', table, re.MULTILINE)
     assert len(keys) == len(set(keys)) > 250
-    patterns = ("web/*.js", "src/lommel/page/state.py", "examples/lenses/*.toml")
+    patterns = ("web/*.js", "cpp/wasm/*.cpp", "src/lommel/page/state.py", "examples/lenses/*.toml")
     files = [path for pattern in patterns for path in ROOT.glob(pattern) if path.name != "german.js"]
     texts = [path.read_text(encoding="utf-8") for path in files]
     said = set().union(*(pairs(text) | {(word,) for word in words(text)} for text in texts))

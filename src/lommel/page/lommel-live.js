@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: b33becfdd74cf19f8c3288930f57e7a1f3bb00fad641bc7dcb5ecbab2902a651
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 256b14580d5df6ee17dfe689c7d54361069f827ff762856c97d470a2f444f4f6
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {
@@ -1020,7 +1020,7 @@ const state = focused(given);
 const { side, pixel } = asked(state, of);
 return this.tooLong(state, side, pixel, state.view === "averaged");
 };
-if (late(stated, quality)) throw new RangeError(`it would take too long. ${advice(stated, (given) => !late(given, "settled"))}`);
+if (late(stated, quality)) throw new RangeError(`it would take too long: ${advice(stated, (given) => !late(given, "settled"))}`);
 }
 binned(state, side) {
 const pitch = pixelOf({ ...state, view: "fine" }, 256);
@@ -1062,7 +1062,7 @@ if (near && !(error < MISSING) && cost < DEAREST) [near, error] = [false, 0];
 if (near ? !(error < MISSING) : cost > DEAREST) {
 const none = Float64Array.of(NaN, NaN);
 const cheap = (given) => this.contrastAt(focused(given), "settled", DEAREST).cost <= DEAREST_CUT;
-const refused = `No MTF: it would take too long. ${advice(stated, cheap, 1)}`;
+const refused = `No MTF: it would take too long: ${advice(stated, cheap, 1)}`;
 return { f: Float64Array.of(0, end * cutoff(state)), x: none, y: none, limit: none, refused };
 }
 if (!near) core.call("contrast", at, count, nodes, out, out + 16 * count, out + 32 * count);
@@ -1167,8 +1167,7 @@ const helps = least(changes, ([, change]) => fits({ ...state, ...base, ...change
 if (helps) found.push([first && `${first} and`, name, helps[0]].filter(Boolean).join(" "));
 }
 }
-const said = found.join(", or ") || "reduce the aberrations";
-return `${said[0].toUpperCase()}${said.slice(1)}.`;
+return found.join(", or ") || "reduce the aberrations";
 }
 function beyondCircles(state) {
 return slopeOf(state) > 2750 || (state.light === "white" && unevenSlope(state) > 700);
@@ -2167,10 +2166,34 @@ Compute: "Rechnen",
 "{0} is not understood": "{0} wird nicht verstanden",
 "{0} is unknown": "{0} ist unbekannt",
 "This setting cannot be computed: {0}": "Diese Einstellung lässt sich nicht berechnen: {0}",
-"it would take too long. {0}": "es würde zu lange dauern. {0}",
+"tolerance not met": "die Toleranz ist nicht erreichbar",
+"there is not enough memory for {0} MB": "der Speicher reicht nicht für {0} MB",
+"the computation stopped": "die Rechnung brach ab",
+"the computation was stopped": "die Rechnung wurde angehalten",
+"This cannot be computed: {0}": "Das lässt sich nicht berechnen: {0}",
+"This cannot be drawn: {0}": "Das lässt sich nicht zeichnen: {0}",
+"The picture through A cannot be computed: {0}": "Das Bild durch A lässt sich nicht berechnen: {0}",
+"it would take too long": "es würde zu lange dauern",
+"choose one wavelength": "wählen Sie eine Wellenlänge",
+"choose one wavelength and {0}": "wählen Sie eine Wellenlänge und {0}",
+"remove the vanes": "entfernen Sie die Streben",
+"remove the vanes and {0}": "entfernen Sie die Streben und {0}",
+"choose “finely sampled”": "wählen Sie „fein abgetastet“",
+"choose “finely sampled” and {0}": "wählen Sie „fein abgetastet“ und {0}",
+"reduce the pixel to {0}": "verkleinern Sie das Pixel auf {0}",
+"stop down to {0}": "blenden Sie ab auf {0}",
+"set the object distance to the focus distance": "stellen Sie die Gegenstandsweite auf die Einstellentfernung",
+"reduce the defocus to {0}": "verringern Sie den Defokus auf {0}",
+"reduce the aberrations to {0}": "verringern Sie die Aberrationen auf {0}",
+"reduce the aberrations": "verringern Sie die Aberrationen",
+"reduce defocus and aberrations to {0}": "verringern Sie Defokus und Aberrationen auf {0}",
+"remove the further Zernike terms": "entfernen Sie die weiteren Zernike-Terme",
+"or {0}": "oder {0}",
 "This cannot be saved: {0}": "Das lässt sich nicht sichern: {0}",
 "nothing is computed yet": "es ist noch nichts berechnet",
 "Not in the link: {0}.": "Nicht im Link: {0}.",
+"The link has {0} characters: some programs cut addresses after {1}": "Der Link hat {0} Zeichen: manche Programme kürzen Adressen nach {1}",
+"A lens file holds all of it": "Eine Linsendatei enthält alles",
 "your own picture": "Ihr eigenes Bild",
 "A was let go, for with this sampling it cannot be computed: {0}": "A wurde losgelassen, denn mit dieser Abtastung ist es nicht berechenbar: {0}",
 Sampling: "Abtastung",
@@ -2234,6 +2257,7 @@ light: "Licht",
 "Nyquist {0} cycles/{1}: beyond the diffraction limit": "Nyquist {0} Perioden/{1}: jenseits der Beugungsgrenze",
 "Nyquist {0} cycles/{1}: MTF {2}; with pixel {3}": "Nyquist {0} Perioden/{1}: MTF {2}; mit Pixel {3}",
 "{0} cycles/{1}: {2}": "{0} Perioden/{1}: {2}",
+"Difference, B minus A. B: {0}": "Differenz, B minus A. B: {0}",
 "No MTF: {0}": "Keine MTF: {0}",
 "x, y with pixel {0}": "x, y mit Pixel {0}",
 "x with pixel": "x mit Pixel",
@@ -2322,6 +2346,11 @@ degrees: "Grad",
 Remove: "Entfernen",
 "Further Zernike terms: {0} waves rms": "Weitere Zernike-Terme: {0} Wellenlängen rms",
 "Further Zernike terms": "Weitere Zernike-Terme",
+"tilt x {0}": "Kippung x {0}",
+"tilt y {0}": "Kippung y {0}",
+"tetrafoil {0}": "Vierblatt {0}",
+"second spherical {0}": "sekundäre sphärische Aberration {0}",
+"and {0} smaller": "und {0} kleinere",
 "{0} Double click, or Delete, for the default": "{0} Doppelklick oder Entf: Anfangswert",
 "Still {0}": "Weiterhin {0}",
 Defocus: "Defokus",
@@ -2428,6 +2457,14 @@ Signs: "Vorzeichen",
 "direction of trefoil {0}": "Richtung des Dreiblatts {0}",
 "obscuration {0}": "zentrale Abschattung {0}",
 "pixel of the sensor {0}": "Pixel des Sensors {0}",
+"number of vanes {0}": "Zahl der Streben {0}",
+"vane width {0}": "Breite der Streben {0}",
+"direction of the first vane {0}": "Richtung der ersten Strebe {0}",
+"focal length {0}": "Brennweite {0}",
+"photons {0}": "Photonen {0}",
+"read noise {0}": "Ausleserauschen {0}",
+"A: {0}. B: {1}. Both: {2}": "A: {0}. B: {1}. Beide: {2}",
+"no other": "nichts weiter",
 "focus distance {0}": "Einstellentfernung {0}",
 "object distance {0}": "Gegenstandsweite {0}",
 "{0} is {1} to {2}": "{0} geht von {1} bis {2}",
@@ -2642,7 +2679,7 @@ Sharpened: "Geschärft",
 "found {0}": "gefunden {0}",
 "not known": "unbekannt",
 "No picture leaves this page: frames are filtered here and forgotten.": "Kein Bild verlässt diese Seite: Bilder werden hier gefiltert und vergessen.",
-"The browser asks for the camera.": "Der Browser fragt nach der Kamera.",
+"The browser asks for the camera": "Der Browser fragt nach der Kamera",
 "The browser was not allowed to use a camera. {0}": "Der Browser durfte keine Kamera benutzen. Erlauben Sie es für diese Seite, neben der Adresse, und wählen Sie sie noch einmal.",
 "There is no camera here.": "Hier ist keine Kamera.",
 "The camera is in use by another program.": "Ein anderes Programm benutzt die Kamera.",
@@ -2662,7 +2699,7 @@ const patterns = Object.keys(GERMAN)
 .sort((a, b) => own(b) - own(a))
 .map((key) => {
 const number = /^\{0\} [^\s{]+$/.test(key) && "([-−\\d.e∞<> ]*[\\d∞])"; // before a unit
-const any = key.startsWith("{") ? "(?!; )." : ".";
+const any = /^\{|^[^\p{Lu}:.,;]+ \{0\}$/u.test(key) ? "(?!; )." : ".";
 const part = (name) => number || `((?:${name === "{0}" && any !== "." ? "(?![;:] )." : any})*?[^\\s,;:])`;
 return [new RegExp(`^${key.replace(/[.*+?^$()|[\]\\]/g, "\\$&").replace(/\{\d\}/g, part)}$`, "u"), GERMAN[key]];
 });
@@ -5667,7 +5704,7 @@ this.draw({ psf: this.shown.psf, measures: this.shown.measures, recorded: this.s
 jobs.push(renewed.catch((error) => {
 if (error.message === LATE || this.stopped || compare.held !== held) throw error;
 compare.release();
-this.remark(`A was let go, for with this sampling it cannot be computed: ${error.message}`);
+this.remark(`A was let go, for with this sampling it cannot be computed: ${error.message}.`);
 this.draw();
 }));
 }

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
 from PIL import Image
@@ -116,3 +117,21 @@ def test_a_script_of_the_gallery_draws_figures_whose_axes_say_what_they_show(pat
             assert max(high - low for low, high in picture.getextrema()) > 60
     assert [each.name for each in tmp_path.iterdir()] in ([], ["thumbnails"])
     assert capsys.readouterr().out
+
+
+def test_a_thumbnail_shows_the_panel_alone(monkeypatch, tmp_path):
+    monkeypatch.setattr(thumbnails, "FOLDER", tmp_path)
+    monkeypatch.setattr(thumbnails, "PANELS", {"dark": (1, 1)})
+    figure, panels = plt.subplots(1, 3, figsize=(6, 2), sharey=True, layout="constrained")
+    for panel in panels:
+        panel.imshow(np.zeros((9, 9)), cmap="inferno", extent=(-20, 20, 20, -20))
+        panel.set_title("of 0.5 λN", fontsize=10)
+        panel.set_xlabel("x (λN)")
+    panels[0].set_ylabel("y (λN)")
+    layout = figure.get_layout_engine()
+    thumbnails.keep("dark", 1, figure)
+    plt.close(figure)
+    with Image.open(tmp_path / "dark.png") as picture:
+        columns = np.asarray(picture.convert("L")).min(axis=0)
+    assert columns.max() < 128  # white between the panels
+    assert figure.get_layout_engine() is layout

@@ -57,7 +57,10 @@ def keep(script: str, number: int, figure: Any) -> None:
     inside = figure.axes[panel].get_window_extent().transformed(figure.dpi_scale_trans.inverted())
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / f"{script}.png"
+    layout = figure.get_layout_engine()
+    figure.set_layout_engine("none")  # which moves the panel where the resolution is another
     figure.savefig(path, dpi=max(SIZE[0] / inside.width, SIZE[1] / inside.height), bbox_inches=inside)
+    figure.set_layout_engine(layout)
     with Image.open(path) as picture:
         ImageOps.fit(picture.convert("RGB"), SIZE).save(path)
 

@@ -46,7 +46,7 @@ def _chart() -> dict[str, bytes]:
         u, v = across * np.cos(turn) + down * np.sin(turn), down * np.cos(turn) - across * np.sin(turn)
         light[np.maximum(abs(u), abs(v)) < 32.0] = 0.08
     seen = _recorded(_blurred(light, _camera(8.0, 2.0), 2.0), 1)
-    return {"squares.png": write_png(stored(seen, "srgb", np.uint8)[0], None)}
+    return {"chart.png": write_png(stored(seen, "srgb", np.uint8)[0], None)}
 
 
 def _focus_pair() -> dict[str, bytes]:
@@ -200,7 +200,7 @@ SETS = {
         "slanted squares, for lommel sfr",
         _chart,
         "nifty-fifty",
-        ("lommel sfr squares.png --lens nifty-fifty.toml --f-number 8 --object-distance 2m",),
+        ("lommel sfr chart.png --lens nifty-fifty.toml --f-number 8 --object-distance 2m",),
         "MTF50 0.267 cycles/pixel at all edges, that of the lens with the pixel",
     ),
     "focus-pair": DataSet(

@@ -169,3 +169,17 @@ def test_blocks_join_chunks_that_follow_one_another_up_to_the_limit():
     assert copies._joined([list(axis) for axis in axes], 13) == [axes[0], [slice(0, 6), slice(6, 7)]]
     assert copies._joined([list(axis) for axis in axes], 1) == axes
     assert all(one.stop == two.start for one, two in pairwise(planes))
+
+
+@pytest.mark.parametrize("opened", [zarr.open_array, da.from_zarr])
+def test_a_damaged_chunk_is_named(tmp_path, opened):
+    place = str(tmp_path / "stack.zarr")
+    zarr.create_array(place, data=VALUES[0, 0], chunks=(1, 10, 26))
+    (tmp_path / "stack.zarr" / "c" / "2" / "1" / "0").write_bytes(bytes(20))
+    source = opened(place)
+    with (
+        open_frames(source).as_channels() as recording,
+        pytest.raises(RecordingError, match=r"^\[2:3, 10:20, 0:26\] of .*(stack|from)-?.*: .*invalid"),
+        copies.local_stacks(recording, None, 1.0),
+    ):
+        pass

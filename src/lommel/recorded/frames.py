@@ -609,8 +609,13 @@ class _ArrayPlanes(Planes):
 
     def block(self, part: Any) -> Values:
         """Return a part of the array."""
-        # Refuses masks, which dask shows only here.
-        return validation.array(self._name, self._values[part], "counts").astype(self.dtype, copy=False)
+        try:
+            # Refuses masks, which dask shows only here.
+            return validation.array(self._name, self._values[part], "counts").astype(self.dtype, copy=False)
+        except RuntimeError as error:  # of damaged chunks, which codecs do not name
+            ranges = (f"{k.start}:{k.stop}" if isinstance(k, slice) else str(k) for k in np.atleast_1d(part))
+            message = f"[{', '.join(ranges)}] of {validation.line(self._values)}: {error}"
+            raise RecordingError(message) from None
 
     def release(self) -> None:
         """Let the system drop the pages of a mapped file, which otherwise count as memory of a worker."""

@@ -10,6 +10,7 @@ import time
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from lommel.base import executors
@@ -119,6 +120,14 @@ def test_shared_values_are_pickled_and_unpickled_once():
     assert all(copy.value is copies[0].value for copy in copies)
     assert isinstance(copies[0].value, Counted)
     assert (Counted.pickled, Counted.unpickled) == (1, 1)
+
+
+def test_tasks_have_the_path_of_a_shared_value_in_a_folder(tmp_path):
+    shared = Shared(np.arange(5000), tmp_path)
+    tasks = [pickle.dumps(pickle.loads(pickle.dumps(shared))) for _ in range(2)]
+    assert all(len(task) < 1000 for task in tasks)
+    assert len(list(tmp_path.iterdir())) == 1
+    np.testing.assert_array_equal(pickle.loads(tasks[0]).value, np.arange(5000))
 
 
 def test_the_arguments_of_a_task_are_not_hashed():

@@ -214,7 +214,7 @@ def test_chunks_of_workers_are_those_of_this_process(tmp_path, is_lazy):
     stack = lazy(ONE, (1, 2, 16, 48), loads) if is_lazy else ONE
     with Pickling(2) as client:
         found, _ = restored(stack, tmp_path / "a.zarr", client=client)
-    assert client.tasks == 10  # of each channel: noise, PSFs, and three chunks
+    assert client.tasks == 16  # of each channel: five of the whole stack, such as noise and PSFs, and three chunks
     assert set(loads.values()) <= {1}
     np.testing.assert_array_equal(found, restored(ONE, tmp_path / "b.zarr")[0])
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.zarr", "b.zarr"]

@@ -114,16 +114,17 @@ def _temporary_files(scratch: Path | None = None, *, exclusive: bool = False) ->
 
 
 @contextmanager
-def scratch_folder(folder: Path) -> Iterator[Path]:
+def scratch_folder(folder: Path, kind: str = "") -> Iterator[Path]:
     """Yield a new folder in `folder`, for files that workers write before they move them into place.
 
     It is removed at the end: a worker that outlives the call, or of a call that was killed before this one, can no
-    longer write. The caller holds the lock of `folder`.
+    longer write. The caller holds the lock of `folder`, and uses one folder of a `kind` at a time.
     """
+    name = f"{_SCRATCH}{kind}-"
     with as_path_error(folder):
-        for left in folder.glob(f"{_SCRATCH}*"):
+        for left in folder.glob(f"{name}*"):
             shutil.rmtree(left, ignore_errors=True)
-        scratch = folder / (_SCRATCH + secrets.token_hex(8))
+        scratch = folder / (name + secrets.token_hex(8))
         scratch.mkdir()
     try:
         yield scratch

@@ -185,11 +185,12 @@ def unseen(place: Path) -> str:
 class Shared(Generic[_Value]):
     """A value that tasks have in common: pickled once, and unpickled once by each process that uses it.
 
-    The scheduler of a cluster passes it on as it is.
+    The scheduler of a cluster passes it on as it is. With a `folder` that all workers see, it is in a new file there,
+    and tasks have its path only: a client of dask keeps the last thousand tasks that it sent.
     """
 
-    def __init__(self, value: _Value) -> None:
-        self.value = value
+    def __init__(self, value: _Value, folder: Path | None = None) -> None:
+        self.value, self._folder = value, folder
 
     @cached_property
     def value(self) -> _Value:
@@ -197,6 +198,13 @@ class Shared(Generic[_Value]):
         with _UNPICKLING:
             value: _Value = _unpickled(self._pickled)
             return value
+
+    @cached_property
+    def _path(self) -> Path:
+        assert self._folder is not None
+        path = self._folder / secrets.token_hex(8)
+        path.write_bytes(self._pickled)
+        return path
 
     @cached_property
     def _pickled(self) -> bytes:
@@ -207,16 +215,16 @@ class Shared(Generic[_Value]):
         data: bytes = pickler.dumps(self.value)
         return data
 
-    def __getstate__(self) -> dict[str, bytes]:
-        return {"_pickled": self._pickled}
+    def __getstate__(self) -> dict[str, bytes | Path | None]:
+        return {"_pickled": self._pickled if self._folder is None else self._path, "_folder": None}
 
 
 _UNPICKLING = Lock()
 
 
 @lru_cache(maxsize=2)
-def _unpickled(data: bytes) -> Any:
-    return pickle.loads(data)
+def _unpickled(data: bytes | Path) -> Any:
+    return pickle.loads(data.read_bytes() if isinstance(data, Path) else data)
 
 
 @contextmanager

@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import secrets
 import time as clock
 from collections.abc import Callable, Generator, Iterator, Sequence
-from contextlib import closing
+from contextlib import closing, nullcontext
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
+from pathlib import Path
 from threading import Lock
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from lommel.base import validation
+from lommel.base import atomic, validation
 from lommel.base.arrays import Array, Values
-from lommel.base.executors import Shared, Workers, called
+from lommel.base.executors import Shared, Workers, called, unseen
 from lommel.deconvolve.algorithms import EARLIEST, STEPS, ProgressCallback, RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background, Iteration, StepSettings, iteration_of
 from lommel.deconvolve.likelihood import PoissonLikelihood
-from lommel.deconvolve.linear import PlaneOperator, Window, tiles_of
+from lommel.deconvolve.linear import PlaneOperator, Window
 from lommel.fit.findings import Finding
-from lommel.microscopy.depth_model import PSFs
+from lommel.microscopy.depth_model import DepthModel, GivenPSF, PSFs
 from lommel.microscopy.device_iteration import DeviceIteration
 from lommel.microscopy.held_out import stopping_rule
 from lommel.microscopy.light_checks import Floor
@@ -29,6 +33,7 @@ from lommel.microscopy.refinement import StackContext
 from lommel.microscopy.restored_stack import INTERRUPTED, MISFIT, Projected, ProjectionBuilder, projected
 from lommel.microscopy.store import Target
 from lommel.recorded.counts import Stack
+from lommel.recorded.frames import RecordingError
 from lommel.traced.namespaces import Placement
 
 Report = Callable[[float, str], object]
@@ -71,12 +76,12 @@ def chunk_side(
     if tile is not None:
         return int(validation.integer("tile", tile, least=16, most=validation.MAX_SIDE))
     planes, height, width = context.stack.shape
-    overlap, restored_planes = context.model.window[1], planes + 2 * margin[0]
+    restored_planes = planes + 2 * margin[0]
     specimens = 5.0 if isinstance(method, TotalVariation) else 4.0  # number of arrays of specimen size
 
     def chunk_memory(side: int) -> float:
         """Return the approximate memory of a chunk, bytes."""
-        sides = [min(side + 2 * overlap, length) for length in (height, width)]
+        sides = [_parts(length, side, overlap_of(context.model))[0][1].stop for length in (height, width)]
         restored_pixels = math.prod(length + 2 * margin[1] for length in sides)
         transfers = 2.0 * len(psfs.depths) * (planes + context.model.window[0]) * restored_pixels / 4.0
         if psfs.radial is not None:
@@ -91,6 +96,28 @@ def chunk_side(
         pieces = math.ceil(max(height, width) / side) + 1
         side = math.ceil(max(height, width) / pieces)
     return side
+
+
+def overlap_of(model: DepthModel | GivenPSF) -> int:
+    """Return the pixels by which chunks exceed their values on each side: what a point of these illuminates."""
+    return model.window[1] // 2
+
+
+def _parts(length: int, side: int, overlap: int) -> list[tuple[slice, slice, slice]]:
+    """Divide an axis into parts of about `side` pixels: each part, with overlap, and its place in that.
+
+    All have equal lengths with overlap, so that they share a blur: those at the ends have more pixels of their own.
+    """
+    count = math.ceil(length / side)
+    padded = min(length, math.ceil((length + 2 * overlap * (count - 1)) / count))
+    starts = [k * (length - padded) // max(count - 1, 1) for k in range(count)]
+    inner = [(first + second + padded) // 2 for first, second in pairwise(starts)]
+    if padded == length:
+        inner = [k * length // count for k in range(1, count)]
+    return [
+        (slice(low, high), slice(start, start + padded), slice(low - start, high - start))
+        for start, low, high in zip(starts, [0, *inner], [*inner, length], strict=True)
+    ]
 
 
 _Tile: TypeAlias = tuple[int, Window, Window, Window]
@@ -178,11 +205,31 @@ class _Job:
 
 
 def _restored_by_worker(
-    job: Shared[_Job], settings: list[StepSettings] | None, _number: int, _tile: Window, padded: Window, inner: Window
+    job: Shared[_Job],
+    settings: list[StepSettings] | None,
+    folder: Path,
+    number: int,
+    _tile: Window,
+    padded: Window,
+    inner: Window,
 ) -> _Restored:
-    """Restore a chunk where this is called: the memory of a process is that of one chunk at a time."""
+    """Restore a chunk where this is called, and write its values: a process has those of one chunk at a time."""
+    if not folder.is_dir():
+        raise RecordingError(unseen(folder.parents[1]))
     with job.value.lock:
-        return job.value.restore(padded, inner, settings, silent)
+        found = job.value.restore(padded, inner, settings, silent)
+        path = folder / f"{number}-{secrets.token_hex(8)}.npy"
+        with atomic.as_path_error(folder.parents[0]):
+            np.save(path, found.values)
+            path.replace(folder / f"{number}.npy")
+        return found._replace(values=np.empty(0, np.float32))
+
+
+def _taken(path: Path) -> Values:
+    """Return the values of a chunk that a worker wrote, and remove the file."""
+    values: Values = np.load(path)
+    path.unlink()
+    return values
 
 
 def restore_chunks(
@@ -191,7 +238,7 @@ def restore_chunks(
     target: Target,
     place: tuple[int, ...],
     request: str,
-    parts: tuple[ProjectionBuilder, Floor],
+    sums: tuple[ProjectionBuilder, Floor],
     doubts: Sequence[str],
     report: Report,
     workers: Workers | None = None,
@@ -202,54 +249,60 @@ def restore_chunks(
     restored first; `workers` restore it, and then the others by its settings, which this process writes.
     """
     model, (_, height, width) = context.model, context.stack.shape
-    sides = [math.ceil(pixels / math.ceil(pixels / course.side)) for pixels in (height, width)]
+    parts = (_parts(length, course.side, overlap_of(model)) for length in (height, width))
     tiles = sorted(
-        tiles_of((height, width), sides, model.window[1]),
+        (tuple(zip(*pair, strict=True)) for pair in itertools.product(*parts)),
         key=lambda tile: _distance_from_middle(tile[0], height, width),
     )
     # With several chunks, all start from the mean light of the whole stack.
     mean_light = None if len(tiles) == 1 else called(workers, _mean_light, context)
-    there = context if workers is None else context._replace(threads=workers.threads)
-    job = _Job(there, course, mean_light, tuple(doubts))
+    context = context if workers is None else context._replace(threads=workers.threads)
+    job = _Job(context, course, mean_light, tuple(doubts))
     outcome = Outcome(np.zeros((height, width)) if course.background.points > 1 else 0.0)
     may_interrupt = len(tiles) == 1 and target.unfinished is None
-    shared = Shared(job)
     settings: list[StepSettings] | None = None
 
-    def restored(tasks: Iterator[_Tile]) -> Generator[tuple[_Tile, _Restored]]:
-        if workers is not None:
-            yield from workers.run(partial(_restored_by_worker, shared, settings), tasks, ordered=True)
-            return
-        for number, tile, padded, inner in tasks:
-            steps = course.method.steps if settings is None else len(settings)
-            progress = _ChunkProgress(report, number, len(tiles), steps, course.method.target > 0.0)
-            found = job.restore(padded, inner, settings, progress, may_interrupt=may_interrupt)
-            yield (number, tile, padded, inner), found
-
     todo = ((number, *tile) for number, tile in enumerate(tiles))
-    for tasks in (iter([next(todo)]), (task for task in todo if not target.has(request, np.s_[*place, :, *task[1]]))):
-        with closing(restored(tasks)) as results:
-            for (number, tile, _, _), found in results:
-                if settings is None:
-                    settings, outcome.steps, outcome.strength = found.settings, found.steps, found.strength
-                    outcome.finding, outcome.stopped = found.finding, found.stopped
-                    outcome.is_structured = found.is_structured
-                    if course.background.points <= 1:
-                        outcome.background = found.background
-                if isinstance(outcome.background, np.ndarray):
-                    outcome.background[tile] = found.background
-                before, after = found.deviances
-                outcome.deviance_after += after * found.voxels
-                outcome.deviance_before += before * found.voxels
-                outcome.voxels += found.voxels
-                projections, floor = parts
-                floor.add(found.values, *tile)
-                projections.add(*tile, found.projected, found.values)
-                # The target has the planes in the order of the recording.
-                values = found.values[::-1] if model.is_reversed else found.values
-                target.put(request, np.s_[*place, :, *tile], values)
-                if workers is not None:
-                    report((number + 1) / len(tiles), f"chunk {number + 1} of {len(tiles)}")
+    unfinished = target.unfinished
+    with nullcontext() if unfinished is None else atomic.scratch_folder(unfinished.scratch, "chunks") as folder:
+        shared = Shared(job, folder)
+
+        def restored(tasks: Iterator[_Tile]) -> Generator[tuple[_Tile, _Restored]]:
+            if workers is not None and folder is not None:
+                restore = partial(_restored_by_worker, shared, settings, folder)
+                for task, found in workers.run(restore, tasks, ordered=True):
+                    yield task, found._replace(values=_taken(folder / f"{task[0]}.npy"))
+                return
+            for number, tile, padded, inner in tasks:
+                steps = course.method.steps if settings is None else len(settings)
+                progress = _ChunkProgress(report, number, len(tiles), steps, course.method.target > 0.0)
+                found = job.restore(padded, inner, settings, progress, may_interrupt=may_interrupt)
+                yield (number, tile, padded, inner), found
+
+        missing = (task for task in todo if not target.has(request, np.s_[*place, :, *task[1]]))
+        for tasks in (iter([next(todo)]), missing):
+            with closing(restored(tasks)) as results:
+                for (number, tile, _, _), found in results:
+                    if settings is None:
+                        settings, outcome.steps, outcome.strength = found.settings, found.steps, found.strength
+                        outcome.finding, outcome.stopped = found.finding, found.stopped
+                        outcome.is_structured = found.is_structured
+                        if course.background.points <= 1:
+                            outcome.background = found.background
+                    if isinstance(outcome.background, np.ndarray):
+                        outcome.background[tile] = found.background
+                    before, after = found.deviances
+                    outcome.deviance_after += after * found.voxels
+                    outcome.deviance_before += before * found.voxels
+                    outcome.voxels += found.voxels
+                    projections, floor = sums
+                    floor.add(found.values, *tile)
+                    projections.add(*tile, found.projected, found.values)
+                    # The target has the planes in the order of the recording.
+                    values = found.values[::-1] if model.is_reversed else found.values
+                    target.put(request, np.s_[*place, :, *tile], values)
+                    if workers is not None:
+                        report((number + 1) / len(tiles), f"chunk {number + 1} of {len(tiles)}")
     return outcome
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import partial
 from itertools import chain
 from typing import Any, NamedTuple, cast
 
@@ -428,10 +429,10 @@ class RadialTransfer:
     """
 
     def __init__(self, side: int, *, pixels: bool, spline: int = 0) -> None:
-        half_side = side // 2
+        self._given, half_side = (side, pixels, spline), side // 2
         self.spacing = _PHASE_STEP / (2.0 * math.pi * half_side)  # cycles per pixel
         self.frequencies = self.spacing * np.arange(math.ceil(math.sqrt(0.5) / self.spacing) + 2)
-        pixel = np.arange(side) - half_side
+        pixel = np.arange(half_side + 1)
         on_axis = int(np.searchsorted(self.frequencies, _MAX_ON_AXIS))
         axis, diagonal = self.frequencies[:on_axis], self.frequencies[on_axis:] * math.sqrt(0.5)
         self._axis = np.cos(2.0 * math.pi * np.outer(pixel, axis)).astype(np.float32)
@@ -440,6 +441,11 @@ class RadialTransfer:
         self._sampling_transfers = np.concatenate(
             [self._sampling_transfer(axis), self._sampling_transfer(diagonal) ** 2]
         )
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # Tables are much larger than what they are made of, which is sent to workers.
+        side, pixels, spline = self._given
+        return partial(RadialTransfer, pixels=pixels, spline=spline), (side,)
 
     def _sampling_transfer(self, frequency: Values) -> Array:
         """Return the transfer function of pixels along one axis, divided by the transfer function of the B-spline."""
@@ -451,7 +457,8 @@ class RadialTransfer:
 
     def __call__(self, kernel: Array) -> Values:
         """Return the transfer function of the planes of an even kernel, shape (frequencies, planes)."""
-        values = kernel.astype(np.float32)
+        # Cosines are even: pixels on both sides of the middle one are added first.
+        values = _folded(_folded(kernel.astype(np.float32), 1), 2)
         # On an axis: the transform of sums over the other axis. On the diagonal: cosines along both axes.
         on_axis = product(values.sum(axis=1), self._axis)
         along_x = product(values.reshape(-1, values.shape[2]), self._diagonal).reshape(*values.shape[:2], -1)
@@ -483,6 +490,14 @@ class RadialTransfer:
         position = np.hypot(row_frequency, column_frequency).ravel() / self.spacing
         sampling = (self._sampling_transfer(row_frequency) * self._sampling_transfer(column_frequency)).ravel()
         return position.astype(np.intp), (position % 1.0).astype(np.float32), sampling.astype(np.float32)
+
+
+def _folded(values: Values, axis: int) -> Values:
+    """Return values along an axis of odd length from its middle on, with those on the other side added."""
+    lower, upper = np.split(values, [values.shape[axis] // 2], axis)
+    upper = upper.copy()
+    np.moveaxis(upper, axis, 0)[1:] += np.moveaxis(lower, axis, 0)[::-1]
+    return upper
 
 
 class PlaneBlur(TiledBlur):

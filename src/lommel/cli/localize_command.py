@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import time
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal
@@ -110,7 +111,6 @@ def localize(
     z, along = molecules.z or _Z_RANGES[molecules.along], molecules.along
     microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
     start = time.perf_counter()
-    parts: list[Localizations] = []
     with (
         progress("table of images") as report_progress,
         open_frames(movie) as movie_file,
@@ -130,13 +130,10 @@ def localize(
             client=cluster,
             keep=outputs[0] if cluster else None,
         )
+        plain = dataclasses.replace(frames, metadata=optics)
+        blocks = movie_blocks(plain, table, noise, told, mask=mask, saturation=saturation)
         with writer(*outputs) as write:
-            for part in movie_blocks(
-                dataclasses.replace(frames, metadata=optics), table, noise, told, mask=mask, saturation=saturation
-            ):
-                write(part)
-                parts.append(part if figure is not None else _keep_report_columns(part))
-    molecules_found = joined(parts)
+            molecules_found = joined(_written(blocks, write, whole=figure is not None))
     save_figure(molecules_found.plot, figure)
     recorded, _ = camera.recorded(lens, microscope.camera, noise)
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
@@ -149,7 +146,11 @@ def localize(
     return Report(facts, [*parts_shown, drift], molecules_found.converged) + written([*places, figure])
 
 
-def _keep_report_columns(part: Localizations) -> Localizations:
-    """Return localisations with only the columns that the report needs, which saves memory for long movies."""
+def _written(
+    blocks: Iterable[Localizations], write: Callable[[Localizations], None], *, whole: bool
+) -> Iterator[Localizations]:
+    """Write localisations, and yield them, unless `whole` with only the columns that the report needs."""
     kinds = np.dtype([("state", np.int32), *((name, np.float32) for name in MEDIANS)])
-    return dataclasses.replace(part, table=part.table[["state", *MEDIANS]].astype(kinds))
+    for part in blocks:
+        write(part)
+        yield part if whole else dataclasses.replace(part, table=part.table[["state", *MEDIANS]].astype(kinds))

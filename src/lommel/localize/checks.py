@@ -372,7 +372,8 @@ class Checks:
             return
         scaled = places[:, :2] / (0.5 * self._recording.pixel * np.array(self._counts.shape)) - 1.0
         cell = np.clip(0.5 * _PARTS * (scaled + 1.0), 0, _PARTS - 1).astype(int) @ (_PARTS, 1)
-        parts = [np.median(np.column_stack([scaled, places[:, 2]])[cell == k], axis=0) for k in np.unique(cell)]
+        points = np.column_stack([scaled, places[:, 2]])
+        parts = [np.median(points[cell == k], axis=0) for k in np.unique(cell)]
         y, x, z = np.transpose(parts)
         if (free := len(z) - 6) < 6:
             return

@@ -6,7 +6,7 @@ import io
 import json
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from os import PathLike
@@ -218,11 +218,14 @@ def columns() -> np.dtype[np.void]:
     return np.dtype([("frame", np.int64), *numbers, ("state", np.int32)])
 
 
-def joined(parts: Sequence[Localizations]) -> Localizations:
+def joined(parts: Iterable[Localizations]) -> Localizations:
     """Return the localisations of successive parts of a movie (at least one) in a single table."""
-    names = ("spots", "borders", "overlapping", "saturated", "left_out", "ends")
-    sums = {name: sum(getattr(part, name) for part in parts) for name in names}
-    return replace(parts[-1], table=np.concatenate([part.table for part in parts]), **sums)
+    sums: Json = dict.fromkeys(("spots", "borders", "overlapping", "saturated", "left_out", "ends"), 0)
+    data = bytearray()  # which grows in place: neither parts nor a second table take memory
+    for part in parts:
+        data += part.table.tobytes()
+        sums = {name: count + getattr(part, name) for name, count in sums.items()}
+    return replace(part, table=np.frombuffer(data, part.table.dtype), **sums)
 
 
 @contextmanager

@@ -304,7 +304,7 @@ Factor = Callable[[Piece], Array]
 """Function that returns, for each disc of a section, the log of a bound on an additional factor of the integrands."""
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=8)
 def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[Points, Array]:
     """Return the discs of ellipses, and on each disc the log of a bound on the moduli of :meth:`Piece.parts`."""
     points = piece.covered(rows)

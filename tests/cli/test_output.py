@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
 
 from lommel.cli import output
@@ -24,6 +26,21 @@ def test_the_remaining_time_is_that_of_the_processor_at_the_recent_share(share, 
         clock[:] = 60.0 + k / share, 13.0 + k
         left = steps.left(0.4)
     assert left == pytest.approx(expected, rel=1e-6)
+
+
+def test_what_an_earlier_call_did_counts_as_done_and_not_as_quick(monkeypatch):
+    clock, shown = [0.0, 0.0], []
+    monkeypatch.setattr(output.Steps, "_clock", staticmethod(lambda: tuple(clock)))
+    bar = SimpleNamespace(add_task=lambda *_, **__: 0, update=lambda _, **now: shown.append(now))
+    steps = output.Steps(bar, "reading", None)
+    for seconds, fraction in ((20.0, 0.5), (30.0, 0.6), (70.0, 1.0)):
+        clock[:] = seconds, seconds
+        steps("frame", fraction)
+    assert [(now["completed"], now["left"]) for now in shown] == [
+        (0.5, "-:--:--"),
+        (0.6, "0:00:40"),
+        (1.0, "0:00:00"),
+    ]
 
 
 def test_a_time_is_in_hours_minutes_and_seconds():

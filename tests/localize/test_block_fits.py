@@ -110,6 +110,7 @@ def test_results_are_kept_until_the_call_ends(client, movie, table, tmp_path, mo
         found(movie, table, client=client, keep=keep, progress=stop)
     assert scratch.is_dir()
     fitted: list[int] = []
+    told: list[int] = []
     fit = block_fits._recentred
 
     def count(values, spots, first, *more):
@@ -119,8 +120,11 @@ def test_results_are_kept_until_the_call_ends(client, movie, table, tmp_path, mo
     monkeypatch.setattr(block_fits, "_recentred", count)
     changed = movie.copy()
     changed[4] = changed[7]
-    made = found(changed, table, client=client, keep=keep)
+    made = found(changed, table, client=client, keep=keep, progress=lambda done, _: told.append(done))
     assert not scratch.exists()
+    assert told[0] in (6, 9)  # as many as were kept
+    assert told == sorted(told)
+    assert told[-1] == FRAMES
     assert sorted(fitted) == [3, 6, 9]
     assert_equal(made, found(changed, table))
 

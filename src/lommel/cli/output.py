@@ -34,7 +34,7 @@ class Steps:
 
     def __init__(self, bar: Progress | None, description: str, total: int | None) -> None:
         self._bar, self._total = bar, total
-        self._count, self._fraction = 0, 0.0
+        self._count, self._fraction, self._begun = 0, 0.0, -1.0  # begun: where the current step begins, if known
         self._start, self._recent, self._load = self._clock(), self._clock(), 1.0
         self._task = None if bar is None else bar.add_task(description, total=total, left=_in_time(None))
 
@@ -44,7 +44,7 @@ class Steps:
         return time.monotonic(), time.process_time()
 
     def left(self, fraction: float) -> float:
-        """Return the remaining time, seconds, after a fraction of the work since the last step without a fraction.
+        """Return the remaining time, seconds, after a fraction of the work since the first fraction of this step.
 
         It is in proportion to processor time: other programs slow all work, now as in the last seconds.
         """
@@ -55,18 +55,24 @@ class Steps:
             self._recent = now
         elapsed, used = now[0] - self._start[0], now[1] - self._start[1]
         passed = used * self._load if used > _LEAST_SHARE * elapsed else elapsed  # other processes may do the work
-        return passed * (1.0 - fraction) / max(fraction, 1e-6)
+        return passed * (1.0 - fraction) / max(fraction - max(self._begun, 0.0), 1e-6)
 
     def __call__(self, name: str, fraction: float | None = None) -> None:
         """Show the name of the next step or, with the fraction done (0 to 1), of the current step."""
         self._count += fraction is None
         if fraction is not None:
             self._fraction = min(max(fraction, self._fraction), 1.0)  # estimates of the remaining time may increase
+            if self._begun < 0.0:  # what an earlier call did took no time
+                self._begun, self._start = fraction, self._clock()
+                self._recent = self._start
         elif self._total:
             fraction = self._fraction = (self._count - 1) / self._total
         else:
-            self._start = self._recent = self._clock()
-        left = self.left(fraction) if fraction is not None and fraction > _FIRST_FRACTION else None
+            self._begun, self._start = -1.0, self._clock()
+            self._recent = self._start
+        left = None
+        if fraction is not None and fraction - max(self._begun, 0.0) > _FIRST_FRACTION:
+            left = self.left(fraction)
         if self._bar is not None and self._task is not None:
             done = None if fraction is None else self._fraction
             self._bar.update(self._task, description=name, total=1.0, completed=done, left=_in_time(left))

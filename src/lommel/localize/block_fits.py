@@ -256,6 +256,15 @@ class MovieBlocks:
         self._workers, self._shared = None if client is None else Workers.of(client), Shared(fits)
         self._unfinished = unfinished
 
+    @property
+    def kept(self) -> int:
+        """Number of frames of which results are kept."""
+        if self._unfinished is None:
+            return 0
+        size, total = block_size(self._images.shape, self._size), self._images.shape[0]
+        starts = {int(path.name.partition(" ")[0]) for path in self._unfinished.new.glob("[0-9]* *.npz")}
+        return sum(min(size, total - start) for start in starts)
+
     def fitted(self, first: int) -> Generator[Fitted]:
         """Yield the fits of the blocks from the frame `first` on, with all images that checks need."""
         results: Generator[tuple[tuple[Any, ...], Iterable[Fitted | None]]]

@@ -50,7 +50,8 @@ class LocalizeOptions(Options):
     surface : FocalSurface, optional
         Focal surface over the frame, ``microscope.focal_surface``, subtracted from z; by default z counts from it.
     progress : callable, optional
-        Function that is called after each block, with the number of processed frames and the total number.
+        Function that is called after each block, with the number of processed frames and the total number. With
+        `keep`, frames whose results were kept count from the first call on.
     client : distributed.Client or concurrent.futures.Executor, optional
         Executor that reads and fits the blocks; by default this process. Its workers must reach the files of the
         movie under the same paths. The results are the same bit by bit.
@@ -124,7 +125,7 @@ def localize_movie(
     >>> counts = lm.Counts.of(frames, noise=camera, mask=hot)  # doctest: +SKIP
     >>> found = localize_movie(counts, table, flat=True, background="flat")  # doctest: +SKIP
     """
-    return joined(list(localize_blocks(movie, table, noise=noise, options=options, **given)))
+    return joined(localize_blocks(movie, table, noise=noise, options=options, **given))
 
 
 @listed(LocalizeOptions)
@@ -203,6 +204,8 @@ def movie_blocks(
         count, is_tested = 0, False
         with kept_results(options.keep, images, block, fits, mask) as unfinished:
             blocks = MovieBlocks(images, mask, block, fits, state, options.client, unfinished)
+            if (before := blocks.kept) and options.progress is not None:
+                options.progress(before, shape[0])
             while count < shape[0]:
                 with closing(blocks.fitted(count)) as results:
                     for fitted in results:
@@ -227,7 +230,7 @@ def movie_blocks(
                         if fitted.is_assumed:
                             state.saturation = fitted.saturation  # for all following blocks
                         if options.progress is not None:
-                            options.progress(count, shape[0])
+                            options.progress(max(count, before), shape[0])
 
 
 @contextmanager

@@ -130,8 +130,8 @@ def localize(
             client=cluster,
             keep=outputs[0] if cluster else None,
         )
-        plain = dataclasses.replace(frames, metadata=optics)
-        blocks = movie_blocks(plain, table, noise, told, mask=mask, saturation=saturation)
+        sized = dataclasses.replace(frames, metadata=optics)
+        blocks = movie_blocks(sized, table, noise, told, mask=mask, saturation=saturation)
         with writer(*outputs) as write:
             molecules_found = joined(_written(blocks, write, whole=figure is not None))
     save_figure(molecules_found.plot, figure)

@@ -233,8 +233,10 @@ def response(
     values: Array = np.abs(found) / abs(found[0])
     derivative -= np.outer(values, derivative[0])
     derivative /= abs(found[0])
-    coloured = derivative * np.sqrt(power(frequencies))[:, None]
-    covariance = (coloured * variances) @ coloured.T + (derivative * added) @ derivative.T
+    coloured = derivative * np.sqrt(variances * power(frequencies)[:, None])
+    covariance = coloured @ coloured.T
+    if np.any(added):
+        covariance += (derivative * added) @ derivative.T
     values = np.sqrt(np.maximum(np.square(values) - np.diag(covariance), 0.0))  # by which noise raises squares
     beyond, error = _beyond(position, profile, variances + added, frequencies, values)
     covariance += np.outer(error, error)

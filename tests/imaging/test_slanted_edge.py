@@ -218,8 +218,17 @@ def test_another_order_of_the_colours_of_a_mosaic_is_refused_with_those_that_fit
     with pytest.raises(ValueError, match=r"got 'GRBG', whose green pixels .* those of RGGB and BGGR differ by 0"):
         measure(mosaic, mosaic="GRBG")
     assert measure(mosaic, mosaic="BGGR")
-    # All pixels of a grey picture of even gains are alike.
-    assert measure(EDGE, mosaic="GRBG")
+
+
+@pytest.mark.parametrize("measure", [lm.sfr, lm.imaging.sfr_chart])
+def test_the_mosaic_of_a_grey_picture_is_refused_and_that_of_balanced_colours_is_not(measure):
+    y, x = np.indices(EDGE.shape)
+    gains = np.where((y + x) % 2, 1.0, 0.5)
+    random = np.random.default_rng(3)
+    for grey in (EDGE, random.poisson(10000 * EDGE) / 10000, random.poisson(240 * EDGE).astype(np.uint8)):
+        with pytest.raises(ValueError, match=r"got 'RGGB' and pixels that are alike .*: leave the mosaic out"):
+            measure(grey, mosaic="RGGB")
+    assert measure(random.poisson(5000 * EDGE * gains) / (5000 * gains), mosaic="RGGB")
 
 
 def test_frames_are_averaged_and_masked_pixels_left_out():

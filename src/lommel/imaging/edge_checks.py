@@ -27,12 +27,13 @@ _OF_ENCODING = 1.75  # least power that names it
 _CURVE = 0.5  # strength of a tone curve of cameras, from none to 3 v^2 - 2 v^3
 _FLAT = 0.9  # fraction of equal pixels of a bright side that is clipped, beside a dark one with noise
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
+_ALIKE = 1.15  # largest ratio of the noise of alike pixels: that of balanced colours is larger
 _UNLIKE = 3.0  # ratio of the differences of green pixels by the stated order and by the other one
 
 
 def require_one_colour(image: Array, known: Mask) -> None:
     """Raise ValueError if pixels of one of four positions differ from their neighbours: a mosaic of colours."""
-    phases, error = _phases(image, known)
+    phases, error, _ = _phases(image, known)
     if np.ptp(phases) > max(_PHASES, 3.0 * SIGMA * error):
         raise ValueError(
             "image must be of one colour, got a mosaic: pixels of even and odd rows and columns differ by "
@@ -41,8 +42,13 @@ def require_one_colour(image: Array, known: Mask) -> None:
 
 
 def require_order(mosaic: str, image: Array, known: Mask) -> None:
-    """Raise ValueError if both green pixels of a mosaic differ, and those of another order of colours do not."""
-    phases, error = _phases(image, known)
+    """Raise ValueError if no pixels of a mosaic differ, or both green ones and not those of another order."""
+    phases, error, noise = _phases(image, known)
+    if np.ptp(phases) + SIGMA * error < _PHASES and noise < _ALIKE:
+        raise ValueError(
+            f"mosaic must be of a raw picture, got {mosaic!r} and pixels that are alike in all four positions, as "
+            "those of a grey picture: leave the mosaic out"
+        )
     diagonals = abs(float(phases[0] - phases[3])), abs(float(phases[1] - phases[2]))
     green, other = diagonals if mosaic[0] == "G" else diagonals[::-1]
     if green > max(_PHASES, 3.0 * SIGMA * error, _UNLIKE * other):
@@ -53,17 +59,19 @@ def require_order(mosaic: str, image: Array, known: Mask) -> None:
         )
 
 
-def _phases(image: Array, known: Mask) -> tuple[Array, float]:
-    """Return the light of pixels of even and odd rows and columns, relative to their mean, and its error.
+def _phases(image: Array, known: Mask) -> tuple[Array, float, float]:
+    """Return the light of pixels of even and odd rows and columns, relative to their mean, its error, and noise.
+
+    The noise is the ratio of that of the noisiest and of the quietest of the four, as of colours that were balanced.
 
     A slope of the light is of opposite sign in blocks that begin at odd rows and columns.
     """
-    (even, error), (odd, other) = (_block_phases(image[k:, k:], known[k:, k:]) for k in (0, 1))
-    return 0.5 * (even + odd[::-1]), max(error, other)
+    (even, error, noise), (odd, other, _) = (_block_phases(image[k:, k:], known[k:, k:]) for k in (0, 1))
+    return 0.5 * (even + odd[::-1]), max(error, other), noise
 
 
-def _block_phases(image: Array, known: Mask) -> tuple[Array, float]:
-    """Return the light of the four pixels of blocks, relative to their mean, and its error."""
+def _block_phases(image: Array, known: Mask) -> tuple[Array, float, float]:
+    """Return the light of the four pixels of blocks, relative to their mean, its error, and the ratio of noise."""
     height, width = (side // 2 * 2 for side in image.shape)
     blocks = np.where(known, image, np.nan)[:height, :width].reshape(height // 2, 2, width // 2, 2)
     quads = blocks.transpose(1, 3, 0, 2).reshape(4, -1)
@@ -73,11 +81,12 @@ def _block_phases(image: Array, known: Mask) -> tuple[Array, float]:
     ratios = np.where(black, 1.0, quads / np.where(black, 1.0, means))
     ratios = ratios[:, np.isfinite(ratios).all(axis=0)]
     if ratios.shape[1] < 16:
-        return np.ones(4), 0.0
+        return np.ones(4), 0.0, math.inf
     # Medians, over pixels of which few are at the edge.
     middle = np.median(ratios, axis=1)
     spread = np.median(np.abs(ratios - middle[:, None]), axis=1)
-    return middle, 1.86 * float(spread.max()) / math.sqrt(ratios.shape[1])
+    noise = float(spread.max() / max(spread.min(), 1e-12)) if spread.any() else 1.0
+    return middle, 1.86 * float(spread.max()) / math.sqrt(ratios.shape[1]), noise
 
 
 def compression_findings(image: Array) -> list[Finding]:

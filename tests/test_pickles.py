@@ -270,6 +270,9 @@ MADE: dict[str, Callable[[], Any]] = {
     "recorded.RecordingError": lambda: lm.recorded.RecordingError("text"),
     "recorded.Unusable": lambda: lm.recorded.Unusable("text"),
 }
+UNHASHABLE = ("Microscope", "imaging.DatasetPicture", "localize.FocalSurface", "methods.Confocal", "methods.Sted")
+"""What is equal to its copies, and has a dict, or pupils that have arrays."""
+
 OTHERS = ("io.FramePairs", "io.VideoFrames", "telescopes.Shape")
 """What is read once, and the base of apertures."""
 
@@ -329,6 +332,10 @@ def test_copies_and_pickles_compute_the_same(name):
     want = copy.deepcopy(compute(thing))
     for way, copied in COPIES.items():
         assert same(compute(copied(thing)), want), way
+        has_equality = type(thing).__eq__ is not object.__eq__
+        assert (copied(thing) == thing) is (has_equality or copied(thing) is thing), way
+        if has_equality and name not in UNHASHABLE:
+            assert hash(copied(thing)) == hash(thing), way
 
 
 @pytest.mark.parametrize("way", COPIES)

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array, Json, Numbers, numbers
+from lommel.base.cached import EqualByContent
 from lommel.base.options import Options, listed
 from lommel.base.units import format_length
 from lommel.channel_psf import colour_psf
@@ -371,7 +372,7 @@ def bare_pupil(constructor: str, given: Json) -> Pupil:
     return replace(aperture, geometry=None, **numeric)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class FieldMap:
     """Wavefronts over the sensor, interpolated between known positions, without extrapolation.
 
@@ -961,7 +962,7 @@ _ROUNDING = 1e-9  # a position outside the map by less than this fraction of the
 _AXIS = 1e-6  # on the axis, smaller coefficients (radians) of terms with m != 0 are treated as rounding errors
 
 
-class WavefrontsOnSensor(ABC):
+class WavefrontsOnSensor(EqualByContent, ABC):
     """Wavefronts as a function of position, within a convex part of the sensor."""
 
     reach: float
@@ -969,6 +970,12 @@ class WavefrontsOnSensor(ABC):
 
     middle: tuple[float, float] = (0.0, 0.0)
     """A position inside the map."""
+
+    given: tuple[object, ...]
+    """The arguments, hashable."""
+
+    def _content(self) -> tuple[object, ...]:
+        return self.given
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Return a mask of the positions inside the map; the default map is a disc around the axis."""
@@ -993,6 +1000,7 @@ class OnGrid(WavefrontsOnSensor):
     def __init__(self, x: ArrayLike, y: ArrayLike, wavefront: Wavefront) -> None:
         self.x, self.y = _increasing_array("x", x), _increasing_array("y", y)
         values, self.terms = _coefficients_and_terms(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
+        self.given = self.x.tobytes(), self.y.tobytes(), wavefront
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
         # Positions are scaled to 0 to 1, because FITPACK uses absolute tolerances.
         y_scaled, x_scaled = self._scaled(self.x, self.y)[::-1]
@@ -1041,6 +1049,7 @@ class Scattered(WavefrontsOnSensor):
             raise ValueError(f"x and y must be of the same shape (n,), got {x_values.shape} and {y_values.shape}")
         count = validation.integer("the number of positions", x_values.size, least=3, most=MAX_SCATTERED)
         values, self.terms = _coefficients_and_terms(wavefront, (count,), "of x and y")
+        self.given = x_values.tobytes(), y_values.tobytes(), wavefront
         order = np.lexsort((y_values, x_values))
         is_repeated = (np.diff(x_values[order]) == 0.0) & (np.diff(y_values[order]) == 0.0)
         if is_repeated.any():
@@ -1090,6 +1099,7 @@ class Radial(WavefrontsOnSensor):
     def __init__(self, height: ArrayLike, wavefront: Wavefront, azimuth: float) -> None:
         self.height, self.azimuth = _heights(height), validation.angle("azimuth", azimuth)
         values, self.terms = _coefficients_and_terms(wavefront, self.height.shape, "of height")
+        self.given = self.height.tobytes(), self.azimuth, wavefront
         orders = np.array([m for _, m in self.terms])
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):
             raise ValueError(
@@ -1122,6 +1132,7 @@ class Seidel(WavefrontsOnSensor):
     def __init__(self, edge: float, waves: Mapping[str, float]) -> None:
         self.reach = validation.real("edge", edge, above=0.0, unit=validation.EITHER)
         self.waves = {name: validation.real(name, value) for name, value in waves.items()}
+        self.given = self.reach, *self.waves.items()
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""

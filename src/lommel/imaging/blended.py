@@ -23,6 +23,7 @@ import itertools
 import math
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import cache, lru_cache, partial
 from typing import NamedTuple, Self, TypeGuard
 
@@ -135,6 +136,7 @@ class TiledBlur(LinearBlur):
         return total
 
 
+@dataclass(frozen=True)
 class Blend:
     """Deblurring by a Wiener filter, a local Wiener filter and total variation, blended.
 

@@ -61,6 +61,7 @@ class _Light(FocalLight):
 _MAX_LOSS = 1.0  # largest loss (dB), over all distances, of the polynomials relative to the exact Wiener filter
 
 
+@dataclass(frozen=True)
 class OnePass:
     """Deblurring in one pass by the Wiener filter of each depth, for the texture and noise of the photograph.
 

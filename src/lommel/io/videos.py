@@ -86,6 +86,7 @@ class VideoFrame(NamedTuple):
 
     values: Values
     time: float
+    __eq__, __ne__, __hash__ = object.__eq__, object.__ne__, object.__hash__  # type: ignore[misc]
 
 
 class FramePair(NamedTuple):
@@ -102,6 +103,7 @@ class FramePair(NamedTuple):
     first: Values
     second: Values
     time: float
+    __eq__, __ne__, __hash__ = object.__eq__, object.__ne__, object.__hash__  # type: ignore[misc]
 
 
 class _CodedFrame(VideoFrame):

@@ -175,6 +175,7 @@ def test_workers_and_a_scheduler_that_are_killed_change_no_picture(files, monkey
         )
         for picture in pictures:
             if picture.done % 9 == 0:
+                client.wait_for_workers(2)  # one that is killed while it starts is not started again
                 processes = psutil.Process().children(recursive=True)
                 draw.choice([each for each in processes if "spawn_main" in " ".join(each.cmdline())]).kill()
             if picture.done == 50:

@@ -159,6 +159,7 @@ def test_workers_and_a_scheduler_that_are_killed_change_nothing(movie, table, tm
         def kill(count: int, _: int) -> None:
             nonlocal kills
             if count % 15 == 0:
+                client.wait_for_workers(2)  # one that is killed while it starts is not started again
                 processes = psutil.Process().children(recursive=True)
                 workers = [each for each in processes if "spawn_main" in " ".join(each.cmdline())]
                 draw.choice(workers).kill()

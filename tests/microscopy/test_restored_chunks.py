@@ -238,6 +238,7 @@ def test_workers_and_a_scheduler_that_are_killed_change_no_chunk(tmp_path):
         def kill(share, words):
             nonlocal kills
             if words in ("chunk 3 of 16", "chunk 8 of 16"):
+                client.wait_for_workers(2)  # one that is killed while it starts is not started again
                 processes = psutil.Process().children(recursive=True)
                 [each for each in processes if "spawn_main" in " ".join(each.cmdline())][-1].kill()
                 kills += 1

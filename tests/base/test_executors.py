@@ -156,6 +156,33 @@ def test_the_arguments_of_a_task_are_not_hashed():
     assert len(set(names)) == 2
 
 
+def test_a_cluster_is_sent_a_shared_value_once():
+    pytest.importorskip("dask")
+
+    class Client(Immediate):
+        sent = 0
+
+        def get_executor(self):
+            return self
+
+        def nthreads(self):
+            return {"worker": 1}
+
+        def submit(self, call, *others):
+            data = pickle.dumps((call, [each for each in others if not isinstance(each, Future)]))
+            Client.sent += len(data)
+            return super().submit(call, *[each.result() if isinstance(each, Future) else each for each in others])
+
+    client = Client()
+    results = Workers(client, 2, client).run(_at, numbers(50), shared=Shared(np.arange(5000)))
+    assert [result for _, result in results] == list(range(50))
+    assert 40_000 < Client.sent < 70_000
+
+
+def _at(shared, k):
+    return shared.value[k]
+
+
 def test_clients_are_checked():
     with pytest.raises(TypeError, match=r"client must be a distributed.Client, an Executor or None, got 'tcp"):
         Workers.of("tcp://host:8786")

@@ -54,8 +54,8 @@ class _Call(Generic[_Result]):
     function: Callable[..., _Result]
     task: tuple[Any, ...]
 
-    def __call__(self) -> _Result:
-        return self.function(*self.task)
+    def __call__(self, *shared: Any) -> _Result:
+        return self.function(*shared, *self.task)
 
     def __dask_tokenize__(self) -> str:
         return secrets.token_hex(16)
@@ -88,21 +88,28 @@ class Workers:
         raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
     def run(
-        self, function: Callable[..., _Result], tasks: Iterable[_Task], *, ordered: bool = False
+        self,
+        function: Callable[..., _Result],
+        tasks: Iterable[_Task],
+        *,
+        ordered: bool = False,
+        shared: Shared[Any] | None = None,
     ) -> Generator[tuple[_Task, _Result]]:
         """Call ``function(*task)`` for each task; yield tasks and results as they end, or in the order of the tasks.
 
+        A value that is `shared` is the first argument of all calls; a cluster is sent it once, without a folder.
         At most `slots` + 1 tasks are queued. An error, or closing the generator, cancels them. ExecutorError if the
         executor ends or gives up a task.
         """
         queue: list[_Submitted[_Task, _Result]] = []
         pool = futures.ThreadPoolExecutor(self.slots) if self.executor is None else nullcontext(self.executor)
         with pool as executor:
+            first = () if shared is None else (self._sent(shared),)
             try:
                 source = iter(tasks)
                 while True:
                     while len(queue) <= self.slots and (task := next(source, None)) is not None:
-                        queue.append(_Submitted(task, self._submit(executor, function, task)))
+                        queue.append(_Submitted(task, self._submit(executor, function, task, first)))
                     if not queue:
                         return
                     done = self._wait([each.future for each in (queue[:1] if ordered else queue)])
@@ -114,7 +121,8 @@ class Workers:
                                 raise
                             if (losses := each.losses + 1) > _ATTEMPTS:
                                 raise ExecutorError(_KILLED) from None
-                            each.future, each.losses = self._submit(executor, function, each.task), losses
+                            each.future = self._submit(executor, function, each.task, first)
+                            each.losses = losses
                             continue
                         queue.remove(each)
                         yield each.task, result
@@ -122,12 +130,21 @@ class Workers:
                 for each in queue:
                     each.future.cancel()
 
+    def _sent(self, shared: Shared[Any]) -> Any:
+        """Return a shared value for tasks: for a cluster the result of a task, which it repeats if it is lost."""
+        if self.client is None:
+            return shared
+        with import_module("dask").config.set({"distributed.admin.large-graph-warning-threshold": "1 PB"}):
+            return self.client.submit(_Call(_itself, (shared,)))
+
     def _submit(
-        self, executor: futures.Executor, function: Callable[..., _Result], task: _Task
+        self, executor: futures.Executor, function: Callable[..., _Result], task: _Task, first: tuple[Any, ...]
     ) -> futures.Future[_Result]:
         try:
             # distributed would read and hash all arguments, such as a movie, for the name of a task.
-            return executor.submit(*((_Call(function, task),) if self.client is not None else (function, *task)))
+            return executor.submit(
+                *((_Call(function, task), *first) if self.client is not None else (function, *first, *task))
+            )
         except futures.BrokenExecutor:
             raise ExecutorError(_ENDED) from None
         except Exception:
@@ -147,6 +164,10 @@ class Workers:
                 workers = {}
             if not workers:
                 validation.tell("no worker is connected to the cluster of the client: waiting for workers", Waiting)
+
+
+def _itself(value: _Value) -> _Value:
+    return value
 
 
 def called(workers: Workers | None, function: Callable[..., _Result], *task: Any) -> _Result:

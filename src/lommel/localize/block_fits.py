@@ -192,10 +192,13 @@ class BlockFits:
             yield fitted._replace(checksum=checksum)
 
 
-def _reduced(fits: Shared[BlockFits], *task: Any) -> Iterable[Fitted | None]:
-    """Return the fits of the blocks of a part, with the images that checks need."""
-    found = fits.value.of_part(*task)
-    return [None if fitted is None else fitted.reduced(fits.value.table) for fitted in found]
+def _reduced(
+    shared: Shared[tuple[BlockFits, Any]], part: Part, blocks: list[slice], mask: Any, *state: Any
+) -> Iterable[Fitted | None]:
+    """Return the fits of the blocks of a part, with the images that checks need; a mask of the frame is shared."""
+    fits, of_frame = shared.value
+    found = fits.of_part(part, blocks, of_frame if mask is None else mask, *state)
+    return [None if fitted is None else fitted.reduced(fits.table) for fitted in found]
 
 
 @contextmanager
@@ -253,7 +256,10 @@ class MovieBlocks:
         unfinished: Unfinished | None,
     ) -> None:
         self._images, self._mask, self._size, self._fits, self._state = images, mask, size, fits, state
-        self._workers, self._shared = None if client is None else Workers.of(client), Shared(fits)
+        self._workers, self._shared = (
+            None if client is None else Workers.of(client),
+            Shared((fits, mask if np.ndim(mask) < 3 else None)),
+        )
         self._unfinished = unfinished
 
     @property
@@ -271,8 +277,7 @@ class MovieBlocks:
         if self._workers is None:
             results = ((task, self._fits.of_part(*task)) for task in self._tasks(first))
         else:
-            shared = ((self._shared, *task) for task in self._tasks(first))
-            results = self._workers.run(_reduced, shared, ordered=True)
+            results = self._workers.run(_reduced, self._tasks(first), ordered=True, shared=self._shared)
         with closing(results):
             for task, found in results:
                 *_, blocks, _, saturation, background, _ = task
@@ -295,7 +300,8 @@ class MovieBlocks:
             if part.first < first:  # blocks that were fitted before the state changed
                 blocks = [block for block in blocks if block.start >= first]
                 part = replace(part, first=first)
-            mask = self._mask if np.ndim(self._mask) < 3 else self._mask[part.first : part.last]
+            mask = self._mask if self._workers is None else None  # workers have that of the frame
+            mask = self._mask[part.first : part.last] if np.ndim(self._mask) == 3 else mask
             known = None
             if self._unfinished is not None:
                 names = {block.start: f"{block.start} {state.saturation} {state.background}" for block in blocks}

@@ -6,6 +6,7 @@ import pytest
 from lommel.fit.score_tests import (
     Candidate,
     graded,
+    graded_explanation,
     log_bayes_factor,
     other_explanation,
     score_tests,
@@ -173,3 +174,12 @@ def test_rivals_that_differ_in_the_answer_are_a_doubt_with_errors_that_contain_b
 def test_an_effect_that_leaves_or_overshoots_chi2_is_an_error(chi2, severity):
     _, grade, _, _ = grade_of(np.array([1.0, -2.0, 0.5, 0.3, 0, 0, 0, 0, 0]), COLUMNS, chi2=chi2 + 0.09)
     assert (grade.severity, grade.explained) == (severity, severity == "note")
+
+
+def test_no_negative_chi2_is_printed():
+    tests, grade, _, _ = grade_of(np.array([1.0, -2.0, 0.5, 0.3, 0, 0, 0, 0, 0]), COLUMNS, chi2=0.05)
+    assert grade.left < 0.0
+    finding = graded_explanation(seen(tests), ["a halo"], grade, ["a", "b", "c"])
+    assert (
+        finding.text == "the data favour a halo: the misfit is too large for a linear correction, and so for its size"
+    )

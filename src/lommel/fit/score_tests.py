@@ -347,6 +347,8 @@ def graded_explanation(
     if not grade.explained:
         low, high = grade.limits
         text = f"allowing for it, chi2 is {grade.left:.3g}, not within the {low:.3g} to {high:.3g} of noise"
+        if grade.left < 0.0:  # the model is not linear so far: no sum of squares is negative
+            text = "the misfit is too large for a linear correction, and so for its size"
     elif rest > CLOSED:
         text = f"{name} remains open by {rest:.2g} standard errors" + ", which its error includes" * (rest <= _OPEN)
     else:

@@ -15,7 +15,7 @@ from lommel.base.validation import line, shown
 from lommel.recorded.frames import Frames
 
 _JSON = 2**24  # largest size of a parsed description, bytes
-_CHUNK = (32, 256, 256)  # chunks of written OME-Zarr: planes, rows, columns
+_CHUNK = (32, 128, 128)  # chunks of written OME-Zarr: planes, rows, columns
 
 
 def save_stack(path: Path, values: Values, recording: Frames, description: str = "") -> None:

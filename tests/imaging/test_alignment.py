@@ -61,7 +61,13 @@ def test_a_hand_held_pair_of_two_foci_is_aligned_to_a_tenth_of_a_pixel():
 
 def test_a_sharp_frame_and_a_blurred_one_are_aligned():
     found = align([frame(22, (0.25, 0.25)), frame(22, (4.0, 4.0), **HAND)])  # a blur radius of 8 pixels
-    assert left_over(found, **HAND) < found.errors[1] < 0.06  # 0.14 with the blur as it is
+    assert left_over(found, **HAND) < 3.0 * found.errors[1] < 0.06  # 0.14 with the blur as it is
+
+
+def test_blurs_that_near_and_far_parts_exchange_leave_no_shift():
+    found = align([frame(22, (0.25, 4.0)), frame(22, (4.0, 0.25), **HAND)])
+    assert left_over(found, **HAND) < min(0.1, 3.0 * found.errors[1])
+    assert found.reliable
 
 
 def test_aligned_frames_keep_most_of_their_noise():
@@ -105,8 +111,10 @@ def test_a_burst_in_colour_keeps_its_channels_and_is_cropped_to_what_all_show():
 def test_parallax_is_told():
     first, other = frame(3, (1, 1)), frame(3, (1, 1), shift=2.0 + 1.0j)
     other[:, : SHAPE[1] // 2] = frame(3, (1, 1), shift=4.0 + 1.0j)[:, : SHAPE[1] // 2]  # a near half
-    with pytest.raises(ValueError, match=r"uncertain by 0\.\d+ pixels"):
-        align([first, other])
+    found = align([first, other])
+    assert not found.reliable
+    assert found.to_dict()["reliable"] is False
+    assert "frame 1 moved otherwise" in found.notes[0]
     other[:, : SHAPE[1] // 2] = frame(3, (1, 1), shift=2.5 + 1.0j)[:, : SHAPE[1] // 2]
     assert align([first, frame(3, (1, 1), shift=2.0 + 1.0j)]).misfits[1] < 0.1 < align([first, other]).misfits[1]
 

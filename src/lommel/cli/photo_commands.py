@@ -682,7 +682,8 @@ def align(
     """Align photos of one scene: hand-held ones, bursts, or those of two foci, whose sizes differ (focus breathing).
 
     PHOTOS are two or more files of one size. The others are shifted, turned and scaled to the place of the first, and
-    all are cropped to what they share. They are refused where the displacement is uncertain by over 0.25 pixels.
+    all are cropped to what they share. They are refused where the displacement is uncertain by over 0.25 pixels. The
+    exit code is 4 where parts of a photo moved otherwise than all of it.
 
     Parameters
     ----------

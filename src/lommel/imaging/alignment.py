@@ -16,12 +16,18 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values, plain
 from lommel.imaging.frame_phases import motion
 
-_STEPS = 8  # largest number of steps
-# Step after which none follows, rms over the frame: pixels, and share of the standard error.
-_SETTLED, _SETTLED_SHARE = 0.02, 0.3
+_STEPS = 12  # largest number of steps
+# Step after which none follows, rms over the frame: pixels, by phases also a share of the standard error.
+_SETTLED, _COARSE, _SETTLED_SHARE = 0.005, 0.1, 0.3
+_MAX_COARSE = 1.0  # pixels, rms: largest standard error by phases, which larger differences of blur leave
+_BLUR = 4.0  # pixels: blur radius of the standard errors by phases
 _MAX_ERROR, _MIN_OVERLAP = 0.25, 0.5  # pixels, rms, and share of the frame: beyond them frames are refused
 _WINDOW = 96  # pixels: least side of the windows, of which a side has two or three, after one of the whole frame
-_MISFIT = 0.3  # pixels, rms: displacements of parts of a frame that are told
+# Gaussian blurs, pixels rms, that make frames alike, of both before, and of the local means of differences; pixels of
+# a frame above which averages are compared; parts per side that count as independent.
+_WIDTHS = (0.0, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6)
+_SMOOTH, _LOCAL, _PIXELS, _PARTS = 1.0, 6.0, 1e6, 4
+_MISFIT = 0.15  # pixels, rms: displacements of parts of a frame that are told
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -65,25 +71,29 @@ class Aligned:
             if misfit > _MISFIT
         )
 
+    @property
+    def reliable(self) -> bool:
+        """Whether all parts of the frames moved alike: there are no notes."""
+        return not self.notes
+
     def to_dict(self) -> dict[str, Any]:
         """Return all but the frames in plain types, for JSON."""
         facts = {name: getattr(self, name).tolist() for name in ("shifts", "scales", "angles", "errors", "misfits")}
         crop = [[side.start, side.stop] for side in self.crop]
-        return dict(plain(facts | {"crop": crop, "notes": list(self.notes)}))
+        return dict(plain(facts | {"crop": crop, "notes": list(self.notes), "reliable": self.reliable}))
 
 
-def align(frames: Sequence[ArrayLike] | Values, *, blur: float = 4.0) -> Aligned:
+def align(frames: Sequence[ArrayLike] | Values) -> Aligned:
     """Move frames of one scene to the place of the first, by a shift, a rotation and a scale.
 
-    Displacements of parts of the frames follow from the phases of their cross-spectra, which symmetric blur leaves:
-    the frames may be focused differently.
+    Displacements of parts of the frames follow from the phases of their cross-spectra, which symmetric blur leaves.
+    Then the frames are compared by least squares, after the sharper one is blurred, pixel by pixel, until they are
+    alike: they may be focused differently, by up to 11 pixels of blur radius, more in frames above a megapixel.
 
     Parameters
     ----------
     frames : sequence of array_like, each of the shape (height, width) or (height, width, 3)
         Two frames or more of one shape, best of linear light; NaN and masked pixels are refused.
-    blur : float, default 4.0
-        Largest blur radius, pixels: blurred edges at borders of parts move, by which the standard errors grow.
 
     Returns
     -------
@@ -105,7 +115,6 @@ def align(frames: Sequence[ArrayLike] | Values, *, blur: float = 4.0) -> Aligned
     >>> np.round(found.shifts[1], 1).tolist()
     [-2.0, 3.0]
     """
-    validation.real("blur", blur, above=0.0, most=1e3)
     arrays = [validation.array(f"frames[{k}]", frame, "counts") for k, frame in enumerate(frames)]
     if len(arrays) < 2 or len({one.shape for one in arrays}) > 1 or arrays[0].ndim not in (2, 3):
         raise ValueError(f"frames must be two or more of one shape, got {[one.shape for one in arrays]}")
@@ -118,7 +127,7 @@ def align(frames: Sequence[ArrayLike] | Values, *, blur: float = 4.0) -> Aligned
             raise ValueError(f"frames[{k}] must be finite")
     moves, errors, misfits = [(0j, 1.0 + 0j)], [0.0], [0.0]
     for k in range(1, len(grey)):
-        move, error, misfit = _found(grey[0], grey[k], blur, f"frames[{k}]")
+        move, error, misfit = _found(grey[0], grey[k], f"frames[{k}]")
         moves, errors, misfits = [*moves, move], [*errors, error], [*misfits, misfit]
     inside = np.all([_places(shape, move)[1] for move in moves], axis=0)
     crop = _crop(inside)
@@ -134,33 +143,112 @@ def align(frames: Sequence[ArrayLike] | Values, *, blur: float = 4.0) -> Aligned
 _Move = tuple[complex, complex]  # shift x + iy at the middle, and scale * exp(i angle)
 
 
-def _found(first: Array, other: Array, blur: float, name: str) -> tuple[_Move, float, float]:
+def _found(first: Array, other: Array, name: str) -> tuple[_Move, float, float]:
     """Return the move of a frame relative to the first, its standard error and its misfit, pixels, rms."""
     shape, radius = first.shape, math.hypot(*first.shape) / math.sqrt(12.0)
-    shift, turn, error, misfit = 0j, 1.0 + 0j, math.inf, math.inf
+    shift, turn, error = 0j, 1.0 + 0j, math.inf
     splines = scipy.ndimage.spline_filter(other, order=3, mode="mirror")
     for parts in (1, *[min(3, min(shape) // _WINDOW)] * _STEPS):
         places, inside = _places(shape, (shift, turn))
         if inside.mean() < _MIN_OVERLAP:
             break
         moved = scipy.ndimage.map_coordinates(splines, places, order=3, mode="mirror", prefilter=False)
-        step, covariance, misfit = motion(first, moved, inside, blur, parts)
+        step, covariance, _ = motion(first, moved, inside, _BLUR, parts)
         if parts == 1:
             shift += complex(step[1], step[0])
             continue
         error = math.sqrt(np.diag(covariance) @ [1.0, 1.0, radius**2, radius**2])
         shift, turn = shift + turn * complex(step[1], step[0]), turn * cmath.exp(complex(step[2], step[3]))
-        if math.hypot(step[0], step[1], radius * step[2], radius * step[3]) < max(_SETTLED, _SETTLED_SHARE * error):
+        if math.hypot(step[0], step[1], radius * step[2], radius * step[3]) < max(_COARSE, _SETTLED_SHARE * error):
             break
     else:
         raise ValueError(f"{name} cannot be aligned with the first frame: no displacement fits all parts of it")
     if inside.mean() < _MIN_OVERLAP:
         raise ValueError(f"{name} shows {100.0 * inside.mean():.0f} % of the first frame, at least half is needed")
+    move, misfit = (shift, turn), math.inf
+    if error < _MAX_COARSE:
+        move, error, misfit = _refined(first, other, move, name)
     if error > _MAX_ERROR:
         raise ValueError(
             f"{name} cannot be aligned with the first frame: its displacement is uncertain by {error:.2g} pixels"
         )
-    return (shift, turn), error, misfit
+    return move, error, misfit
+
+
+def _refined(first: Array, other: Array, move: _Move, name: str) -> tuple[_Move, float, float]:
+    """Return a move after which frames that are blurred alike differ least, its standard error and its misfit.
+
+    Squares of differences are weighted by the inverse of their local mean, and parts of the frame count as
+    independent: edges where one blur ends and another begins fit no displacement.
+    """
+    side = math.ceil(math.sqrt(first.size / _PIXELS))
+    # What lies between the middle of the frame and that of averages over side x side pixels.
+    between = sum(
+        turn * (side * (0.5 * (n // side)) + 0.5 * (side - 1) - 0.5 * n)
+        for turn, n in zip((1j, 1.0), first.shape, strict=True)
+    )
+    first, other = (_averages(one, side) for one in (first, other))
+    shift, turn = (move[0] + (move[1] - 1.0) * between) / side, move[1]
+    shape, radius = first.shape, math.hypot(*first.shape) / math.sqrt(12.0)
+    rows, columns = np.arange(shape[0])[:, None] - 0.5 * shape[0], np.arange(shape[1]) - 0.5 * shape[1]
+    starts = [np.linspace(0, n, _PARTS, endpoint=False).astype(int) for n in shape]
+    splines = scipy.ndimage.spline_filter(other, order=3, mode="mirror")
+    near = scipy.ndimage.gaussian_filter(first, _SMOOTH)
+    for _ in range(_STEPS):
+        places, inside = _places(shape, (shift, turn))
+        moved = scipy.ndimage.map_coordinates(splines, places, order=3, mode="mirror", prefilter=False)
+        left, (down, right), square = _alike(near, scipy.ndimage.gaussian_filter(moved, _SMOOTH))
+        floor = max(float(np.median(square[inside])), 1e-9 * float(near.var()))
+        terms = np.stack([down, right, right * columns + down * rows, down * columns - right * rows])
+        weighted = terms * (inside / (square + floor))
+        inverse = np.linalg.inv(np.tensordot(weighted, terms, ((1, 2), (1, 2))))
+        step = inverse @ np.tensordot(weighted, left, ((1, 2), (0, 1)))
+        shift, turn = shift + turn * complex(step[1], step[0]), turn * cmath.exp(complex(step[2], step[3]))
+        if math.hypot(step[0], step[1], radius * step[2], radius * step[3]) < _SETTLED:
+            break
+    else:
+        raise ValueError(f"{name} cannot be aligned with the first frame: no displacement fits all parts of it")
+    left = left - np.tensordot(step, terms, 1)
+    gradients = _sums(weighted * left, starts)
+    covariance = inverse @ (gradients @ gradients.T) @ inverse * (_PARTS**2 / (_PARTS**2 - len(step)))
+    error = math.sqrt(np.diag(covariance) @ [1.0, 1.0, radius**2, radius**2])
+    # Displacements of parts by themselves, weighted by what each of them knows.
+    known = _sums(weighted[[0, 0, 1, 1]] * terms[[0, 1, 0, 1]], starts).T.reshape(-1, 2, 2)
+    apart = (np.linalg.pinv(known, hermitian=True) @ gradients[:2].T[:, :, None])[:, :, 0]
+    weights = np.trace(known, axis1=1, axis2=2)
+    misfit = math.sqrt(weights @ (apart**2).mean(axis=1) / weights.sum())
+    return (side * shift - (turn - 1.0) * between, turn), side * error, side * misfit
+
+
+def _averages(frame: Array, side: int) -> Array:
+    """Return averages over side x side pixels."""
+    height, width = (n // side for n in frame.shape)
+    return np.asarray(frame[: height * side, : width * side].reshape(height, side, width, side).mean(axis=(1, 3)))
+
+
+def _sums(values: Array, starts: list[NDArray[np.int_]]) -> Array:
+    """Return sums of arrays, (n, height, width), over parts that begin at these rows and columns, (n, parts)."""
+    sums = np.add.reduceat(np.add.reduceat(values, starts[0], axis=1), starts[1], axis=2)
+    return np.asarray(sums.reshape(len(values), -1))
+
+
+def _alike(first: Array, other: Array) -> tuple[Array, tuple[Array, Array], Array]:
+    """Return the difference of frames where the sharper one is blurred, slopes, and the local mean of its square.
+
+    Each pixel has the Gaussian blur of one of the frames by which the mean is least, and the slopes down and to the
+    right of the frame that is blurred, or of the mean of both.
+    """
+    left, down, right, square = (np.full(first.shape, np.inf) for _ in range(4))
+    for width in _WIDTHS:
+        for frame, sign, sharp in ((first, 1.0, other), (other, -1.0, first))[: 1 + (width > 0.0)]:
+            soft = scipy.ndimage.gaussian_filter(frame, width, truncate=3.0) if width else frame
+            difference = sign * (soft - sharp)
+            mean = scipy.ndimage.gaussian_filter(difference**2, _LOCAL, truncate=3.0)
+            slopes = np.gradient(soft if width else 0.5 * (soft + sharp))
+            best = mean < square
+            for found, value in zip((left, down, right, square), (difference, *slopes, mean), strict=True):
+                np.copyto(found, value, where=best)
+    return left, (down, right), square
 
 
 def _places(shape: tuple[int, ...], move: _Move) -> tuple[Array, NDArray[np.bool_]]:

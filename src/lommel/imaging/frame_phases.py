@@ -20,7 +20,6 @@ _COHERENT = 4.0  # standard deviations of the mean cosine of phases of noise, ab
 _FREQUENCY, _SIDE = 0.12, 1024  # cycles per pixel, up to which phases are used, and side of the square for shifts
 _LOWEST, _FIRST = 2.5, 8.0  # periods in a window: least, and most in the first step
 _STEPS, _LEAST_SHARE = 4, 0.05
-_ALIKE = 0.5  # pixels^2: difference of the variances of blur that is left
 _UNKNOWN = 1e3  # pixels: standard error of displacements of noise
 _MIN_WINDOW = 96  # pixels: least side of the four windows of a frame, from which its magnification follows
 
@@ -73,8 +72,7 @@ def motion(
     windows = [
         tuple(slice(start, start + side) for start, side in zip(corner, size, strict=True)) for corner in corners
     ]
-    pairs = [_alike(first, other, valid, window) if turns else (first[window], other[window]) for window in windows]
-    moved = [_displacement(*pair, valid[window], tops) for pair, window in zip(pairs, windows, strict=True)]
+    moved = [_displacement(first[window], other[window], valid[window], tops) for window in windows]
     # Places of the windows' centres relative to the middle, and weighted least squares.
     places = np.array(corners) + 0.5 * (size - shape)
     columns = [[*np.eye(2), place, (place[1], -place[0])][: 2 if parts == 1 else 3 + turns] for place in places]
@@ -86,33 +84,6 @@ def motion(
     left = shifts - terms @ fit
     covariance *= max(1.0, left @ weight @ left / max(1, len(left) - len(fit)))
     return fit, covariance, math.sqrt(np.average(left**2, weights=np.diag(weight)))
-
-
-def _alike(
-    first: Values, other: Values, valid: NDArray[np.bool_], window: tuple[slice, ...]
-) -> tuple[Values, Values]:
-    """Return a window of two frames, of which the sharper one is blurred by a Gaussian until they are alike."""
-    frames = first, other
-    f = _frequencies(valid[window].shape)
-    used = (np.hypot(*f) < _FREQUENCY) & (np.hypot(*f) * min(valid[window].shape) > _LOWEST)
-    spectra = [_spectrum(frame[window], valid[window])[used] for frame in frames]
-    weights = np.abs(spectra[0] * spectra[1])
-    ratio = np.log(np.abs(spectra[1]) / np.maximum(np.abs(spectra[0]), 1e-300) + 1e-300)
-    square = (f**2).sum(axis=0)[used]
-    slope = np.cov(square, ratio, aweights=weights) if weights.any() else np.ones((2, 2))
-    variance = (
-        -slope[0, 1] / slope[0, 0] / (2.0 * math.pi**2)
-    )  # how much wider the blur of the other frame is, pixels^2
-    if abs(variance) < _ALIKE:
-        return first[window], other[window]
-    sigma = math.sqrt(abs(variance))
-    margin = math.ceil(3.0 * sigma)
-    lows = [max(0, side.start - margin) for side in window]
-    wider = tuple(slice(low, side.stop + margin) for low, side in zip(lows, window, strict=True))
-    inner = tuple(slice(side.start - low, side.stop - low) for low, side in zip(lows, window, strict=True))
-    sharper = 0 if variance > 0.0 else 1
-    blurred = scipy.ndimage.gaussian_filter(frames[sharper][wider], sigma, truncate=3.0)[inner]
-    return (blurred, other[window]) if sharper == 0 else (first[window], blurred)
 
 
 def _edge_shift(size: tuple[int, ...] | Array, blur: float) -> float:

@@ -8,11 +8,11 @@ from typing import Annotated
 from lommel import imaging
 from lommel.base.encoding import Encoding
 from lommel.base.options import Shown
-from lommel.cli.command import OUTPUT, command
+from lommel.cli.command import ENCODING, OUTPUT, command
 from lommel.cli.instruments import MaskedPhotoNoise, noise_of, radial_instrument
 from lommel.cli.messages import report_findings
 from lommel.cli.output import progress, require_file, written
-from lommel.cli.photo_commands import ENCODING, PairCamera, apply_mask, each_lens, read_alike
+from lommel.cli.photo_commands import PairCamera, apply_mask, each_lens, read_alike
 from lommel.imaging.focal_engine import Magnified
 from lommel.report import Report
 

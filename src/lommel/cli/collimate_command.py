@@ -19,12 +19,11 @@ from lommel.base.encoding import Encoding, named
 from lommel.base.options import In, Options, Shown
 from lommel.base.units import format_length
 from lommel.base.validation import line
-from lommel.cli.command import PLOT, command
+from lommel.cli.command import ENCODING, PLOT, command
 from lommel.cli.instruments import Sensor, instrument_of
 from lommel.cli.interrupts import Stop
 from lommel.cli.messages import with_options
 from lommel.cli.output import progress, save_figure, written
-from lommel.cli.photo_commands import ENCODING
 from lommel.io.photos import optics_of, read_photo
 from lommel.optics.lens import Lens
 from lommel.report import Facts, Report, Wrapped

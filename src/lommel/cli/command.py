@@ -49,6 +49,7 @@ from cyclopts import App, CoercionError, CycloptsError, Group, MissingArgumentEr
 from cyclopts.help import HelpPanel, PlainFormatter
 from rich.console import Console, ConsoleOptions
 
+from lommel.base.encoding import parsed
 from lommel.base.options import Field, Options, Shown, fields_of, sentences
 from lommel.base.units import format_length, parse_length
 from lommel.base.validation import brief, line, shown
@@ -64,6 +65,9 @@ OUTPUT = Shown(("--output", "-o"), metavar="FILE", writes=True)
 
 CLIENT = Shown(metavar="ADDRESS")
 """Form of the address of the scheduler of a cluster."""
+
+ENCODING = Shown(metavar="srgb|linear|GAMMA", parse=parsed)
+"""Form of an encoding."""
 
 PLOT = Shown(("--plot",), metavar="FILE", writes=True, figure=True)
 """Form of the file to which a command draws a figure: .png, .pdf or .svg."""

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from lommel import imaging
 from lommel.base.arrays import Values, plain
-from lommel.base.encoding import Encoding, as_json, named, parsed, to_light
+from lommel.base.encoding import Encoding, as_json, named, to_light
 from lommel.base.executors import connected
 from lommel.base.options import In, Shown, filled
-from lommel.cli.command import CLIENT, OUTPUT, PLOT, command, length
+from lommel.cli.command import CLIENT, ENCODING, OUTPUT, PLOT, command, length
 from lommel.cli.instruments import (
     MaskedPhotoNoise,
     PhotoCamera,
@@ -60,8 +60,6 @@ _ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
 
 _LENS_FLAGS = {"f_number", "focus_distance", "pixel"}
 
-ENCODING = Shown(metavar="srgb|linear|GAMMA", parse=parsed)
-"""Form of an encoding."""
 BETWEEN = Shown(length="m", metavar="NEAR FAR")
 """Form of the nearest and the farthest distance."""
 

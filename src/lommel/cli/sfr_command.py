@@ -20,11 +20,11 @@ from lommel.base.arrays import plain
 from lommel.base.encoding import Encoding, as_json
 from lommel.base.options import Shown
 from lommel.base.units import format_length, per_mm
-from lommel.cli.command import OUTPUT, PLOT, command
+from lommel.cli.command import ENCODING, OUTPUT, PLOT, command
 from lommel.cli.instruments import PhotoCamera, instrument_of
 from lommel.cli.messages import given_flags, report_findings
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
-from lommel.cli.photo_commands import ENCODING, read_as
+from lommel.cli.photo_commands import read_as
 from lommel.fit.findings import Finding, Findings
 from lommel.imaging.focal_engine import UNMEASURED
 from lommel.imaging.slanted_edge import frequency_unit

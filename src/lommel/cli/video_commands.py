@@ -26,14 +26,13 @@ from lommel.base.encoding import Encoding, from_light, warn_if_bright
 from lommel.base.options import In, Options, Shown, filled
 from lommel.base.units import percent, with_error
 from lommel.cli import video_faults
-from lommel.cli.command import OUTPUT, command
+from lommel.cli.command import ENCODING, OUTPUT, command
 from lommel.cli.instruments import FrameNoise, PhotoCamera, radial_instrument, states_noise, tell_optics
 from lommel.cli.interrupts import Stop
 from lommel.cli.messages import given_flags, with_options
 from lommel.cli.output import Steps, progress, require_file, require_folder, written
 from lommel.cli.photo_commands import (
     BETWEEN,
-    ENCODING,
     PairCamera,
     depth_facts,
     each_lens,

@@ -129,6 +129,7 @@ def test_widths_of_a_gaussian_and_their_errors_are_those_of_its_deviations(monke
     asked, rows = [], np.array([(gaussian(sigma + h) - gaussian(sigma - h)) / 2e-3 for h in 1e-3 * np.eye(3)])
     fit = Made(objective=OIL, wavelength=WAVE, pupil=lambda **_: None, _state=Made(setup=SETUP, waves=None),
         _images=Made(values=images, estimated_terms=[(2, 2)], threads=1), _jacobian=jacobian, _measures={},
+        _media_slopes=lambda _: [0.0, 0.0], wavefront_variance=0.0,
         status="", chi2=1.0, covariance=covariance, coefficients={(2, 2): 0.3, "NA": 1.3}, errors={(2, 2): 0.1,
         "NA": 0.02}, beads=[Made(images=np.zeros((5, 3, 3)), model=np.zeros((5, 3, 3)), residual=np.zeros((5, 3,
         3)))])  # fmt: skip
@@ -248,7 +249,7 @@ def score(name, log_bayes, size=(1.0,), errors=(0.1,), sigmas=9.0):
 def test_effects_are_fitted_that_are_nearly_as_likely_as_the_best(evidence, count, fits, monkeypatch):
     """At least 0.4 of the largest evidence, or within 5 of it; the brightest beads suffice for a misfit."""
     asked, fewer = [], []
-    fit = Made(quality=(1.0, 0.1), log_posterior=0.0, fits=lambda _: fits)
+    fit = Made(quality=(1.0, 0.1), log_posterior=0.0, fits=lambda _: fits, state=None)
     tests = [score(str(k), one) for k, one in enumerate(evidence)]
     monkeypatch.setattr(bead_checks, "missing_tests", lambda *_: (tests, None, []))
     free = lambda model, fit, names, *_: asked.append([*names]) or (model, Made(log_posterior=2.0, settled=False))  # noqa: E731
@@ -258,7 +259,8 @@ def test_effects_are_fitted_that_are_nearly_as_likely_as_the_best(evidence, coun
     (only,) = bead_checks.rounds(None, fit, None, None)
     assert asked == [[str(k)] for k in range(count)]
     assert len(fewer) == count * (not fits)
-    findings, gain = bead_checks.missing_findings(only, None)
+    monkeypatch.setattr(bead_checks, "_far_from_priors", lambda *_: {})
+    findings, gain = bead_checks.missing_findings(only, None, None)
     assert ([*findings[0].numbers], gain) == ([str(k) for k in range(count)], 2.0)
 
 

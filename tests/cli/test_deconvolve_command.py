@@ -101,6 +101,8 @@ def test_a_stack_of_beads_is_the_psf(run, files):
     assert "the diameter of 100 nm was removed" in findings[0]["text"]
     assert "must be stated (--psf-pixel)" in run(*words, *measured).stderr
     assert "need --psf" in run(*words, "--bead", "0.1um").stderr
+    early = run(*words, "--psf", files / "no-such-file.npy", "--wavelength", "520nm").stderr
+    assert "--wavelength must not be given with a PSF, which has its own light" in early
     alone = [word for word in words if word != files / "lens.toml"]
     facts = {"spacing": 0.22, "unit": "um", "axes": "ZYX"}
     tifffile.imwrite(

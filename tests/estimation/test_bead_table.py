@@ -24,6 +24,7 @@ from lommel.estimation.bead_table import (
     place_of,
     row_of,
     summary,
+    with_shared,
 )
 from lommel.measures.spot import profile_width
 
@@ -164,6 +165,10 @@ def test_widths_and_strehl_ratio_of_a_fit_are_those_of_another_simulator():
     assert row["x"] == pytest.approx(12.7 * 108.33e-9, abs=3.0 * row["x_error"] + 5e-9)
     assert row["rms"] == pytest.approx(math.hypot(0.3, 0.25), abs=4.0 * row["rms_error"] + 0.005)
     assert row["reason"] is None
+    joint = with_shared(row, fit, fit.beads[0].depth)  # a single bead shares all of its errors
+    for name in ("fwhm_x", "fwhm_z", "strehl", "rms"):
+        assert joint[f"{name}_common"] == pytest.approx(row[f"{name}_error"], rel=0.5)
+        assert joint[f"{name}_common"] >= row[f"{name}_error"]
     place, pitch = place_of(fit.beads[0], fit, bead_fields.PIXEL / 60.0, (3, 5)), bead_fields.PIXEL / 60.0
     for name, value in (("x_psf", 12.7 * pitch), ("y_psf", 11.2 * pitch)):
         assert place[name] == pytest.approx(value, abs=4.0 * place[f"{name}_error"])

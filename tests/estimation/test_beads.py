@@ -19,6 +19,7 @@ from lommel.estimation.bead_checks import is_possible, missing_findings
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed_objective
 from lommel.estimation.bead_search import Prior
 from lommel.estimation.favoured_effects import Round
+from lommel.fit.findings import Finding, Findings
 from lommel.fit.score_tests import ScoreTest
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.stratified import Design
@@ -421,6 +422,46 @@ def test_an_estimate_far_from_its_prior_is_a_doubt_that_names_it():
     assert bead_checks.prior_findings(model, state, ["diameter"]) == []
 
 
+def test_a_medium_far_from_its_prior_is_told_once_with_the_strehl_ratio_it_costs():
+    setup = Setup(OIL, WAVE, lm.Dipole(0.0, 0.0, wobble=1.0), PIXEL, 0.1e-6)
+    changed = setup.with_constant("coverslip", OIL.coverslip.thickness + 40e-6)
+    joint = SimpleNamespace(priors={"coverslip": Prior(OIL.coverslip.thickness, 5e-6)}, depths=())
+    fit = SimpleNamespace(state=SimpleNamespace(setup=changed))
+    tests = [
+        ScoreTest(name, np.array([size]), np.array([1e-4]), 7.4, 20.0)
+        for name, size in (("coverslip", 40e-6), ("immersion", 1e-3))
+    ]
+    (told,), _ = missing_findings(Round((joint, fit), (tests, None, [])), setup, joint)
+    assert (told.code, told.severity) == ("contradiction", "doubt")
+    assert re.match(
+        r"coverslip 210 um is 8 prior errors from 170 \+- 5, or as well immersion = 1\.519\d* .*, which", told.text
+    )
+    told = bead_checks.with_strehl(Findings([told]), (0.935, 0.002)).get("contradiction")
+    assert told.text.endswith("or they stand for spherical aberration: the Strehl ratio is 0.9350 +- 0.0020")
+    assert (told.numbers["strehl"], told.numbers["coverslip"]) == (0.935, pytest.approx(8.0))
+    other = Findings([Finding("contradiction", "doubt", "these stand for another error of the model", {"NA": 9.0})])
+    assert bead_checks.with_strehl(other, (0.935, 0.002)) is other
+
+
+@pytest.mark.parametrize("error", [5e-6, 40e-6])
+def test_the_strehl_ratio_is_that_of_the_design_whatever_medium_has_the_aberration(error):
+    """A cover glass that its prior holds, or does not, shares the spherical aberration with the terms."""
+    design = changed_objective(OIL, "sample", 1.5)
+    thick = changed_objective(design, "coverslip", OIL.coverslip.thickness + 20e-6)
+    images, _ = recorded(21, np.zeros(len(TERMS)), thick, light=1e5)
+    found = fitted(images, design, **GIVEN, terms=TERMS, priors={"coverslip": error})
+    z = np.linspace(-1.5e-6, 1.5e-6, 121)
+    peaks = [
+        lm.psf(one.pupil(depth=50e-9, z=z, wavelength=WAVE), 1, 1e-7, integrate=False).values.max()
+        for one in (thick, design)
+    ]
+    strehl, rms = found.strehl(depth=50e-9), found.rms(depth=50e-9)
+    assert peaks[0] / peaks[1] < 0.985
+    assert strehl[0] == pytest.approx(peaks[0] / peaks[1], abs=3.0 * strehl[1] + 3e-3)
+    assert strehl[1] < 0.01
+    assert strehl[0] == pytest.approx(math.exp(-(rms[0] ** 2)), abs=0.01)
+
+
 def test_a_stack_in_reversed_order_is_told_before_constants():
     images, _ = recorded(6, waves(6), light=2e4)
     found = fitted(images[::-1], OIL, **GIVEN, terms=TERMS, priors={})
@@ -694,7 +735,8 @@ def test_a_prior_that_the_beads_contradict_is_named():
         size = np.array([sigmas * 3.2e-3])
         test = ScoreTest("sample", size, np.array([1e-3]), sigmas, 2.0)
         held = ScoreTest("NA", size, np.array([1e-3]), 4.0, 2.0)
-        return missing_findings(Round((joint, None), ((held, test), None, [])), setup)[0]
+        fit = SimpleNamespace(state=SimpleNamespace(setup=setup))
+        return missing_findings(Round((joint, fit), ((held, test), None, [])), setup, joint)[0]
 
     assert found(3.4) == []
     (told,) = found(-3.6)

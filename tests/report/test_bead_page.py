@@ -75,7 +75,9 @@ def test_a_page_has_tables_maps_shifts_and_the_trend_of_all_dates():
         "a &amp; b",
     ):
         assert part in text, part
+    assert "Details are those of 2026-12-01. Of 2026-11-01 the page has the trend, and the table all beads." in text
     alone = page("Beads", [], rows(count=1), [])
+    assert "Details" not in alone
     assert not re.search(r"Chromatic shifts</h2>|Trend|focal surface", alone)
     assert "520 nm: no tilt or field curvature: they need 5 beads with heights, not all on a line." in alone
 
@@ -89,6 +91,17 @@ def test_a_scatter_that_errors_do_not_explain_has_its_meaning():
 def test_a_mean_of_equal_beads_has_the_error_of_their_errors():
     equal = [row | {"gauss_x": 2.6e-7, "gauss_x_error": 2.6e-9} for row in rows()]
     assert "260.0 ± 1.2" in page("Beads", [], equal, [])
+
+
+def test_the_trend_has_the_error_that_all_beads_of_a_date_share(monkeypatch):
+    monkeypatch.setattr(bead_page.estimates, "bead_curves", list)
+    monkeypatch.setattr(bead_page.estimates, "bead_maps", lambda *_: None)
+    monkeypatch.setattr(bead_page, "_figure", lambda _: "")
+    both = [
+        row | {"strehl": 0.9, "strehl_error": 0.03, "strehl_common": 0.03} for row in [*rows("2026-11-01"), *rows()]
+    ]
+    trend = page("Beads", [], both, []).split("<h2>Trend</h2>")[1].split("<h2>")[0]
+    assert trend.count("<td>0.900 ± 0.030</td>") == 2
 
 
 def test_distances_count_from_the_middle_of_all_channels(monkeypatch):

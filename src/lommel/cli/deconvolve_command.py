@@ -21,6 +21,7 @@ from lommel.cli.output import progress, require_folder, save_figure, written
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
 from lommel.microscopy.bead_average import measured_psf
 from lommel.microscopy.deconvolution import DeconvolveOptions, run
+from lommel.microscopy.sampling import Stated, require_of_psf
 from lommel.recorded import stack_files
 from lommel.recorded.frames import open_frames
 from lommel.report import Report
@@ -69,7 +70,7 @@ def deconvolve(
     psf: Annotated[Path | None, Shown(metavar="FILE")] = None,
     psf_pixel: Annotated[float | None, Shown(length="um")] = None,
     psf_step: Annotated[float | None, Shown(length="nm")] = None,
-    diameter: Annotated[float | None, Shown(("--bead",), length="um")] = None,
+    diameter: Annotated[float | None, Shown(("--bead",), length="nm")] = None,
     time: Annotated[int | None, In(least=0)] = None,
     axes: Annotated[str | None, Shown(metavar="LETTERS")] = None,
     camera: StackCamera = StackCamera(),
@@ -157,6 +158,8 @@ def deconvolve(
         microscope = require_microscope("deconvolve", lens)
     if psf is None and (psf_pixel, psf_step, diameter) != (None, None, None):
         raise ValueError("--psf-pixel, --psf-step and --bead need --psf")
+    if psf is not None:  # before beads are found and averaged
+        require_of_psf(Stated(options.depth, options.wavelength, options.pixel, options.step), measured=True)
     noise = camera.noise()
     zarr_output = outputs[0] if len(outputs) == 1 and stack_files.kind_of(outputs[0]) == "zarr" else None
     if client is not None and zarr_output is None:

@@ -561,30 +561,38 @@ def beads(
             values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
             windows += _beads(file, values, Counts.of(values, noise=noise, saturation=saturation), window, notes)
         told_early(list(contradicted.values()))
-        cut_out = [bead.window for bead in windows]
         status("fitting")
         columns = 12 + (options.terms if isinstance(options.terms, int) else len(options.terms))
-        fits = min(len(cut_out), options.joint) + (len(cut_out) if folder is not None else 0)
-        if (expected := _BEAD_SECONDS * cut_out[0].size * columns * fits) > _LONG:
-            fewer = ", fewer with --terms 7" if columns > 12 + 7 else ""
-            status.tell(f"Fits of {len(cut_out)} beads: about {expected / 60.0:.0f} min of a processor{fewer}.")
-
-        def fitted(
-            beads: list[Values], model: Microscope, factor: float = 1.0, name: str = "", **known: Any
-        ) -> BeadFit:
-            return fit_beads(
-                counts_of("stacks", beads, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
-                model,
-                z=factor * z,
-                options=replace(
-                    options, progress=lambda share, chi2: status(f"{name}chi2 {chi2:.3g}", share), **known
-                ),
-            )
-
         dates = {} if folder is None else {path.name: _date(path) for path in stacks}
         by_date, rows, table = dict[str, list[_Bead]](), list[Facts](), dict[str, Any]()
         for bead in windows:
             by_date.setdefault(dates.get(bead.file, ""), []).append(bead)
+        done, fits = (
+            0,
+            sum(min(len(beads), options.joint) + (0 if folder is None else len(beads)) for beads in by_date.values()),
+        )  # of a bead
+        if (expected := _BEAD_SECONDS * windows[0].window.size * columns * fits) > _LONG:
+            fewer = ", fewer with --terms 7" if columns > 12 + 7 else ""
+            status.tell(f"Fits of {len(windows)} beads: about {expected / 60.0:.0f} min of a processor{fewer}.")
+
+        def fitted(
+            beads: list[Values], model: Microscope, factor: float = 1.0, name: str = "", **known: Any
+        ) -> BeadFit:
+            nonlocal done
+            before, part = done, min(len(beads), options.joint)
+            found = fit_beads(
+                counts_of("stacks", beads, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
+                model,
+                z=factor * z,
+                options=replace(
+                    options,
+                    progress=lambda share, chi2: status(f"{name}chi2 {chi2:.3g}", (before + part * share) / fits),
+                    **known,
+                ),
+            )
+            done = before + part
+            return found
+
         if len(by_date) > 1:
             notes.append(f"Each date has its own fit, of which that of {max(by_date)} is told.")
         for day, windows in sorted(by_date.items()):  # microscopes change between days
@@ -601,12 +609,10 @@ def beads(
             if not result.converged or len(cut_out) == 1:
                 each: Iterable[BeadFit] = (replace(result, beads=(bead,)) for bead in result.beads)
             else:
-                alone, known, factor = replace(microscope, aberrations=result.aberrations), dict[str, Any](), 1.0
-                if not {"estimated", "contradiction"}.isdisjoint(result.findings.codes):
-                    factor = float(result.coefficients.get("step", 1.0))
-                    alone, known = microscope.fitted(result), {"diameter": result.diameter}
+                # The constants of all beads are nearer to the truth than the stated ones.
+                alone, factor = microscope.fitted(result), float(result.coefficients.get("step", 1.0))
                 each = [
-                    fitted([window.window], alone, factor, f"bead {k} of {len(windows)}, ", **known)
+                    fitted([window.window], alone, factor, f"bead {k} of {len(windows)}, ", diameter=result.diameter)
                     if bead.used else replace(result, beads=(bead,))
                     for k, (window, bead) in enumerate(zip(windows, result.beads, strict=True), 1)
                 ]  # fmt: skip
@@ -752,17 +758,20 @@ class _BeadReport(NamedTuple):
         self, folder: Path, fits: Iterable[BeadFit], earlier: list[dict[str, Any]], dates: dict[str, str],
     ) -> dict[str, Any]:  # fmt: skip
         """Write table and page, with the rows of earlier runs but those of the same files; return their numbers."""
-        from lommel.estimation.bead_table import focal_surface, middle_of, place_of, row_of
+        from lommel.estimation.bead_table import focal_surface, middle_of, place_of, row_of, with_shared
         from lommel.report.bead_page import page, write_csv
 
         result, microscope, rows = self.result, self.microscope, list[dict[str, Any]]()
         # The stated pixel, the same for all beads and channels: errors of estimates would shift beads far from row 0.
         pixel, name = microscope.pixel / microscope.objective.magnification, microscope.name or self.lens
+        depth = float(np.median([bead.depth for bead in result.beads if bead.used] or [result.beads[0].depth]))
         for k, (bead, window, fit) in enumerate(zip(result.beads, self.windows, fits, strict=True)):
+            row = row_of(fit, self.noise, self.step, pixel, window.corner)
             heights = [None if math.isnan(part[k]) else float(part[k]) for part in self.heights]
             rows.append(
                 {"bead": window.name, "file": window.file, "date": dates[window.file]}
-                | {"wavelength": microscope.wavelength, **row_of(fit, self.noise, self.step, pixel, window.corner)}
+                | {"wavelength": microscope.wavelength}
+                | (with_shared(row, result, depth) if fit.converged and bead.used else row)
                 | place_of(bead, result, pixel, window.corner)
                 | {"height": heights[0], "height_error": heights[1], "flux": float(bead.flux.sum())}
                 | {"joint_fit": result.message}

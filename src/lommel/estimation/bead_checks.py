@@ -34,7 +34,7 @@ from lommel.estimation.bead_search import (
 from lommel.estimation.favoured_effects import Estimate, Round, estimated_findings, rounds_of
 from lommel.estimation.star_images import label, next_terms
 from lommel.fit import goodness_of_fit
-from lommel.fit.findings import Finding
+from lommel.fit.findings import Finding, Findings
 from lommel.fit.model_error import jackknife
 from lommel.fit.score_tests import (
     Candidate,
@@ -67,6 +67,7 @@ _TERM = 0.1  # expected size of a missing term, radians rms
 _AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
 _LINEAR_CHI2 = 1.5  # largest chi2 of a fit from which a step leaves out a bead
 _MISFIT_BEADS = 2  # largest number of beads in further searches after a misfit
+_MEDIA = {"coverslip", "immersion", "sample"}  # whose differences from the design are spherical aberration
 _MAX_SIZES = 6.0  # largest plausible error of a stated constant, in expected sizes (`Constant.size`)
 _MOST = {"step": 0.4}  # largest plausible errors of other constants: of steps that are those of another stack
 _RIVAL_SIZES = 3.0  # standard error of the priors of constants that the data do not tell apart, in expected sizes
@@ -116,11 +117,15 @@ def is_possible(setup: Setup, name: str, value: float) -> bool:
     return False
 
 
+def _largest_error(stated: Setup, name: str) -> float:
+    """Return the largest plausible error of a stated constant."""
+    return _MOST.get(name, _MAX_SIZES * CONSTANTS[name].size * (1.0 if name == "depth" else stated.scale(name)))
+
+
 def _is_plausible(model: BeadModel, stated: Setup, name: str, value: float) -> bool:
     """Return whether a constant may have this value although another one is stated."""
     reference = model.depths[0].value if name == "depth" else stated.value(name)
-    largest = _MOST.get(name, _MAX_SIZES * CONSTANTS[name].size * (1.0 if name == "depth" else stated.scale(name)))
-    return is_possible(stated, name, value) and abs(value - reference) <= largest
+    return is_possible(stated, name, value) and abs(value - reference) <= _largest_error(stated, name)
 
 
 def _displacements(planes: int) -> dict[str, Array]:
@@ -338,13 +343,19 @@ def likely_tests(model: BeadModel, tests: Sequence[ScoreTest]) -> Sequence[Score
     return [test for test in tests if test.log_bayes >= limit]
 
 
-def missing_findings(last: Round, stated: Setup) -> tuple[list[Finding], float]:
-    """Return the finding on significant effects, and the gain of log-posterior by the best one."""
-    (model, _), (tests, *_), tried = last.fit, last.checks, last.tried
+def missing_findings(last: Round, stated: Setup, known: BeadModel) -> tuple[list[Finding], float]:
+    """Return the finding on significant effects, and the gain of log-posterior by the best one.
+
+    Where the best is a constant that the fit estimates far from its prior in the model `known`, this is the finding.
+    """
+    (model, fit), (tests, *_), tried = last.fit, last.checks, last.tried
     tried = tried or [(test, None, test.log_bayes) for test in likely_tests(model, tests)]
     suffix = "" if seen(tests) else ", against its prior"
     words = [_in_words(test, model, stated, refit and refit[1]) + suffix for test, refit, _ in tried]
     finding = [other_explanation([test for test, *_ in tried], words)] if tried else []
+    if tried and tried[0][0].name in (far := _far_from_priors(known, fit.state, last.names)):
+        rivals = [text for text, one in zip(words, tried, strict=True) if one[0].name not in far]
+        finding = prior_findings(known, fit.state, last.names, rivals)
     return finding, max((gain for *_, gain in tried), default=0.0)
 
 
@@ -378,7 +389,10 @@ def _in_words(test: ScoreTest, model: BeadModel, stated: Setup, refit: Evaluatio
             values = new if new.size == values.size and is_possible(stated, name, new.min()) else values
         if not all(_is_plausible(model, stated, name, value) for value in values.tolist()):
             direction, (factor, unit) = "lower" if values[0] < stated_value else "higher", _unit(name, model)
-            return f"{name} {direction} than {factor * stated_value:.6g}{unit}, beyond what is possible {sigmas}"
+            beyond = f"by more than {factor * _largest_error(stated, name):.3g}{unit}"
+            if not all(is_possible(stated, name, value) for value in values.tolist()):
+                beyond = "beyond what is possible"
+            return f"{name} {direction} than {factor * stated_value:.6g}{unit}, {beyond} {sigmas}"
     elif refit is not None and len(refit.state.waves) > len(model.images.estimated_terms):
         values = refit.state.waves[-1:]
     return f"{_estimate(name, values, test.errors, model, stated)} {sigmas}"
@@ -491,23 +505,43 @@ def stated_findings(
     return [Finding("estimated", "note", text, {one.name: one.numbers for one in found})] if found else []
 
 
-def prior_findings(model: BeadModel, state: State, freed: Sequence[str] = ()) -> list[Finding]:
-    """Return the finding on estimated constants that lie many standard deviations from the priors of `model`.
-
-    Those that are `freed` from their priors have another finding.
-    """
+def _far_from_priors(model: BeadModel, state: State, freed: Sequence[str]) -> dict[str, float]:
+    """Return estimated constants far from their priors in `model`, unless `freed` from them, in prior errors."""
     priors = {name: prior for name, prior in model.priors.items() if name not in freed}
     sizes = {n: (state.setup.value(n) - prior.value) / prior.error for n, prior in priors.items()}
-    far, texts = sorted((n for n in sizes if abs(sizes[n]) > _FAR), key=lambda n: -abs(sizes[n])), list[str]()
+    return {n: sizes[n] for n in sorted(sizes, key=lambda n: -abs(sizes[n])) if abs(sizes[n]) > _FAR}
+
+
+def prior_findings(
+    model: BeadModel, state: State, freed: Sequence[str] = (), rivals: Sequence[str] = ()
+) -> list[Finding]:
+    """Return the finding on estimated constants that lie many standard deviations from the priors of `model`.
+
+    Those that are `freed` from their priors have another finding. `rivals` are other explanations, in words.
+    """
+    far, texts = _far_from_priors(model, state, freed), list[str]()
     for name in far:
         (factor, unit), prior = _unit(name, model), model.priors[name]
         pair = (
             f"{factor * state.setup.value(name):.4g}{unit}",
             f"{factor * prior.value:.4g} +- {factor * prior.error:.2g}",
         )
-        texts.append(f"{name} {pair[0]} is {abs(sizes[name]):.2g} prior errors from {pair[1]}")
-    text = f"{', '.join(texts)}: a stated value is wrong, or these stand for another error of the model"
-    return [Finding("contradiction", "doubt", text, {name: sizes[name] for name in far})] if far else []
+        texts.append(f"{name} {pair[0]} is {abs(far[name]):.2g} prior errors from {pair[1]}")
+    instead = f", or as well {' or '.join(rivals[:3])}, which the data cannot tell apart" if rivals else ""
+    text = f"{', '.join(texts)}{instead}: a stated value is wrong, or these stand for another error of the model"
+    return [Finding("contradiction", "doubt", text, far)] if far else []
+
+
+def with_strehl(findings: Findings, strehl: tuple[float, float]) -> Findings:
+    """Return findings in which media far from their priors are spherical aberration, with its Strehl ratio."""
+    told = findings.get("contradiction")
+    if told is None or not _MEDIA & told.numbers.keys():
+        return findings
+    cost = " +- ".join(with_error(*strehl))
+    cause = f"they stand for spherical aberration: the Strehl ratio is {cost}"
+    text = told.text.replace("these stand for another error of the model", cause)
+    changed = replace(told, text=text, numbers={**told.numbers, "strehl": strehl[0], "strehl_error": strehl[1]})
+    return Findings([changed if one is told else one for one in findings])
 
 
 def reversed_findings(

@@ -1,7 +1,7 @@
 """Table of beads for a facility: widths by the fitted PSF and by Gaussians, heights, focal surface, chromatic shifts.
 
 A row is a mapping from the names of quantities to numbers in SI units (None: unknown); the standard error of
-"fwhm_x" is "fwhm_x_error". Of that of "z", "z_common" is the part that all beads of a fit share.
+"fwhm_x" is "fwhm_x_error". "fwhm_x_common" is the part of it that all beads of a fit share.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -250,9 +251,10 @@ def row_of(fit: BeadFit, noise: Noise, step: float, pixel: float, corner: tuple[
             pairs = dict(zip(keys, zip(widths.tolist(), errors.tolist(), strict=True), strict=False))
             pairs["strehl"] = fit.strehl(depth=bead.depth)
         names = [name for name in fit.coefficients if not isinstance(name, str)]
-        waves, covariance = np.array([fit.coefficients[n] for n in names]), fit.covariance[: len(names), : len(names)]
-        rms = math.sqrt(float(waves @ waves))
-        pairs["rms"] = rms, math.sqrt(float(waves @ covariance @ waves)) / max(rms, 1e-12)
+        pairs["rms"] = rms, _ = fit.rms(depth=bead.depth)
+        # Noise increases each rms: more beads do not reduce that.
+        noise_part = fit.wavefront_variance
+        row |= {"strehl_common": noise_part, "rms_common": rms - math.sqrt(max(rms**2 - noise_part, 0.0))}
         pairs |= {label(n): (fit.coefficients[n], fit.errors[n]) for n in names}
     gaussians = gaussian_widths(bead, noise)
     units = np.array([abs(step), pixel, pixel])
@@ -271,6 +273,22 @@ def row_of(fit: BeadFit, noise: Noise, step: float, pixel: float, corner: tuple[
     reasons = "; ".join(str(finding) for finding in fit.findings if finding.severity != "note")
     verdict = fit.status if bead.used else "left out"
     return row | {"chi2": bead.chi2, "verdict": verdict, "reason": reasons or None}
+
+
+def with_shared(row: Row, fit: BeadFit, depth: float) -> Row:
+    """Return a row with the part of its errors that beads share whose constants are those of a joint fit.
+
+    It is the standard error of that fit at `depth`, of widths, Strehl ratio and wavefront.
+    """
+    shared = Row()
+    with suppress(ValueError):  # strong aberrations have no single focus
+        errors = dict(zip(("fwhm_x", "fwhm_y", "fwhm_z"), fit.fwhm(depth=depth)[1].tolist(), strict=True))
+        errors |= {"strehl": fit.strehl(depth=depth)[1], "rms": fit.rms(depth=depth)[1]}
+        shared = {
+            f"{name}_common": math.hypot(error, row.get(f"{name}_common") or 0.0)
+            for name, error in errors.items() if row[name] is not None and math.isfinite(error)
+        }  # fmt: skip
+    return row | shared
 
 
 def summary(rows: Sequence[Row], names: Sequence[str]) -> list[Row]:

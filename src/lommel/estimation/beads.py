@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
@@ -57,13 +57,14 @@ from lommel.fit.scoring import Progress
 from lommel.measures.spot import profile_width
 from lommel.methods.derivative_names import SHIFTS, Term, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Scalar, emitter_of
-from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective import Objective, aberration, layers_of, media_strehl
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.stratified import DEPTH_MOST, length
+from lommel.optics.layers.stratified import DEPTH_MOST, Layers, length
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded.counts import Counts, counts_of, recording_findings
 from lommel.recorded.headers import microscope_facts, microscope_findings, told_early
 from lommel.recorded.noise import Noise
+from lommel.special import zernike
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -313,7 +314,7 @@ class BeadFit(FitReport):
         return widths, errors
 
     def strehl(self, *, depth: float) -> tuple[float, float]:
-        """Return the Strehl ratio of the fitted Zernike terms at a depth, and its standard error.
+        """Return the Strehl ratio of the whole fitted wavefront at a depth, and its standard error.
 
         Parameters
         ----------
@@ -323,8 +324,8 @@ class BeadFit(FitReport):
         Returns
         -------
         ratio : float
-            Largest value of the PSF through focus, divided by that without Zernike terms: through the same objective,
-            media and depth, whose own spherical aberration is in both.
+            Largest value of the PSF through focus, divided by that of the same pupil with a flat phase: terms, depth,
+            and cover glass, immersion and sample unlike the design of the objective all reduce it.
         error : float
             Standard error, from the covariance of the fit.
 
@@ -334,6 +335,61 @@ class BeadFit(FitReport):
             If `depth` is out of range.
         """
         return self._focal_measures(depth)[2]
+
+    def rms(self, *, depth: float) -> tuple[float, float]:
+        """Return the rms of the whole fitted wavefront at a depth in the best focus, and its standard error.
+
+        Parameters
+        ----------
+        depth : float
+            Depth of the emitter below the cover glass, metres.
+
+        Returns
+        -------
+        rms : float
+            Of what :meth:`strehl` counts, radians, less tilts and what a travel of the stage removes.
+        error : float
+            Standard error, from the covariance of the fit.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `depth` is out of range.
+        """
+        depth, setup = length("depth", depth, DEPTH_MOST), self._state.setup
+        edge = self._images.edge(self._state.waves)
+        terms = {(n, m): value / zernike.rms_factor(n, m) for (n, m), value in edge.items()}
+        layers = layers_of(setup.objective, setup.wavelength)
+        whole = aberration(layers, depth, terms)
+        unit = whole / max(float(np.linalg.norm(whole)), 1e-12)
+        slopes = [
+            float(unit @ (aberration(layers, depth, terms | {term: terms[term] + 1.0}) - whole))
+            for term in self._images.estimated_terms
+        ]
+        slopes += self._media_slopes(lambda layers: float(unit @ aberration(layers, depth, terms)))
+        rms, slope = float(unit @ whole), np.array(slopes)
+        bias = rms - math.sqrt(max(rms**2 - self.wavefront_variance, 0.0))
+        return rms, math.hypot(math.sqrt(max(float(slope @ self.covariance @ slope), 0.0)), bias)
+
+    @property
+    def wavefront_variance(self) -> float:
+        """What noise alone adds to the square of :meth:`rms`, and takes from :meth:`strehl`, radians squared.
+
+        It is the variance of the terms for given constants, and part of the errors of both.
+        """
+        count, covariance = len(self._images.estimated_terms), self.covariance
+        explained = covariance[:count, count:] @ _inverse(covariance[count:, count:]) @ covariance[count:, :count]
+        return max(float(np.trace(covariance[:count, :count] - explained)), 0.0)
+
+    def _media_slopes(self, of: Callable[[Layers], float]) -> list[float]:
+        """Return the derivatives of a function of the layers by the constants, 0 for those that are not theirs."""
+        setup, slopes = self._state.setup, list[float]()
+        for name in [*self.coefficients][len(self._images.estimated_terms) :]:
+            pair = setup.adjacent_values(name)
+            ends = [setup.with_constant(name, value) for value in pair]
+            lower, upper = (of(layers_of(one.objective, one.wavelength)) for one in ends)
+            slopes.append((upper - lower) / (pair[1] - pair[0]))
+        return slopes
 
     def _focal_measures(self, depth: float) -> tuple[Array, Array, tuple[float, float]]:
         """Return widths (NaN: none), their errors, and the Strehl ratio with its error, of one focal stack."""
@@ -359,10 +415,14 @@ class BeadFit(FitReport):
         _, flat_place, flat_stack, flat_values = self._focus(depth, *flat)
         peak, point = float(flat_values.max()), _point_stack(flat_stack.z[[len(flat_stack.z) // 2]], (1, 1))
         slope, ratio = rows[(slice(None), *top)] / peak, float(values.max()) / peak
+        of_media = media_strehl(layers_of(setup.objective, setup.wavelength), depth)
         if len(self.coefficients) > count:
             of_flat = self._jacobian(setup, flat_place, point, ("pixel", *_NOT_OF_POINTS), *flat)
             slope[count:] -= ratio / peak * of_flat[:, 0, 0, 0]
-        strehl = ratio, math.sqrt(max(float(slope @ self.covariance @ slope), 0.0))
+            slope[count:] += ratio / of_media * np.array(self._media_slopes(lambda one: media_strehl(one, depth)))
+        slope *= of_media
+        error = math.sqrt(max(float(slope @ self.covariance @ slope), 0.0))
+        strehl = ratio * of_media, math.hypot(error, self.wavefront_variance)
         self._measures[depth] = (_widths(values, top) * units)[::-1], (errors * units)[::-1], strehl
         return self._measures[depth]
 
@@ -780,7 +840,7 @@ def _build_bead_fit(
     if has_light:
         rounds = bead_checks.rounds(model, fit, search.setup, search.report)
     (model, fit), (tests, marginal, untested), estimated_names, *_ = rounds[-1]
-    missing_findings, gain = bead_checks.missing_findings(rounds[-1], search.setup)
+    missing_findings, gain = bead_checks.missing_findings(rounds[-1], search.setup, search.model)
     notes = [*bead_checks.estimates_of(rounds[0], rounds[-1], search.setup), *notes]
     state = fit.state
     full_covariance, common_count = _inverse(fit.scores.information[0]), len(model.names)
@@ -855,7 +915,8 @@ def _build_bead_fit(
         text = "the steps have not settled: estimate fewer `terms`, or state constants that were measured"
         findings.append(Finding("not_settled", "error", text))
     findings += held_out_findings
-    findings += bead_checks.prior_findings(search.model, state, estimated_names)
+    if "contradiction" not in Findings(findings).codes:
+        findings += bead_checks.prior_findings(search.model, state, estimated_names)
     contradicted = Findings(findings).get("contradiction")
     # Errors of a misfit, by the jackknife, are not due to little light.
     of_light = full_covariance if "missed_light" in Findings(findings).codes else covariance
@@ -881,7 +942,7 @@ def _build_bead_fit(
     named = [*estimated_names, *(contradicted.numbers if contradicted else ())]
     if Findings(findings).converged and not differ:  # otherwise constants stand for what differs
         findings += bead_checks.stated_findings(search.setup, coefficients, errors, named)
-    return BeadFit(
+    result = BeadFit(
         findings=Findings(findings),
         summary=summary,
         aberrations=Wavefront.zernike(edge, normalization="edge"),
@@ -901,6 +962,10 @@ def _build_bead_fit(
         _state=state,
         _images=model.images,
     )
+    if contradicted is None or not result.converged:
+        return result
+    depth = next((bead.depth for bead in beads if bead.used), beads[0].depth)
+    return replace(result, findings=bead_checks.with_strehl(result.findings, result.strehl(depth=depth)))
 
 
 def _with_other_beads(

@@ -145,7 +145,7 @@ class BeadOptions(FitOptions):
         and NA 0.02 if a bead is within a wavelength of the cover glass. An empty mapping fixes all constants.
     """
 
-    diameter: Annotated[float, In(least=0.0, most=1e-5, unit="metres"), Shown(("--bead",), length="um")] = 0.0
+    diameter: Annotated[float, In(least=0.0, most=1e-5, unit="metres"), Shown(("--bead",), length="nm")] = 0.0
     depth: Annotated[float | Sequence[float] | None, Shown(length="um")] = None
     terms: Terms = 18
     apodization: Annotated[int, In(least=0, most=4)] = 0

@@ -144,13 +144,19 @@ def _source(recording: Frames) -> str:
     return "an array" if recording.path is None else line(recording.path)
 
 
+def require_of_psf(stated: Stated, *, measured: bool) -> None:
+    """Raise ValueError for what must not be stated beside a PSF; the voxels of a `measured` one may be."""
+    reasons = {"depth": "is the same at all depths", "wavelength": "has its own light"}
+    for name, value in stated._asdict().items():
+        if value is not None and not (measured and name in ("pixel", "step")):
+            why = reasons.get(name, "has the sampling of the stack")
+            raise ValueError(f"{name} must not be given with a PSF, which {why}")
+
+
 def _with_psfs(recording: Frames, psfs: Sequence[PSF | MeasuredPSF], stated: Stated, notes: list[str]) -> Sampled:
     """Return a recording with the voxels of the PSFs of its channels; measured PSFs are resampled to its own."""
     measured = [psf for psf in psfs if isinstance(psf, MeasuredPSF)]
-    for name, value in stated._asdict().items():
-        if value is not None and not (measured and name in ("pixel", "step")):
-            why = "is the same at all depths" if name == "depth" else "has the sampling of the stack"
-            raise ValueError(f"{name} must not be given with a PSF, which {why}")
+    require_of_psf(stated, measured=bool(measured))
     if len(psfs) != recording.shape[0]:
         names = ", ".join(recording.metadata["names"])
         raise ValueError(f"microscope must have one PSF for each channel of the stack, {names}, got {len(psfs)}")

@@ -36,9 +36,11 @@ _NOTES = (
     "MetroloJ_QC, PSFj and the protocols of QUAREP-LiMi measure beads. Bead and pixel widen them. Standard errors "
     "are those of photon and read noise.",
     "FWHM, PSF: of the PSF fitted to each bead alone, without bead and pixel. Standard errors include those of the "
-    "constants of the microscope.",
-    "Lateral asymmetry: the smaller over the larger of the Gaussian FWHM along x and y. Strehl ratio: peak of the "
-    "fitted PSF over that without its Zernike terms. Wavefront rms: of these terms.",
+    "constants of the microscope. Those of means include the part that all beads share, as the joint fit has it.",
+    "Lateral asymmetry: the smaller over the larger of the Gaussian FWHM along x and y.",
+    "Strehl ratio: peak of the fitted PSF over that of the same pupil with a flat phase. Zernike terms, the depth of "
+    "the bead, and a cover glass, immersion or sample that are fitted unlike the design of the objective all reduce "
+    "it. Wavefront rms: of this whole wavefront in its best focus, without tilt.",
     "z: position of the stage at which the bead would be sharpest without aberrations; its standard error is "
     "mostly that of the depth, common to all beads. Relative height: z from the mean of the beads of an image, in "
     "which that cancels. Focus: centre of the Gaussian along z, from the middle plane.",
@@ -300,10 +302,10 @@ def _trend(rows: Sequence[Row]) -> list[str]:
             found = {one["name"]: one for one in summary([row for row in beads if row["date"] == date], names)}
             for name, one in found.items():
                 part = series[name].setdefault(channel, ([], [], []))
-                for values, value in zip(part, (date, one["mean"], one["spread"]), strict=True):
+                for values, value in zip(part, (date, one["mean"], one["mean_error"]), strict=True):
                     values.append(value if isinstance(value, str) else MEASURES[name][2] * (value or 0.0))
             cells = [
-                _value({"mean": found[n]["mean"], "mean_error": found[n]["spread"]}, "mean", MEASURES[n][2])
+                _value(found[n], "mean", MEASURES[n][2])
                 if n in found else "–" for n in names
             ]  # fmt: skip
             if found:
@@ -313,7 +315,7 @@ def _trend(rows: Sequence[Row]) -> list[str]:
     ]
     head = ["date", "channel", "beads", *map(_words, names)]
     return [
-        "<h2>Trend</h2>", "<p>Means over the beads of a day ± their spread.</p>",
+        "<h2>Trend</h2>", "<p>Means over the beads of a day ± standard errors, with what these beads share.</p>",
         _figure(estimates.bead_curves(curves)), _table(head, lines),
     ]  # fmt: skip
 
@@ -322,9 +324,14 @@ def page(
     title: str, facts: Sequence[tuple[str, str]], rows: Sequence[Row], notes: Sequence[str],
 ) -> str:  # fmt: skip
     """Return the page of rows: those of the newest date in tables and maps, all of them in the trend."""
-    newest = max(row["date"] for row in rows)
+    newest, *earlier = sorted({row["date"] for row in rows}, reverse=True)
     shown = [row for row in rows if row["date"] == newest]
     parts = [f"<h1>{escape(title)}</h1>", _table(("", ""), facts, " text")]
+    if earlier:
+        dates = ", ".join(earlier)
+        parts.append(
+            f"<p>Details are those of {newest}. Of {dates} the page has the trend, and the table all beads.</p>"
+        )
     parts += ["<h2>Verdicts</h2>", _verdicts(shown)]
     parts += ["<h2>Widths, Strehl ratio, wavefront</h2>", *_summaries(shown)]
     parts += ["<h2>Over the field</h2>", *_drawn(shown), *_surfaces(shown)]

@@ -11,6 +11,7 @@ from scipy.special import j1, jv
 
 import lommel as lm
 from lommel.methods import ChordalDebye, DebyeRings, DebyeWolf, Stratified
+from lommel.optics.layers.objective import aberration, layers_of, media_strehl
 from lommel.optics.layers.stratified import Design
 from objectives import phase, transmission
 
@@ -276,3 +277,34 @@ def test_what_is_no_objective_is_refused_in_a_line(change, message):
     with pytest.raises((TypeError, ValueError), match=message) as told:
         lm.Objective(**{**GIVEN, **change})
     assert "\n" not in str(told.value)
+
+
+def debye_waves(depth, sample=1.47, NA=1.4, n=1.518, wave=520e-9):
+    """Strehl ratio and rms (waves) of an index step at a depth, by Debye's integral without losses at surfaces."""
+    rho = np.sqrt((np.arange(800) + 0.5) / 800)
+    path = [np.sqrt(index**2 - (NA * rho) ** 2) for index in (sample, n)]
+    weights = (1.0 + path[1] / n) / np.sqrt(path[1])
+    z = np.linspace(-2.0, 2.0, 4001) * depth
+    k = 2.0 * np.pi / wave
+    fields = np.exp(1j * k * (depth * path[0] + z[:, None] * path[1])) @ weights
+    basis = np.stack([np.ones_like(rho), path[1]], axis=1)
+    left = depth * (path[0] - basis @ np.linalg.lstsq(basis, path[0], rcond=None)[0])
+    return np.abs(fields).max() ** 2 / weights.sum() ** 2, left.std() / wave
+
+
+def test_the_strehl_ratio_of_media_is_that_of_another_integral():
+    layers = layers_of(lm.Objective(NA=1.4, immersion=1.518, sample=1.47), 520e-9)
+    for depth in (1.5e-6, 3.5e-6):
+        strehl, rms = debye_waves(depth)
+        assert media_strehl(layers, depth) == pytest.approx(strehl, abs=0.03 * (1.0 - strehl))
+        assert np.linalg.norm(aberration(layers, depth, {})) / (2.0 * np.pi) == pytest.approx(rms, rel=1e-3)
+    assert media_strehl(layers, 0.0) == pytest.approx(1.0, abs=1e-12)
+    assert np.linalg.norm(aberration(layers, 0.0, {(1, 1): 3.0, (2, 2): 0.3, (3, -1): 0.4})) == pytest.approx(0.5)
+
+
+def test_supercritical_light_that_a_depth_leaves_no_part_of_has_no_wavefront():
+    layers = layers_of(lm.Objective(NA=1.49, immersion=1.518, sample=1.33), 520e-9)
+    below = layers_of(lm.Objective(NA=1.33 - 1e-6, immersion=1.518, sample=1.33), 520e-9)
+    far, inside = (np.linalg.norm(aberration(one, 50e-6, {})) for one in (layers, below))
+    assert far == pytest.approx(inside, rel=0.08)
+    assert 0.99 < media_strehl(layers, 50e-9) < 1.01

@@ -32,6 +32,7 @@ from lommel.optics.layers.stratified import (
     refractive_index,
 )
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.special import zernike
 
 SURFACE = ("x", "y", "xx", "xy", "yy")
 """Terms of a focal surface."""
@@ -156,6 +157,7 @@ class Nyquist:
 
 _TOL = 1e-11  # tolerance of field integrals in searches of the focus
 _STEPS = 16  # steps of a search per depth of focus, see _depth_of_focus(), or laterally per 2 pi in v
+_RADII = 64  # number of radii at which a wavefront is averaged over the pupil
 _DOUBLINGS = 6  # number of ranges that a search tries, each with a margin twice as large
 _ISOTROPIC_WEIGHTS = emitter_of("isotropic").light.shares  # weights of K0, K1, K2 for a freely rotating dipole
 _DISTANCE_MOST = 0.1  # largest working distance, metres
@@ -512,10 +514,10 @@ class _Axial(NamedTuple):
 
 
 class _Axis:
-    """Field on the axis for stage positions in a range, at one depth."""
+    """Field on the axis for stage positions in a range, at one depth; if `flat`, depth and paths add no phase."""
 
-    def __init__(self, layers: Layers, depth: float, low: float, high: float) -> None:
-        self.depth = np.array([depth])
+    def __init__(self, layers: Layers, depth: float, low: float, high: float, *, flat: bool = False) -> None:
+        self.depth, self.flat = np.array([depth]), flat
         ends = np.array([low, high])
         self.rule = debye.rule(layers, Model(), np.full(2, depth), ends, 0.0, _TOL)
 
@@ -532,7 +534,9 @@ class _Axis:
     def _waves(self) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
         """Amplitudes of the waves at the focus 0, and i times the change of their phase by the focus."""
         constant, by_depth, by_focus = self.rule.rates
-        return self.rule.parts[0] * np.exp(1j * (constant + self.depth * by_depth)), 1j * by_focus
+        phase = constant + self.depth * by_depth
+        # Without the phase, what remains of the depth is the decay of supercritical light.
+        return self.rule.parts[0] * np.exp(-phase.imag if self.flat else 1j * phase), 1j * by_focus
 
     def derivatives(self, focus: float) -> tuple[float, float, float]:
         """Return the intensity and its first two derivatives by the focus, at one stage position."""
@@ -593,6 +597,42 @@ def brightest(layers: Layers, depth: float) -> _Axial:
         for k in (before[-1], after[0])
     )
     return _Axial(position, peak, float(high) - float(low))
+
+
+def media_strehl(layers: Layers, depth: float) -> float:
+    """Return the peak through focus of a freely rotating dipole over that of the same pupil with a flat phase.
+
+    The phases of the depth and of all differences from the design are left out of the latter. Amplitudes are in both,
+    and so are the phases of surfaces and films.
+    """
+    margin = _depth_of_focus(layers) + 4.0 * sum(thickness for _, thickness in layers.films)
+    axis = _Axis(layers, depth, -margin, margin, flat=True)
+    count = math.ceil(2.0 * margin / _depth_of_focus(layers) * _STEPS) + 1
+    focus, step = np.linspace(-margin, margin, count, retstep=True)
+    start = focus[int(axis.intensities(-margin, float(step), count).argmax())]
+    return brightest(layers, depth).intensity / axis.at(_maximum(axis, start, float(step)))
+
+
+def aberration(layers: Layers, depth: float, terms: Mapping[tuple[int, int], float]) -> Array:
+    """Return a vector whose norm is the rms over the pupil of the whole wavefront in the best focus, radians.
+
+    The wavefront consists of Zernike `terms` (radians rms) and of the phases of the depth and of all differences from
+    the design; tilts and what a travel of the stage removes are left out. The vector is linear in the terms. Radii of
+    supercritical light have the weights of the light that the depth leaves.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(_RADII)
+    rho = np.sqrt(0.5 * (nodes + 1.0))
+    constant, by_depth, by_focus = layers.rates(layers.cosine(rho))
+    left = weights * np.exp(-2.0 * depth * by_depth.imag)
+    root, phase = np.sqrt(left / left.sum()), (constant + depth * by_depth).real
+    for (n, m), value in terms.items():
+        if m == 0:
+            phase = phase + value * zernike.rms_factor(n, 0) * zernike.radial(n, 0, rho)
+    refocused = np.stack([np.ones_like(rho), by_focus.real / layers.wavenumber], axis=1)
+    basis, _ = np.linalg.qr(root[:, None] * refocused)
+    radial = root * phase
+    others = [value for (n, m), value in terms.items() if m != 0 and n > 1]
+    return np.concatenate([radial - basis @ (basis.T @ radial), others])
 
 
 def best_foci(layers: Layers, depth: Array) -> Array:

@@ -41,6 +41,81 @@ def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
     assert data["files"] == []
 
 
+MEASURED = """
+[lens]
+focal_length = "50 mm"
+f_number = 4
+wavelength = "587.56 nm"
+[sensor]
+pixel = "1 um"
+shape = 33
+[field]
+sensor = ["17.6 mm", "17.6 mm"]
+direction = "y"
+order = "fringe"
+normalization = "edge"
+columns = ["height", "Z4", "Z8", "Z9"]
+rows = [["0 mm", 0.05, 0, 0.08], ["6.14 mm", 0.12, 0.11, 0.07], ["8.82 mm", -0.15, 0.18, 0.06]]
+"""
+
+
+def strehl_of(z4: float, z8: float, z9: float) -> float:
+    """Return the Strehl ratio of three fringe terms, waves at the edge of the pupil, by sums over the pupil."""
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    rho, theta = np.meshgrid(0.5 * (nodes + 1.0), np.arange(64) * math.tau / 64, indexing="ij")
+    waves = z4 * (2.0 * rho**2 - 1.0) + z8 * (3.0 * rho**3 - 2.0 * rho) * np.sin(theta)
+    waves += z9 * (6.0 * rho**4 - 6.0 * rho**2 + 1.0)
+    return float(abs((np.exp(2j * math.pi * waves) * rho * weights[:, None]).sum() / 64) ** 2)
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "info",
+        "psf --normalize strehl",
+        "psf --colour",
+        "compare",
+        "stack --between 1m inf --count 2 -o stack.zarr",
+    ],
+)
+def test_a_measured_field_is_used_on_the_axis_which_is_named_with_the_range_over_the_field(
+    call_lommel, tmp_path, command
+):
+    (tmp_path / "lens.toml").write_text(MEASURED)
+    name, *options = command.split()
+    result = call_lommel(name, "lens.toml", *options, "--json", folder=tmp_path)
+    assert result.returncode == 0, result.stderr
+    facts = json.loads(result.stdout)
+    axis = strehl_of(0.05, 0.0, 0.08)
+    assert facts["place"]["at"] == [0.0, 0.0]
+    assert facts["place"]["strehl"] == pytest.approx(axis, abs=1e-6)
+    low, high = facts["place"]["strehl_over_field"]
+    assert high == pytest.approx(axis, abs=1e-6)
+    assert low == pytest.approx(strehl_of(-0.15, 0.18, 0.06), abs=0.02)  # a tilt shifts the peak: higher by little
+    assert facts["place"]["to"] == pytest.approx(8.82e-3)
+    if name == "info":
+        assert facts["strehl"] == pytest.approx(axis, abs=1e-6)
+    if "--normalize" in options:  # averaged over pixels of 0.43 lambda*N
+        assert 0.85 * axis < facts["psf"]["peak"] < axis
+    if name == "stack":
+        infinity = lm.open_stack(tmp_path / "stack.zarr")[1].pupil
+        assert lm.strehl(infinity) == pytest.approx(axis, abs=1e-6)
+
+
+def test_the_report_is_on_the_place_that_is_stated(call_lommel, tmp_path):
+    (tmp_path / "lens.toml").write_text(MEASURED)
+    result = call_lommel("info", "lens.toml", "--at", "0mm", "8.82mm", folder=tmp_path)
+    first = result.stdout.splitlines()[1]
+    assert re.match(
+        r"0 m and 8.82 mm from the middle of the sensor, Strehl ratio 0\.\d+; 0\.\d+ to 0\.\d+ over", first
+    )
+    corner = strehl_of(-0.15, 0.18, 0.06)
+    assert f"strehl                     {corner:.4g}\n" in result.stdout
+    beyond = call_lommel("psf", "lens.toml", "--at", "0mm", "9mm", folder=tmp_path)
+    assert beyond.returncode == 2
+    assert "--at (0.0, 0.009) must lie in the map" in beyond.stderr
+
+
 def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, lenses, tmp_path):
     lens = lenses["camera-field"]
     options = ["--at", "15mm", "-10mm", "--jitter", "2", "--shape", "33", "-o", "corner.npz"]

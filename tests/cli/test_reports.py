@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 import re
 
 import numpy as np
@@ -79,7 +80,9 @@ def test_what_lies_beyond_a_map_is_left_out(lenses, tmp_path):
     text = lenses["camera-field"].read_text(encoding="utf-8").replace("W131", 'edge = "15.5 mm"\nW131')
     (tmp_path / "own.toml").write_text(text, encoding="utf-8")
     facts = describe_lens(lm.load_instrument(tmp_path / "own.toml")).facts
-    assert [place["part"] for place in facts["field"]["places"]] == [0.0, 0.5, 0.7]
+    edge = 15.5e-3 / math.hypot(12e-3, 18e-3)
+    assert [place["part"] for place in facts["field"]["places"]] == [0.0, 0.5, 0.7, pytest.approx(edge)]
+    assert facts["field"]["places"][-1]["distance"] == pytest.approx(15.5e-3) == facts["place"]["to"]
 
 
 def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):

@@ -79,7 +79,7 @@ def test_a_table_in_the_file_and_one_beside_it_say_the_same(load, tmp_path):
     inside = load(TABLE).field().pupil(10e-3, 5e-3)
     (tmp_path / "field.csv").write_text("height,Z4,Z8\n0 mm,0.1,0\n22 mm,0.5,0.3\n")
     assert same(load(SENSOR + 'file = "field.csv"\n').field().pupil(10e-3, 5e-3).wavefront, inside.wavefront)
-    lens = load(TABLE).pupil().wavefront
+    lens = load(TABLE).lens.pupil(1.9).wavefront
     edge = load(TABLE).field().pupil(22e-3, 0.0).wavefront
     assert same(edge, lens + lm.Wavefront.zernike({4: 0.5, 8: 0.3}, order="noll", unit="waves"))
 
@@ -87,11 +87,62 @@ def test_a_table_in_the_file_and_one_beside_it_say_the_same(load, tmp_path):
 def test_order_unit_normalization_and_direction_are_what_the_table_says(load):
     text = TABLE + 'order = "fringe"\nunit = "metres"\nnormalization = "edge"\ndirection = "y"\n'
     text = text.replace("0.1, 0]", "1e-7, 0]").replace("0.5, 0.3", "3e-7, 2e-7")
-    found = load(text).field().pupil(0.0, 22e-3).wavefront - load(text).pupil().wavefront
+    found = load(text).field().pupil(0.0, 22e-3).wavefront - load(text).lens.pupil(1.9).wavefront
     # Coefficients belong to the axes of the sensor, whatever direction the heights are along.
     expected = lm.Wavefront.zernike({4: 3e-7, 8: 2e-7}, order="fringe", unit="metres", normalization="edge",
                                     wavelength=550e-9)  # fmt: skip
     assert same(found, expected)
+
+
+TRACED = TABLE + 'order = "fringe"\nnormalization = "edge"\n'
+
+
+def strehl_by_sums(x: float, y: float) -> float:
+    """Return the Strehl ratio of TRACED, in focus, by sums over the pupil: Z4, and Z8 by its axis of the sensor."""
+    radii, weights = np.polynomial.legendre.leggauss(40)
+    rho, theta = np.meshgrid(0.5 * (radii + 1.0), np.arange(64) * math.tau / 64, indexing="ij")
+    height = math.hypot(x, y) / 22e-3
+    waves = (0.1 + 0.4 * height**2) * (2.0 * rho**2 - 1.0)  # even in the height
+    waves += 0.3 * height * (3.0 * rho**3 - 2.0 * rho) * np.sin(theta)  # odd
+    waves += 0.25 * rho**4  # W040 of the lens
+    field = (np.exp(2j * math.pi * waves) * rho * weights[:, None]).sum() / 64
+    return float(abs(field) ** 2)
+
+
+def test_the_pupil_has_the_aberrations_of_the_field_at_its_place_by_default_on_the_axis(load):
+    instrument = dataclasses.replace(load(TRACED + 'direction = "y"\n'), object_distance=2.0)
+    assert lm.strehl(instrument.pupil()) == pytest.approx(strehl_by_sums(0.0, 0.0), abs=1e-9)
+    assert instrument.pupil().radial
+    corner = dataclasses.replace(instrument, place=(0.0, 22e-3))
+    assert lm.strehl(corner.pupil()) == pytest.approx(strehl_by_sums(0.0, 22e-3), abs=1e-9)
+    assert same(corner.pupil().wavefront, instrument.field().pupil(0.0, 22e-3).wavefront)
+    stack = corner.pupil([1.8, 2.0])
+    assert stack.shape == (2,)
+    assert same(stack.wavefront[1], corner.pupil().wavefront)
+    assert "on the axis" in repr(instrument)
+    assert "0 m and 22 mm from the middle" in repr(corner)
+
+
+def test_the_pupil_at_a_place_has_its_vignetting_and_its_colour(load):
+    text = SEIDEL + '[field.vignetting]\nheight = ["0 mm", "22 mm"]\nshift = [0.0, 0.5]\nradius = 1.1\n'
+    text += '[colour]\nwavelengths = ["500 nm", "600 nm"]\nlateral = ["9 um", "0 um"]\nheights = "22 mm"\n'
+    instrument = load(text)
+    corner, expected = dataclasses.replace(instrument, place=(12e-3, 9e-3)), instrument.field().pupil(12e-3, 9e-3)
+    assert corner.pupil().vignetting == expected.vignetting
+    assert corner.pupil().colour == expected.colour
+    assert same(corner.pupil().in_light(500e-9).wavefront, expected.in_light(500e-9).wavefront)
+    assert corner.pupil([1.8, 1.9]).in_light(500e-9).shape == (2,)
+
+
+def test_a_place_beyond_the_map_or_without_a_map_is_refused(load):
+    off_axis = SENSOR + 'columns = ["x", "y", "Z4"]\nrows = [["1 mm", "1 mm", 0.1], ["9 mm", "1 mm", 0.2], '
+    off_axis += '["1 mm", "9 mm", 0.3]]\n'
+    with pytest.raises(ValueError, match=r"place=\(0\.0, 0\.0\) must lie in the map of 'camera': .* lies outside"):
+        load(off_axis).pupil()
+    assert dataclasses.replace(load(off_axis), place=(2e-3, 2e-3)).pupil().shape == ()
+    flat = dataclasses.replace(load(SEIDEL), aberrations_of_field=None, place=(1e-3, 0.0))
+    with pytest.raises(ValueError, match="must have a section"):
+        flat.pupil()
 
 
 APERTURE = """

@@ -38,6 +38,16 @@ def test_a_lens_file_is_shown_by_a_state_of_the_same_pupil(path):
         assert found.spider.margin(x, y) == pytest.approx(given.spider.margin(x, y), abs=1e-8)
 
 
+def test_a_lens_with_a_measured_field_is_shown_as_on_the_axis():
+    lens = lm.Lens(focal_length=50e-3, f_number=4, focus_distance=2.0, wavelength=550e-9)
+    waves = lm.Wavefront.zernike({(4, 0): [0.1, 0.1], (3, 1): [0.0, 0.2]}, unit="waves", normalization="edge")
+    field = lm.FieldMap.radial([0.0, 5e-3], waves, aperture=lens.pupil().unaberrated())
+    instrument = lm.Instrument("", "", lens, 1.9, 3e-6, None, {}, sensor=(6e-3, 8e-3), aberrations_of_field=field)
+    state, left_out = state_of(instrument)
+    assert state["spherical"] == pytest.approx(0.6)  # W040 of 0.1 (6 rho^4 - 6 rho^2 + 1)
+    assert left_out == "aberrations of the field but those on the axis"
+
+
 def test_what_a_page_cannot_show_of_a_lens_is_said():
     shapes = {"spider": lm.Spider(0.02, (0.0, 1.0)), "apodization": 0.2, "vignetting": lm.Ellipse(1, 0.8)}
     shapes |= {"stop": lm.Disc() - lm.Disc(0.5), "mask": lm.Mask(np.ones((64, 64)))}

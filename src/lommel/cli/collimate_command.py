@@ -75,7 +75,7 @@ class Telescope(Options):
             if self.obscuration is not None or any(stated.values()):
                 raise ValueError("--telescope must not be combined with --aperture, --focal-length or --obscuration")
             instrument = instrument_of(self.lens, camera=sensor.camera, pixel=sensor.pixel)
-            return instrument.lens, float(np.min(instrument.side))
+            return instrument.lens_at_place, float(np.min(instrument.side))
         found: dict[str, Any] = {name: value or header.get(name) for name, value in stated.items()}
         found["pixel"] = pixel or header.get("sensor_pixel")
         examples = {"aperture": "--aperture 200mm", "focal_length": "--focal-length 2m", "pixel": "--pixel 3.8um"}

@@ -127,6 +127,8 @@ def retrieve(
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
         status("fitting")
         pupil = instrument.pupil()
+        if instrument.aberrations_of_field is not None:
+            header.append("The initial wavefront is that of the lens file on the axis, from its section [field].")
         counts = Counts.of(stars, noise=noise, mask=camera.mask_of(stars), saturation=saturation)
         radius = _defocused_radius(options.defocus, pupil, sizes[0])
         counts, corners = _star_windows(counts, radius, window)

@@ -53,6 +53,7 @@ def sides(text: str) -> float | tuple[float, ...]:
 
 
 WINDOW = Shown(metavar="PIXELS", parse=window)
+PLACE = Shown(("--at",), length="m", metavar="X Y")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,6 +108,9 @@ class Optics(PhotoCamera):
         Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.
     shape
         Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
+    place
+        Place on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a section
+        [field]. By default the axis.
     """
 
     heading: ClassVar[str] = "Lens, object and sensor"
@@ -114,6 +118,7 @@ class Optics(PhotoCamera):
     wavelength: Annotated[float | None, Shown(length="nm")] = None
     pixel: Annotated[Any, Shown(parse=sides, metavar="LENGTH"), camera_pixel] = None
     shape: Annotated[Any, WINDOW] = None
+    place: Annotated[tuple[float, float] | None, PLACE] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -221,7 +226,7 @@ def _changes(options: Facts) -> Facts:
     return changes | ({"shape": validation.image_shape(changes["shape"])} if "shape" in changes else {})
 
 
-_LENS_ONLY = "object_distance", "focus_distance", "f_number", "field", "mtf", "colour", "seeing", "jitter", "at"
+_LENS_ONLY = "object_distance", "focus_distance", "f_number", "field", "mtf", "colour", "seeing", "jitter", "place"
 
 
 def microscope_of(lens: Path, **options: object) -> Microscope | None:

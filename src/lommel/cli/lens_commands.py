@@ -17,7 +17,7 @@ from lommel.base.units import pitch_in_words
 from lommel.base.validation import shown
 from lommel.cli.command import PLOT, command
 from lommel.cli.help_text import continued
-from lommel.cli.instruments import WINDOW, Optics, instrument_of, microscope_of
+from lommel.cli.instruments import PLACE, WINDOW, Optics, instrument_of, microscope_of
 from lommel.cli.output import progress, save_figure, written
 from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS
@@ -235,6 +235,7 @@ def compare(
     /,
     *,
     shape: Annotated[Any, WINDOW] = None,
+    place: Annotated[tuple[float, float] | None, PLACE] = None,
     figure: Annotated[Path | None, PLOT._replace(flags=("--figure",))] = None,
 ) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
@@ -255,6 +256,9 @@ def compare(
     ----------
     shape
         Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
+    place
+        Place on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a section
+        [field]. By default the axis.
     figure
         Figure of the reference, error maps of the other methods, slices: .png, .pdf or .svg.
 
@@ -263,9 +267,10 @@ def compare(
       lommel compare phone.toml --figure methods.png
     """
     from lommel.report.image_quality import compare_methods, other_model
+    from lommel.report.optics import describe_place
     from lommel.show import plot
 
-    instrument = instrument_of(lens, shape=shape)
+    instrument = instrument_of(lens, shape=shape, place=place)
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as status:
         # The closed form of the paper with its best options, for a fair comparison.
@@ -296,7 +301,9 @@ def compare(
     facts["other_model"] = other_model(instrument)
     model = described({"model": instrument.lens.model, "other_model": facts["other_model"]})
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
-    return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, *model, *files])
+    at_place = describe_place(instrument)
+    head = [Text(instrument.name, "bold"), *at_place.parts, Wrapped(size)]
+    return Report(facts | at_place.facts, [*head, table, *notes, *model, *files])
 
 
 def _reason(row: dict[str, Any]) -> str:

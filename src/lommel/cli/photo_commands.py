@@ -20,6 +20,7 @@ from lommel.base.executors import connected
 from lommel.base.options import In, Shown, filled
 from lommel.cli.command import CLIENT, ENCODING, OUTPUT, PLOT, command, length
 from lommel.cli.instruments import (
+    PLACE,
     MaskedPhotoNoise,
     PhotoCamera,
     Sensor,
@@ -806,6 +807,7 @@ def precision(
     pair: float | None = None,
     best: bool = False,
     f_number: float | None = None,
+    place: Annotated[tuple[float, float] | None, PLACE] = None,
     between: Annotated[tuple[float, float] | None, BETWEEN] = None,
     read: float | None = None,
     figure: Annotated[Path | None, PLOT] = None,
@@ -830,6 +832,9 @@ def precision(
         Find the two focus distances that give the best precision for a surface at --focus.
     f_number
         F-number; overrides the lens file.
+    place
+        Place on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a section
+        [field]. By default the axis.
     between
         Nearest and farthest distance to list; by default around the focus distances.
     read
@@ -843,12 +848,16 @@ def precision(
       lommel precision nifty-fifty.toml --focus 1.5m --best --f-number 4 --photons 5000
       lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
     """
+    from lommel.report.optics import describe_place  # slow, and other commands do not need it
+
     if (pair is not None) + best + (len(foci) > 1) != 1:
         raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
-    instrument = instrument_of(lens, **vars(sensor))
+    instrument = instrument_of(lens, place=place, **vars(sensor))
     if read is None:
         read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
-    lens_in_use = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
+    lens_in_use = instrument.lens_at_place
+    if f_number is not None:
+        lens_in_use = lens_in_use.stopped(f_number)
     noise = Noise(white=photons, read=read)
     start = time.perf_counter()
     if best:
@@ -882,7 +891,8 @@ def precision(
     ]
     setting = {name: facts[name] for name in ("focus_distances", "f_number", "seconds")} | {"pixel": instrument.side}
     setting |= {"electrons": photons, "contrast": CONTRAST, "window_rms": WINDOW}
-    return Report(facts, [*described(setting), "", records_of("", rows)]) + written([figure])
+    report = Report(facts, [*described(setting), "", records_of("", rows)]) + describe_place(instrument)
+    return report + written([figure])
 
 
 def _lens_pair(lens: Lens, focus: float, dioptres: float) -> list[Lens]:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import colour_psf
 from lommel.cli.command import CLIENT, OUTPUT, PLOT, command
-from lommel.cli.instruments import WINDOW, Optics, Planes, Sensor, instrument_of, microscope_of
+from lommel.cli.instruments import PLACE, WINDOW, Optics, Planes, Sensor, instrument_of, microscope_of
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import field_files, psf_files
@@ -35,9 +35,6 @@ from lommel.report.table import told
 from lommel.show.drawing import figure_of, fit_to_width, name_in_words
 from lommel.stacks import psf_to
 
-if TYPE_CHECKING:
-    from lommel.optics.pupil import Pupil
-
 
 @command
 def stack(
@@ -48,6 +45,7 @@ def stack(
     count: Annotated[int, In(least=2, most=10**9)],
     output: Annotated[Path, OUTPUT._replace(metavar="FOLDER")],
     shape: Annotated[Any, WINDOW] = None,
+    place: Annotated[tuple[float, float] | None, PLACE] = None,
     client: Annotated[str | None, CLIENT] = None,
     sensor: Sensor = Sensor(),
 ) -> Report:
@@ -66,6 +64,9 @@ def stack(
         Store to write, a folder .zarr.
     shape
         Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
+    place
+        Place on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a section
+        [field]. By default the axis.
     client
         Scheduler of a dask cluster that computes, such as tcp://host:8786; its workers must reach the store.
 
@@ -76,7 +77,7 @@ def stack(
     near, far = between
     if not 0.0 < near < far:
         raise ValueError(f"--between must be two rising distances, got {near:g} and {far:g} metres")
-    instrument = instrument_of(lens, shape=shape, **vars(sensor))
+    instrument = instrument_of(lens, shape=shape, place=place, **vars(sensor))
     with np.errstate(divide="ignore"):
         distances = 1.0 / np.linspace(1.0 / near, 1.0 / far, count)
     distances[0], distances[-1] = near, far
@@ -93,7 +94,7 @@ def stack(
 
         store = psf_to(
             output,
-            instrument.lens.pupil(distances),
+            instrument.pupil(distances),
             window,
             instrument.pixel,
             integrate=instrument.integrate,
@@ -103,7 +104,7 @@ def stack(
     bound, seconds = float(store.error_bound.max()), time.perf_counter() - start
     facts = {"store": str(output), "shape": list(store.shape), "dtype": str(store.dtype), "seconds": seconds}
     facts |= {"chunks": store.done[1], "computed": steps, "error_bound": None if math.isnan(bound) else bound}
-    return told(facts)
+    return told(facts) + optics.describe_place(instrument)
 
 
 _Arcseconds = Annotated[float | None, In(above=0.0, most=60.0, unit="arcsec"), Shown(metavar="ARCSEC")]
@@ -177,7 +178,6 @@ def psf(
     stretch: Literal["sqrt", "linear", "log"] = "sqrt",
     lens_options: Optics = Optics(),
     field: Annotated[Any, WINDOW._replace(metavar="ROWSxCOLUMNS")] = None,
-    place: Annotated[tuple[float, float] | None, Shown(("--at",), length="m", metavar="X Y")] = None,
     colour: bool = False,
     mtf: bool = False,
     planes: Planes = Planes(),
@@ -199,9 +199,6 @@ def psf(
         Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes.
     field
         Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].
-    place
-        Place of one PSF on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a
-        section [field]. By default the axis.
     colour
         PSFs in the colour channels of the lens file, or in red, green and blue.
     mtf
@@ -224,7 +221,7 @@ def psf(
       lommel psf zeiss-63x-1.4-oil.toml --stack 64 --step 100nm --depth 2um -o psf.ome.tif -o psf.png
     """
     options, write = computation.arguments(), partial(_write, outputs, figure, stretch)
-    lens_only: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
+    lens_only: Facts = {"field": field, "colour": colour or None, "mtf": mtf or None}
     microscope = microscope_of(lens, **lens_only, **vars(air), **vars(lens_options), **vars(planes))
     if microscope is not None:
         window: Facts = {"shape": microscope.window, "pixel": microscope.pixel, "integrate": microscope.integrate}
@@ -247,7 +244,7 @@ def psf(
         half_width = 3.0 * ARCSEC * ((air.seeing or 0.0) + 2.4 * (air.jitter or 0.0)) * instrument.lens.focal_length
         side = min(2 * math.ceil(half_width / min(instrument.pitch)) + 1, 1025)
         instrument = replace(instrument, shape=instrument.shape or (max(side, instrument.window[0]),) * 2)
-    if place is not None and field is not None:
+    if lens_options.place is not None and field is not None:
         raise ValueError("--at is for one place: leave out --field")
     if field is not None and not isinstance(field, tuple):
         raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
@@ -255,29 +252,27 @@ def psf(
         options["channels"] = instrument.channels or Channels.rgb()
     options |= {"shape": instrument.window, "pixel": instrument.pixel}
 
-    def pupil() -> Pupil:
-        return instrument.pupil() if place is None else instrument.field().pupil(*place)
-
     def make() -> Any:
         if field is not None:
             return instrument.field().grid(*field, sensor=instrument.sensor, **options)  # type: ignore[arg-type]
-        return colour_psf(pupil(), **options) if colour else compute(pupil(), **options)
+        return colour_psf(instrument.pupil(), **options) if colour else compute(instrument.pupil(), **options)
 
     def describe(psfs: Any, seconds: float) -> Report:
-        seen = [] if place is None else [f"{' and '.join(map(format_length, place))} from the middle of the sensor"]
-        seen += [f"{name} of {value:g} arcsec" for name, value in vars(air).items() if value is not None]
+        seen = [f"{name} of {value:g} arcsec" for name, value in vars(air).items() if value is not None]
         if isinstance(psfs, PSFGrid) and not colour:
             report = optics.describe_field(instrument, psfs, seconds)
         elif colour:
             report = optics.describe_colour(instrument, getattr(psfs, "psf", psfs), seconds)
         else:
             report = optics.summarize_lens(instrument)
+        if field is None:
+            report += optics.describe_place(instrument)
         report += Report({}, [Wrapped(line) for line in seen])
         if field is None and not colour:
             report += optics.describe_psf(psfs, seconds)
         if not mtf:
             return report
-        places: list[Any] = [(*(place or (None, None)), pupil())]
+        places: list[Any] = [(*(lens_options.place or (None, None)), instrument.pupil())]
         if isinstance(psfs, PSFGrid):
             over_field = instrument.field()
             places = [(x, y, over_field.pupil(x, y)) for y in psfs.y.tolist() for x in psfs.x.tolist()]

@@ -6,6 +6,9 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, TypedDict
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from lommel.base import validation
 from lommel.base.arrays import Json
 from lommel.base.units import format_length
@@ -163,6 +166,9 @@ class Instrument:
         Height and width of the whole sensor, metres; None if the file has no section [field].
     aberrations_of_field : FieldMap, or None
         Field-dependent aberrations, which are added to the aberrations of `lens`.
+    place : (float, float)
+        Position on the sensor, metres from its middle right and down, of :meth:`pupil` and of all measures; by
+        default the axis.
     integrate : bool or None
         Pixel-integrated or point-sampled values, as in :func:`lommel.psf`; None if not stated.
     fill : (float, float)
@@ -178,6 +184,7 @@ class Instrument:
     --------
     A lens with its sensor, without a file:
 
+    >>> import dataclasses
     >>> import lommel as lm
     >>> lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
     >>> corners = lm.FieldMap.from_seidel(22e-3, W131=1.0, aperture=lens.pupil().unaberrated())
@@ -198,6 +205,9 @@ class Instrument:
     ... )
     >>> lm.psf(mine.field().pupil(18e-3, 12e-3), mine.window, mine.pixel, **mine.sensor_options).shape
     (33, 33)
+    >>> corner = dataclasses.replace(mine, place=(18e-3, 12e-3))
+    >>> round(lm.strehl(mine.pupil()), 3), round(lm.strehl(corner.pupil()), 3)
+    (1.0, 0.1)
     """
 
     pupil_hint = "an Instrument; instrument.pupil() is its pupil"
@@ -211,6 +221,7 @@ class Instrument:
     radii: dict[str, float] = field(hash=False)
     sensor: tuple[float, float] | None = None
     aberrations_of_field: FieldMap | None = field(default=None, repr=False)
+    place: tuple[float, float] = field(default=(0.0, 0.0), kw_only=True)
     integrate: bool | None = None
     fill: tuple[float, float] = (1.0, 1.0)
     channels: Channels | None = None
@@ -220,7 +231,10 @@ class Instrument:
     def __repr__(self) -> str:
         pixel = " x ".join(format_length(side) for side in dict.fromkeys(self.pitch))
         distance = format_length(self.object_distance)
-        return f"<Instrument {self.name!r}: {self.lens!r}, object at {distance}, pixels of {pixel}>"
+        over_field = (
+            "" if self.aberrations_of_field is None else f", aberrations over the field, {self.place_in_words}"
+        )
+        return f"<Instrument {self.name!r}: {self.lens!r}, object at {distance}, pixels of {pixel}{over_field}>"
 
     def _repr_html_(self) -> str:
         # Late: commands print their help without plots and measures.
@@ -239,7 +253,7 @@ class Instrument:
         def strehl_text() -> str:
             from lommel.measures.aperture_means import strehl
 
-            return f"{float(strehl(self.pupil())):.4g} on the axis"
+            return f"{float(strehl(self.pupil())):.4g} {self.place_in_words}"
 
         rows: list[notebook.Row] = [
             ("lens", f"f = {length_in_words(lens.focal_length)}, f/{lens.f_number:.4g}{obscuration}"),
@@ -288,20 +302,53 @@ class Instrument:
         """Height and width of the window: `shape`, or a square of 33 to 1025 pixels for about 98 % of the light."""
         return self.shape or (max(33, min(wide_enough(self.pupil(), min(self.pitch)), 1025)),) * 2
 
-    def pupil(self) -> Pupil:
-        """Return the pupil on the axis for `object_distance`.
+    @property
+    def place_in_words(self) -> str:
+        """The position of :meth:`pupil` on the sensor, such as "on the axis"."""
+        if self.place == (0.0, 0.0):
+            return "on the axis"
+        return f"{' and '.join(map(format_length, self.place))} from the middle of the sensor"
+
+    @property
+    def lens_at_place(self) -> Lens:
+        """The lens, with the field-dependent aberrations at `place` added to its own."""
+        if self.aberrations_of_field is None:
+            if self.place != (0.0, 0.0):
+                self.field()  # raises ValueError
+            return self.lens
+        try:
+            added = self.aberrations_of_field.pupil(*self.place).wavefront
+        except ValueError as error:
+            raise ValueError(f"place={self.place} must lie in the map of {self.name!r}: {error}") from None
+        return replace(self.lens, aberrations=self.lens.aberrations + added) if added.edge.any() else self.lens
+
+    def pupil(self, object_distance: ArrayLike | None = None) -> Pupil:
+        """Return the pupil at `place`, by default on the axis, with the aberrations of the lens and of the field.
+
+        :meth:`field` has the pupils at other positions.
+
+        Parameters
+        ----------
+        object_distance : array_like, optional
+            Distance of the object, metres, or an array for a stack; by default that of the instrument.
 
         Returns
         -------
         Pupil
-            Pupil with the on-axis aberrations of the lens.
+            Pupil with the aberrations of the lens and of the field at `place`.
 
         Raises
         ------
         TypeError, ValueError
-            On the conditions of :meth:`lommel.Lens.pupil`.
+            On the conditions of :meth:`lommel.Lens.pupil`, or if the section [field] does not contain `place`.
         """
-        return self.lens.pupil(self.object_distance)
+        pupil = self.lens_at_place.pupil(self.object_distance if object_distance is None else object_distance)
+        if self.aberrations_of_field is None:
+            return pupil
+        if pupil.colour is not None:
+            pupil = replace(pupil, colour=pupil.colour.at(*(np.broadcast_to(p, pupil.shape) for p in self.place)))
+        vignetting = self.aberrations_of_field.vignetting
+        return pupil if vignetting is None else vignetting.applied(pupil, *self.place)
 
     def field(self) -> FieldMap:
         """Return the aberrations over the field, including the aberrations of `lens`, for `object_distance`.
@@ -318,7 +365,7 @@ class Instrument:
         """
         if self.aberrations_of_field is None:
             raise ValueError(f"the lens file of {self.name!r} must have a section [field] for PSFs over the field")
-        pupil = self.pupil()
+        pupil = self.lens.pupil(self.object_distance)
         aperture = pupil.carrying(Wavefront(), None)
         return replace(self.aberrations_of_field, pupil_without_wavefront=aperture) + pupil.wavefront
 

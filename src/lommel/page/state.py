@@ -347,7 +347,7 @@ def state_of(instrument: Instrument) -> tuple[Json, str]:
 
     A paraxial lens with an object or a focus nearer than infinity is shown by its distances, other lenses by defocus.
     """
-    pupil, lens = instrument.pupil(), instrument.lens
+    pupil, lens = instrument.pupil(), instrument.lens_at_place
     if pupil.wavelength is None or pupil.f_number is None or pupil.shape:
         raise ValueError("the live page requires one pupil with a wavelength and an f-number")
     is_near = min(lens.focus_distance, instrument.object_distance) < _FAR and lens.focus_distance > 0.0
@@ -378,7 +378,8 @@ def state_of(instrument: Instrument) -> tuple[Json, str]:
         "the mask": pupil.mask is not None,
         "the apodization": not pupil.illumination.uniform,
         "colour aberrations": lens.colour is not None,
-        "aberrations of the field": instrument.aberrations_of_field is not None,
+        f"aberrations of the field but those {instrument.place_in_words}": instrument.aberrations_of_field
+        is not None,
     }
     changed = {name: value for name, value in (state | vanes).items() if value != FIELDS[name].initial}
     return changed, "; ".join(text for text, is_left_out in left_out.items() if is_left_out)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -232,21 +232,47 @@ def _widths(instrument: Instrument, attempt: _Attempts) -> Json:
 
 def _field(instrument: Instrument, measured: Callable[..., Json]) -> Json:
     """Return the field aberrations as plain data, with positions from the axis to a corner of the sensor."""
-    assert instrument.sensor is not None  # instruments with field aberrations have a sensor size
-    field, (height, width) = instrument.field(), instrument.sensor
-    places = []
-    for part in (0.0, 0.5, 0.7, 1.0):
-        x, y = 0.5 * part * width, 0.5 * part * height
-        try:
-            pupil = field.pupil(x, y)
-        except ValueError:  # the position is outside the field map
-            continue
+    field, places = instrument.field(), []
+    for part, distance, pupil in _along_diagonal(instrument):
         terms = pupil.wavefront.to_zernike(unit="waves")
         listed = listed_terms({term: c for term, c in terms.items() if term[0] > 1})
         quality = measured(pupil, "strehl", "rms_waves", "strehl_at_peak", "rms_waves_without_tilt")
-        places.append({"part": part, "distance": math.hypot(x, y), "zernike": listed} | quality)
+        places.append({"part": part, "distance": distance, "zernike": listed} | quality)
     seidel = {name: waves for name, waves in field.seidel.items() if waves}
-    return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
+    return {"sensor": plain(instrument.sensor), "reach": field.reach, "seidel": seidel, "places": places}
+
+
+def _along_diagonal(instrument: Instrument) -> Iterator[tuple[float, float, Pupil]]:
+    """Yield the part of the half diagonal, the distance and the pupil of positions from the axis to a corner.
+
+    Where the map ends before the corner its farthest position, if it is on the diagonal, stands for the corner.
+    """
+    assert instrument.sensor is not None  # instruments with field aberrations have a sensor size
+    field, (height, width) = instrument.field(), instrument.sensor
+    half = 0.5 * math.hypot(height, width)
+    for part in (0.0, 0.5, 0.7, min(1.0, field.reach / half)):
+        try:
+            yield part, part * half, field.pupil(0.5 * part * width, 0.5 * part * height)
+        except ValueError:  # the position is outside the field map
+            continue
+
+
+def place_quality(instrument: Instrument) -> Json:
+    """Return the place of an instrument with aberrations over the field, and its range of Strehl ratios, as data.
+
+    "strehl" has the Strehl ratio at the place; "strehl_over_field" the least and the largest one from the axis to the
+    corner, at most "to" from the axis. They are those at the brightest point of the image, which a tilt only shifts.
+    """
+    attempt = _Attempts()
+    ratios = {distance: attempt(strehl_at_peak, pupil) for _, distance, pupil in _along_diagonal(instrument)}
+    known = {distance: ratio for distance, ratio in ratios.items() if ratio is not None}
+    at_place = attempt(strehl_at_peak, instrument.pupil())
+    between = [min(known.values()), max(known.values())] if known else None
+    return dict(
+        plain(
+            {"at": instrument.place, "strehl": at_place, "strehl_over_field": between, "to": max(known, default=None)}
+        )
+    )
 
 
 def _encircled(instrument: Instrument, attempt: _Attempts) -> Json:
@@ -291,7 +317,7 @@ def other_model(instrument: Instrument) -> Json:
     try:
         # Keep the amplitude also where it is a function of ray angles, which a paraxial lens lacks.
         changed = replace(lens, model=model, corrected_for=side, apodization=lens.illumination)
-        other = changed.pupil(instrument.object_distance)
+        other = replace(instrument, lens=changed).pupil()
         pupils = {lens.model: instrument.pupil(), model: other}
         psfs = {
             name: psf(p, instrument.window, instrument.pixel, dtype="float64", **instrument.sensor_options)

@@ -19,7 +19,7 @@ from lommel.optics.colour.spectrum import Channels
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF
 from lommel.report import Facts, Parts, Report, Wrapped
-from lommel.report.image_quality import image_quality, microscope_quality, sensor_mtf, setup
+from lommel.report.image_quality import image_quality, microscope_quality, place_quality, sensor_mtf, setup
 from lommel.report.table import described, records_of
 from lommel.show.drawing import MEANING, SAMPLING
 
@@ -46,8 +46,23 @@ def summarize_lens(instrument: Instrument) -> Report:
 
 def describe_lens(instrument: Instrument) -> Report:
     """Return the report of a lens and its object; the facts are those of `image_quality` and the camera."""
-    facts = image_quality(instrument) | {"camera": plain(instrument.camera)}
-    return Report(facts, [Text(instrument.name, "bold"), *described(facts, _MEANINGS, _FIRST)])
+    facts, place = image_quality(instrument) | {"camera": plain(instrument.camera)}, describe_place(instrument)
+    shown = [Text(instrument.name, "bold"), *place.parts, *described(facts, _MEANINGS, _FIRST)]
+    return Report(facts | place.facts, shown)
+
+
+def describe_place(instrument: Instrument) -> Report:
+    """Return the report of the place on the sensor to which results refer; empty if the lens has no [field]."""
+    if instrument.aberrations_of_field is None:
+        return Report({}, [])
+    facts = place_quality(instrument)
+    at_place, between = facts["strehl"], facts["strehl_over_field"]
+    text = instrument.place_in_words[0].upper() + instrument.place_in_words[1:]
+    text += "" if at_place is None else f", Strehl ratio {at_place:.3g}"
+    if between is not None:
+        low, high = between
+        text += f"; {low:.3g} to {high:.3g} over the field to {format_length(facts['to'])} from the axis"
+    return Report({"place": facts}, [Wrapped(f"{text}. --at X Y states another place.")])
 
 
 def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:

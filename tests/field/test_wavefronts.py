@@ -28,6 +28,16 @@ def some_wavefronts(shape: tuple[int, ...], seed: int = 1) -> lm.Wavefront:
     return lm.Wavefront(draw(size=shape), draw(size=shape), [draw(size=shape)], terms)
 
 
+def symmetric_wavefronts(height: np.ndarray, azimuth: float, seed: int = 1) -> lm.Wavefront:
+    """Wavefronts that are symmetric about an azimuth, and radially symmetric at height 0."""
+    draw = np.random.default_rng(seed).normal
+    terms = {}
+    for n, m in [(1, 1), (2, 2), (3, 1), (3, 3), (5, 1)]:
+        size = np.where(height > 0.0, draw(size=height.shape), 0.0)  # of cos m(theta - azimuth)
+        terms[n, m], terms[n, -m] = size * math.cos(m * azimuth), size * math.sin(m * azimuth)
+    return lm.Wavefront(draw(size=height.shape), draw(size=height.shape), [draw(size=height.shape)], terms)
+
+
 def difference(one: lm.Wavefront, other: lm.Wavefront) -> float:
     """The largest difference between coefficients, radians."""
     rest = one - other
@@ -66,9 +76,7 @@ def test_a_map_of_scattered_positions_is_exact_at_them(count, scale):
 @pytest.mark.parametrize("azimuth", [0.0, math.pi / 2, -2.0])
 def test_a_radial_map_is_exact_at_its_positions(count, azimuth):
     height = np.linspace(0.0, 10e-3, count)
-    wavefront = some_wavefronts((count,))._map_coefficients(np.array)
-    axis = {t: np.where(height > 0, c, 0.0) for t, c in wavefront.nonradial.items()}
-    wavefront = lm.Wavefront(wavefront.defocus, wavefront.spherical, wavefront.higher, axis)
+    wavefront = symmetric_wavefronts(height, azimuth)
     field = lm.FieldMap.radial(height, wavefront, azimuth=azimuth)
     found = field.pupil(height * math.cos(azimuth), height * math.sin(azimuth)).wavefront
     assert difference(found, wavefront) < 1e-12
@@ -111,12 +119,27 @@ def test_grids_and_scattered_positions_follow_a_lens_of_third_order(seidel):
 @given(st.floats(-math.pi, math.pi), st.floats(0.01, 1), st.floats(-math.pi, math.pi))
 def test_a_wavefront_turns_with_the_position(angle, height, azimuth):
     known = np.linspace(0.0, 1.0, 5)
-    axis = np.where(known > 0, 1.0, 0.0)
-    terms = {t: axis * c for t, c in some_wavefronts((5,), 3).nonradial.items()}
+    terms = symmetric_wavefronts(known, azimuth, 3).nonradial
     field = lm.FieldMap.radial(known, lm.Wavefront(known**2, 1.0 + known, (), terms), azimuth=azimuth)
     along = field.pupil(height * math.cos(azimuth), height * math.sin(azimuth)).wavefront
     away = field.pupil(height * math.cos(azimuth + angle), height * math.sin(azimuth + angle)).wavefront
     np.testing.assert_allclose(away.phase(RHO, THETA), turned(along, angle, RHO, THETA), atol=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("terms", "azimuth", "why"),
+    [
+        ({(3, -1): 0.2}, 0.0, r'height 2 must be symmetric .* coma of 0\.2 waves across it; .* direction = "y"'),
+        ({(3, 1): 0.2, (2, 2): 0.1}, math.pi / 2, r'coma of 0\.2 waves across it; .* direction = "x"'),
+        ({(3, 1): 0.2, (2, -2): 0.1}, 0.0, r"astigmatism of 0\.1 waves across it; .* give positions x and y"),
+    ],
+)
+def test_the_wavefronts_of_another_direction_than_that_of_the_heights_are_refused(terms, azimuth, why):
+    stack = lm.Wavefront.zernike(
+        {term: [0.0, 0.5 * c, c] for term, c in terms.items()}, unit="waves", normalization="edge"
+    )
+    with pytest.raises(ValueError, match=why):
+        lm.FieldMap.radial([0.0, 1.0, 2.0], stack, azimuth=azimuth)
 
 
 def test_a_wavefront_is_smooth_across_the_axis():

@@ -179,6 +179,7 @@ def test_what_narrows_the_aperture_and_its_amplitude_are_those_of_every_position
     [
         (TABLE + 'edge = "1 mm"\n', "edge has no meaning with rows"),
         (TABLE.replace("0 mm", "1 mm"), "field: height must begin with 0, the axis, got 0.001"),
+        (TABLE + 'direction = "y"\n', 'it is that of heights along x: direction = "x"'),
         (TABLE.replace("0.1, 0]", "0.1, 1]"), "field: the wavefront at height 0 must be radially symmetric"),
     ],
 )  # fmt: skip
@@ -205,11 +206,12 @@ def test_a_csv_file_says_the_same(tmp_path):
 @pytest.mark.parametrize("unit", ["waves", "radians", "metres"])
 @pytest.mark.parametrize("normalization", ["rms", "edge"])
 def test_heights_are_along_the_direction_and_coefficients_in_their_unit(direction, at, unit, normalization):
-    table = FieldTable({"height": (0.0, 4e-3)}, {4: (0.1, 0.3), 8: (0.0, 0.2)}, "noll")
+    coma = {"x": 8, "y": 7}[direction]
+    table = FieldTable({"height": (0.0, 4e-3)}, {4: (0.1, 0.3), coma: (0.0, 0.2)}, "noll")
     field = table.field_map(PUPIL, unit=unit, normalization=normalization, direction=direction)
     found = field.pupil(*at)
     expected = lm.Wavefront.zernike(
-        {4: 0.3, 8: 0.2}, order="noll", unit=unit, normalization=normalization, wavelength=550e-9
+        {4: 0.3, coma: 0.2}, order="noll", unit=unit, normalization=normalization, wavelength=550e-9
     )
     difference = found.wavefront - expected
     size = abs(float(expected.defocus))

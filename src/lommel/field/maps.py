@@ -462,7 +462,8 @@ class FieldMap:
         height : array_like, shape (n,)
             Distances from the axis, increasing from 0, at least two.
         wavefront : Wavefront of shape (n,)
-            Wavefront at each height. The first, on the axis, must be radially symmetric (to 1e-6 rad).
+            Wavefront at each height. The first, on the axis, must be radially symmetric (to 1e-6 rad), the others
+            symmetric about the direction of the positions: only cosines along x, for example.
         azimuth : float, default 0
             Direction in radians from the axis to the positions: 0 along x, pi / 2 along y (downwards in an image).
         {options}
@@ -1106,6 +1107,7 @@ class Radial(WavefrontsOnSensor):
                 "the wavefront at height 0 must be radially symmetric, as on the axis of a rotationally symmetric "
                 "lens; for other lenses give the wavefronts at positions over the field (`fields` of the adapters)"
             )
+        self._require_mirror_symmetry({term: values[..., k] for k, term in enumerate(self.terms)})
         # Rotation by 180 degrees changes the sign of the height, and multiplies a term by (-1)^m.
         parity = np.where(orders % 2, -1.0, 1.0)
         middle = np.where(orders == 0, values[:1], 0.0)
@@ -1113,6 +1115,26 @@ class Radial(WavefrontsOnSensor):
         self.reach = float(self.height[-1])
         scaled = self.height / self.reach
         self.spline = scipy.interpolate.CubicSpline(np.concatenate([-scaled[:0:-1], scaled]), mirrored)
+
+    def _require_mirror_symmetry(self, terms: Mapping[tuple[int, int], Array]) -> None:
+        """Raise ValueError unless a mirror image about the direction of the heights is the same, as a lens has it."""
+        largest = max((np.abs(c).max() for c in terms.values()), default=0.0)
+
+        def odd_terms(azimuth: float) -> dict[tuple[int, int], Array]:
+            along = zernike.rotated(terms, np.asarray(-azimuth))
+            return {t: c for t, c in along.items() if t[1] < 0 and np.abs(c).max() > max(_AXIS, _AXIS * largest)}
+
+        if not (odd := odd_terms(self.azimuth)):
+            return
+        term, c = max(odd.items(), key=lambda item: float(np.abs(item[1]).max()))
+        k, advice = int(np.argmax(np.abs(c))), "for lenses without this symmetry give positions x and y"
+        if not odd_terms(self.azimuth + 0.5 * math.pi):
+            along = "y" if abs(math.cos(self.azimuth)) > 0.5 else "x"
+            advice = f'it is that of heights along {along}: direction = "{along}", or the azimuth of this direction'
+        raise ValueError(
+            f"the wavefront at height {self.height[k]:g} must be symmetric about the direction of the heights, got "
+            f"{zernike.name(*term).rpartition(' ')[0]} of {abs(c[k]) / math.tau:.3g} waves across it; {advice}"
+        )
 
     def nodes(self) -> dict[str, Array]:
         """Return the heights."""

@@ -468,8 +468,8 @@ def beads(
     Parameters
     ----------
     step
-        Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken the other
-        way. By default from the metadata of STACKS, positive.
+        Stage step between planes, such as 100nm, positive if objective and sample approach (each plane is deeper in
+        the sample); -100nm for the other order. By default from the metadata of STACKS, positive.
     diameter
         Diameter of the beads, such as 0.1um.
     depth

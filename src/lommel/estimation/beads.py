@@ -614,7 +614,7 @@ def fit_beads(
         Its `aberrations` are the initial wavefront of the search; terms that are not estimated are fixed. Images are
         pixel-integrated unless its `integrate` is False.
     z : array_like, shape (planes,)
-        Position of the stage in each plane, metres, positive towards the sample; either increasing or decreasing.
+        Stage position in each plane, metres, positive as objective and sample approach; increasing or decreasing.
     noise : Noise, optional
         Gain, offset and read noise of arrays; :class:`lommel.Counts` have their own.
     options : BeadOptions, optional

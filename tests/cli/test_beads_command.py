@@ -206,6 +206,45 @@ def test_a_report_grows_by_dates_and_channels(folder):
     assert re.search(r"column z nm height nm", printed)
 
 
+def test_each_channel_of_a_file_has_its_fit_and_pairs_are_chromatic_shifts(folder):
+    camera, stacks = lm.Noise(read=1.6, offset=100), []
+    for wave, row in ((600e-9, 9.0), (680e-9, 9.5)):
+        pupil = OIL.pupil(depth=50e-9, z=Z, wavelength=wave)
+        method = lm.methods.Bead(0.1e-6, 1e-4)
+        bead = lm.psf(pupil, 19, 6.5e-6, method=method, integrate=True, center=(row, 9.0)).values.astype(float)
+        stacks.append(camera.record(1e4 * bead + 10.0, seed=2).round().astype(np.uint16))
+    waves = {"EmissionWavelength": [600, 680], "EmissionWavelengthUnit": ["nm"] * 2}
+    for name, stated in (("both.ome.tif", waves), ("silent.ome.tif", {})):
+        channels = {"axes": "CZYX", "Channel": {"Name": ["green", "red"]} | stated}
+        tifffile.imwrite(name, np.stack(stacks), metadata=channels, photometric="minisblack")
+    asked = ("objective.toml", "--step", "200nm", "--read", "1.6", "--offset", "100", "--terms", "1")
+    silent = run("silent.ome.tif", *asked)
+    assert silent.returncode == 2
+    told = "--wavelength must be given for each channel: silent.ome.tif has 2 channels, green, red, without their"
+    assert told in " ".join(silent.stderr.split())
+    once = " ".join(run("silent.ome.tif", *asked, "--wavelength", "600nm").stderr.split())
+    assert "--wavelength must be one for each channel: silent.ome.tif has 2 channels, green, red, got 1" in once
+    found = run("both.ome.tif", *asked, "--report", "psf", "-o", "fit.toml", "--json")
+    assert found.returncode == 0, found.stderr
+    facts = json.loads(found.stdout)
+    assert facts["files"] == ["fit-680nm.toml", "fit-600nm.toml", "psf/table.csv", "psf/report.html"]
+    assert [lm.load_microscope(name).wavelength for name in facts["files"][:2]] == pytest.approx([680e-9, 600e-9])
+    assert [one["wavelength"] for one in facts["channels"]] == pytest.approx([600e-9, 680e-9])
+    red, green = facts["report"]["table"]
+    assert red["y_psf"] - green["y_psf"] == pytest.approx(0.5 * 6.5e-6 / OIL.magnification, abs=3e-9)
+    assert "<h2>Chromatic shifts</h2>" in (folder / "psf" / "report.html").read_text(encoding="utf-8")
+
+
+def test_a_misfit_of_another_channel_is_in_the_verdict(folder):
+    bead = tifffile.imread("bead.tif")
+    channels = {"axes": "CZYX", "Channel": {"Name": ["good", "noise"]}}
+    noise = lm.Noise(read=1.6, offset=100).record(np.full(bead.shape, 10.0), seed=3).round().astype(np.uint16)
+    tifffile.imwrite("pair.ome.tif", np.stack([bead, noise]), metadata=channels, photometric="minisblack")
+    found = run("pair.ome.tif", *ASKED, "--wavelength", "600nm", "--wavelength", "680nm")
+    assert found.returncode == 3
+    assert "680 nm: the light of all planes is within the noise" in " ".join(found.stdout.split())
+
+
 def test_clipped_pixels_are_named_at_once_and_left_out(folder):
     field = tifffile.imread("field.tif")
     top = int(0.6 * field.max())

@@ -20,6 +20,7 @@ from lommel.base.arrays import Array, Values, plain
 from lommel.base.options import In, Options, Shown
 from lommel.base.units import ARCSEC, format_length
 from lommel.base.validation import line
+from lommel.base.validation import wavelength as wavelength_of
 from lommel.blur.blurs import Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraNoise, instrument_of, require_microscope
@@ -31,7 +32,7 @@ from lommel.estimation.options import BeadOptions, FieldFitOptions, RetrieveOpti
 from lommel.fit.findings import Finding, Findings
 from lommel.io import zernike_tables
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.psf import psf
 from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixels, sharpness
 from lommel.recorded.counts import Counts, counts_of, flat_top
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
     from lommel.estimation.field_fit import FieldFit
     from lommel.estimation.phase_retrieval import Retrieval
     from lommel.lensfiles.microscope_files import Microscope
+    from lommel.recorded.frames import Frames
     from lommel.recorded.noise import Noise
 
 _MOST_CROSSINGS = 100
@@ -446,6 +448,7 @@ def beads(
     /,
     *,
     step: Annotated[float | None, Shown(length="nm")] = None,
+    wavelength: Annotated[tuple[float, ...], Shown(length="nm")] = (),
     options: BeadOptions = BeadOptions(diameter=1e-7),
     window: Annotated[int, In(least=9, most=101)] = 31,
     output: Annotated[Path | None, OUTPUT] = None,
@@ -457,7 +460,8 @@ def beads(
 
     STACKS are z stacks (TIFF, OME-TIFF, OME-Zarr, NPY, FITS) of single beads cut out, or of fields in which isolated
     beads are found; a folder stands for its stacks. LENS is the file of the objective: its section [sample] has the
-    index of the medium of the beads, and [aberrations.zernike], if there is one, the start of the search.
+    index of the medium of the beads, and [aberrations.zernike], if there is one, the start of the search. Stacks of
+    several channels have a fit of each channel.
 
     All beads share the aberrations and the constants of the microscope, which are estimated within their usual
     uncertainties. chi2 is about 1 where the model fits. It may be 1 even for a wrong constant: all constants are
@@ -470,6 +474,9 @@ def beads(
     step
         Stage step between planes, such as 100nm, positive if objective and sample approach (each plane is deeper in
         the sample); -100nm for the other order. By default from the metadata of STACKS, positive.
+    wavelength
+        Emission, such as 520nm; repeated, one for each channel of STACKS. By default that of LENS, or of several
+        channels that of STACKS.
     diameter
         Diameter of the beads, such as 0.1um.
     depth
@@ -481,7 +488,8 @@ def beads(
     window
         Side in pixels of the windows around beads, if a file shows a field of them.
     output
-        Microscope file (.toml) with the results, for all other commands.
+        Microscope file (.toml) with the results, for all other commands. Of several channels each has a file with
+        its wavelength in the name, such as mine-520nm.toml, and so has a figure.
     folder
         Folder of a report: table.csv with a row for each bead, and report.html to print. Further runs with the same
         folder, of other channels and dates, add rows, chromatic shifts and a trend. The date is that in the name of
@@ -508,14 +516,14 @@ def beads(
     if folder is not None:
         _earlier(folder)  # whose table is refused before the fits
     microscope = require_microscope("beads", lens, pixel=camera.pixel, camera=camera.camera)
-    notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
+    notes = list[str]()
     if options.depth is None and microscope.depth > 0.5 * options.diameter:
         deep = format_length(microscope.depth)
         notes.append(
             f"Beads are taken to touch the cover glass, not to be {deep} deep as the file says; --depth states it."
         )
     with progress("reading") as status:
-        read = list(read_each(tuple(stacks)))
+        read = list(read_each(tuple(stacks), channels=True))
         metadata = combined_metadata([stack.metadata for stack in read])
         noise, saturation, header = camera.resolve(metadata, microscope.camera)
         steps = {stack.metadata.get("step") for stack in read} if step is None else {step}
@@ -534,12 +542,15 @@ def beads(
         notes += [f"Camera: {camera_text}.", *header]
         windows, contradicted, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
         z = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step
-        sharpest = _sharpest(microscope, z, options)
-        for stack in read:
+        waves = [_emission(stack, wavelength, microscope) for stack in read]
+        devices = {wave: _in_light(microscope, wave) for wave in waves}
+        notes.insert(0, f"Emission at {', '.join(format_length(wave, digits=4) for wave in devices)}.")
+        sharpest = {wave: _sharpest(device, z, options) for wave, device in devices.items()}
+        for stack, wave in zip(read, waves, strict=True):
             file = stack.names[0].removesuffix(" [0]")
             if stack.axes[0] == "T":
                 notes.append(f"{line(file)} states {len(stack)} time points, which were taken as planes along z.")
-            facts = microscope_facts(microscope.objective, microscope.wavelength)
+            facts = microscope_facts(microscope.objective, wave)
             lengths, differences = microscope_findings(stack.metadata, microscope.pixel, used_step, **facts)
             contradicted |= {finding.text: finding for finding in lengths}
             notes += [*stack.notes, *(note for note in differences if note not in notes)]
@@ -547,8 +558,9 @@ def beads(
             mask = camera.mask_of(recorded_planes)
             ignored = np.broadcast_to(False if mask is None else mask, recorded_planes.shape)
             masked = StackView(recorded_planes, math.inf if saturation is None else saturation, mask=ignored)
-            hot = hot_pixels(masked, noise, sharpest, masked.limit)
-            prefix = f"{line(file)}: " if len(read) > 1 else ""
+            hot = hot_pixels(masked, noise, sharpest[wave], masked.limit)
+            channel = f", {stack.metadata['names'][stack.metadata['channel']]}" if "channel" in stack.metadata else ""
+            prefix = f"{line(file)}{channel}: " if len(read) > 1 else ""
             findings += [replace(found, text=f"{prefix}{found.text}") for found in hot_pixel_findings(hot)]
             hidden = ignored | hot
             top, count = flat_top(recorded_planes, ~hidden, noise)
@@ -561,18 +573,18 @@ def beads(
                 findings.append(Finding("saturation_assumed", "note", text))
                 status.tell(f"{text}.")
             values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
-            windows += _beads(file, values, Counts.of(values, noise=noise, saturation=saturation), window, notes)
+            counts = Counts.of(values, noise=noise, saturation=saturation)
+            windows += _beads((file, channel, wave), values, counts, window, notes)
         told_early(list(contradicted.values()))
         status("fitting")
         columns = 12 + (options.terms if isinstance(options.terms, int) else len(options.terms))
         dates = {} if folder is None else {path.name: _date(path) for path in stacks}
-        by_date, rows, table = dict[str, list[_Bead]](), list[Facts](), dict[str, Any]()
+        groups, rows, table = dict[tuple[str, float], list[_Bead]](), list[Facts](), dict[str, Any]()
         for bead in windows:
-            by_date.setdefault(dates.get(bead.file, ""), []).append(bead)
-        done, fits = (
-            0,
-            sum(min(len(beads), options.joint) + (0 if folder is None else len(beads)) for beads in by_date.values()),
-        )  # of a bead
+            groups.setdefault((dates.get(bead.file, ""), bead.wavelength), []).append(bead)
+        done, several, days = 0, len(devices) > 1, sorted({day for day, _ in groups})
+        # Fits of a bead: that of all beads takes as long as those of its beads.
+        fits = sum(min(len(one), options.joint) + (0 if folder is None else len(one)) for one in groups.values())
         if (expected := _BEAD_SECONDS * windows[0].window.size * columns * fits) > _LONG:
             fewer = ", fewer with --terms 7" if columns > 12 + 7 else ""
             status.tell(f"Fits of {len(windows)} beads: about {expected / 60.0:.0f} min of a processor{fewer}.")
@@ -595,24 +607,31 @@ def beads(
             done = before + part
             return found
 
-        if len(by_date) > 1:
-            notes.append(f"Each date has its own fit, of which that of {max(by_date)} is told.")
-        for day, windows in sorted(by_date.items()):  # microscopes change between days
-            cut_out = [bead.window for bead in windows]
-            result = fitted(cut_out, microscope)
+        if len(days) > 1:
+            notes.append(f"Each date has its own fit, of which that of {days[-1]} is told.")
+        if several:
+            notes.append(f"Each channel has its own fit, of which that of {_nanometres(min(devices))} is told.")
+        told: dict[float, BeadFit] = {}
+        # Microscopes change between days; the shortest wavelength of the newest day is the last.
+        for (day, wave), windows in sorted(groups.items(), key=lambda one: (one[0][0], -one[0][1])):
+            cut_out, device = [bead.window for bead in windows], devices[wave]
+            result = fitted(cut_out, device)
+            if day == days[-1]:
+                told[wave] = result
             files_of = [bead.file for bead in windows]
             relative = heights(result.z_covariance, np.array([bead.z for bead in result.beads]), files_of)
             if folder is None:
                 continue
-            report = _BeadReport(lens.stem, microscope, result, windows, relative, noise, used_step)
+            report = _BeadReport(lens.stem, device, result, windows, relative, noise, used_step)
             if not result.reliable:
-                status.tell(f"{f'{day}: ' if len(by_date) > 1 else ''}{result.message}.")
+                of = [day] * (len(days) > 1) + [_nanometres(wave)] * several
+                status.tell(f"{', '.join(of)}{': ' if of else ''}{result.message}.")
             # Bad constants are bad for each bead: fits of single beads would find that again.
             if not result.converged or len(cut_out) == 1:
                 each: Iterable[BeadFit] = (replace(result, beads=(bead,)) for bead in result.beads)
             else:
                 # The constants of all beads are nearer to the truth than the stated ones.
-                alone, factor = microscope.fitted(result), float(result.coefficients.get("step", 1.0))
+                alone, factor = device.fitted(result), float(result.coefficients.get("step", 1.0))
                 each = [
                     fitted([window.window], alone, factor, f"bead {k} of {len(windows)}, ", diameter=result.diameter)
                     if bead.used else replace(result, beads=(bead,))
@@ -620,11 +639,24 @@ def beads(
                 ]  # fmt: skip
             table = report.write(folder, each, _earlier(folder), dates)
             rows += table["table"]
-    result = replace(result, findings=Findings([*contradicted.values(), *findings, *result.findings]))
-    if output is not None:
-        _fitted(microscope, result, used_step).save(output)
-    save_figure(result.plot, figure)
-    facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes, "fwhm": None}
+    others = [
+        replace(one, text=f"{_nanometres(wave)}: {one.text}")
+        for wave, found in told.items() if found is not result
+        for one in found.findings if one.severity != "note"
+    ]  # fmt: skip
+    result = replace(result, findings=Findings([*contradicted.values(), *findings, *result.findings, *others]))
+    outputs, figures = ({_of_channel(path, wave, several): wave for wave in told} for path in (output, figure))
+    for path, one in outputs.items():
+        if path is not None:
+            _fitted(devices[one], result if one == wave else told[one], used_step).save(path)
+    for path, one in figures.items():
+        save_figure((result if one == wave else told[one]).plot, path)
+    facts = result.to_dict() | {"wavelength": wave, "noise": recorded, "notes": notes, "fwhm": None}
+    if several:
+        names = "status", "message", "coefficients", "errors"
+        facts["channels"] = [
+            {"wavelength": one} | {k: found.to_dict()[k] for k in names} for one, found in sorted(told.items())
+        ]
     if result.converged:
         with suppress(ValueError):  # strong aberrations have no single focus
             widths = np.transpose(result.fwhm(depth=result.beads[0].depth)).tolist()
@@ -639,9 +671,13 @@ def beads(
     facts["beads"] = [window.name for window in windows]
     if folder is not None:
         facts["report"] = plain(table | {"table": rows})
-    status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
     pages = [] if folder is None else [folder / _TABLE, folder / _PAGE]
-    files = written([output, figure, *pages], lambda path: status_text if path == output else "")
+
+    def status_text(path: Path) -> str:
+        found = told[outputs[path]] if path in outputs else result
+        return "" if path not in outputs or found.converged else f", of a fit that has not converged: {found.status}"
+
+    files = written([*outputs, *figures, *pages], status_text)
     keys = dict(zip(facts["coefficients"], result.coefficients, strict=True))
     units = {key: CONSTANTS[name].unit if isinstance(name, str) else "rad" for key, name in keys.items()}
     titles = {key: name if isinstance(name, str) else label(name) for key, name in keys.items()}
@@ -655,7 +691,44 @@ def beads(
         nanometres = [{axis: 1e9 * pair[k] for axis, pair in widths.items()} for k in (0, 1)]
         title = "FWHM at the first bead, without bead and pixel"
         shown += ["", *tables({title: nanometres[0], "errors": nanometres[1], "units": dict.fromkeys("xyz", "nm")})]
-    return report_findings(facts, *verdict_lines(facts, result.summary), *shown, "") + files
+    parts = [Wrapped(f"{_nanometres(one)}: {told[one].message}") for one in sorted(told) if one != wave]
+    return report_findings(facts, *verdict_lines(facts, result.summary), *parts, *shown, "") + files
+
+
+def _nanometres(wavelength: float) -> str:
+    return f"{1e9 * wavelength:.0f} nm"
+
+
+def _of_channel(path: Path | None, wavelength: float, several: bool) -> Path | None:
+    """Return the path of the file of a channel, of `several` with the wavelength in its name."""
+    if path is None or not several:
+        return path
+    return path.with_name(f"{path.stem}-{1e9 * wavelength:.0f}nm{path.suffix}")
+
+
+def _emission(stack: Frames, stated: tuple[float, ...], microscope: Microscope) -> float:
+    """Return the wavelength of a stack: as stated, that of its file if it is one channel of several, or of LENS."""
+    names = stack.metadata["names"] if "channel" in stack.metadata else [""]
+    number, file = stack.metadata.get("channel", 0), line(stack.names[0].removesuffix(" [0]"))
+    texts = f"{len(names)} channels, {', '.join(names)}" if len(names) > 1 else "one channel"
+    if stated:
+        if len(stated) != len(names):
+            raise ValueError(f"--wavelength must be one for each channel: {file} has {texts}, got {len(stated)}")
+        return wavelength_of(stated[number], "--wavelength")
+    if len(names) == 1:
+        return microscope.wavelength
+    (wave,) = stack.metadata["emission"]
+    if not isinstance(wave, float):
+        raise ValueError(f"--wavelength must be given for each channel: {file} has {texts}, without their emission")
+    return wavelength_of(wave, f"the emission that {file} states")
+
+
+def _in_light(microscope: Microscope, wavelength: float) -> Microscope:
+    """Return the microscope at a wavelength, with equal paths of its aberrations."""
+    aberrations = microscope.aberrations
+    if aberrations is not None:
+        aberrations = same_path(aberrations, microscope.wavelength, wavelength)
+    return replace(microscope, wavelength=wavelength, aberrations=aberrations)
 
 
 def _places(fits: list[Facts], names: list[str]) -> Parts:
@@ -702,11 +775,12 @@ def _sharpest(microscope: Microscope, z: Values, options: BeadOptions) -> float:
 
 
 class _Bead(NamedTuple):
-    """A window around a bead, and the position (row, column) of its first pixel in the image."""
+    """A window around a bead, the position (row, column) of its first pixel in the image, and the emission."""
 
     name: str
     window: Values
     corner: tuple[int, int]
+    wavelength: float
 
     @property
     def file(self) -> str:
@@ -804,20 +878,24 @@ class _BeadReport(NamedTuple):
         return {"table": rows, "surface": focal_surface(rows, middle_of(rows))}
 
 
-def _beads(file: str, planes: Values, counts: Counts, window: int, notes: list[str]) -> list[_Bead]:
+def _beads(
+    source: tuple[str, str, float], planes: Values, counts: Counts, window: int, notes: list[str]
+) -> list[_Bead]:
     """Return the beads of a stack, and add to `notes` how many were refused.
 
-    A stack that shows a single bead is returned as a whole.
+    `source` are its file, its channel in words, and its emission. A stack that shows a single bead is returned as a
+    whole.
     """
+    file, channel, wavelength = source
     if max(planes.shape[1:]) <= _FIELD_FACTOR * window:
-        return [_Bead(f"{file} [0]", planes, (0, 0))]
+        return [_Bead(f"{file} [0]", planes, (0, 0), wavelength)]
 
     spots = detection.find_spots(counts, window=window)
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "check --offset and --gain"
-        raise ValueError(f"{line(file)}: no isolated bead; {spots.message}: {advice}")
+        raise ValueError(f"{line(file)}{channel}: no isolated bead; {spots.message}: {advice}")
     if spots.refused:
-        notes.append(f"{line(file)}: {spots.message}. Beads need {window} pixels for themselves (--window).")
+        notes.append(f"{line(file)}{channel}: {spots.message}. Beads need {window} pixels for themselves (--window).")
     corners = (spots.places - [side // 2 for side in spots.windows.shape[-2:]]).tolist()
     numbered = enumerate(zip(spots.windows, corners, strict=True))
-    return [_Bead(f"{file} [{k}]", values, (row, column)) for k, (values, (row, column)) in numbered]
+    return [_Bead(f"{file} [{k}]", values, (row, column), wavelength) for k, (values, (row, column)) in numbered]

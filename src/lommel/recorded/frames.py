@@ -1089,11 +1089,12 @@ registry.register(
 )
 
 
-def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Frames]:
+def read_each(paths: Sequence[str | PathLike[str]], *, channels: bool = False) -> Iterator[Frames]:
     """Yield the grey images of each file in memory, one image or a stack in the order of the file.
 
-    For a multi-file OME-TIFF, its first file yields all images, and its other files none. Raises RecordingError,
-    OSError or ImportError as :func:`open_frames`.
+    For a multi-file OME-TIFF, its first file yields all images, and its other files none. With `channels`, stacks of
+    several channels are yielded one by one: "channel" of the metadata is the index, and "names" those of all. Raises
+    RecordingError, OSError or ImportError as :func:`open_frames`.
     """
     read_files: set[str] = set()
     for path in paths:
@@ -1102,12 +1103,31 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Frames]:
             if files and files <= read_files:
                 continue
             read_files |= files
-            stack = frames.as_stack()
-            values = stack[...]
-        if values.dtype == bool:  # a mask
-            values = values.astype(np.uint8)
-        names = names_of(Path(path).name, len(values))
-        yield replace(stack, planes=_ArrayPlanes(values, "it", stack.path, names))
+            parts = _channels_of(frames) if channels else [frames]
+            stacks = [part.as_stack() for part in parts]
+            read = [stack[...] for stack in stacks]
+        for stack, values in zip(stacks, read, strict=True):
+            if values.dtype == bool:  # a mask
+                values = values.astype(np.uint8)
+            names = names_of(Path(path).name, len(values))
+            planes = _ArrayPlanes(values, "it", stack.path, names)
+            yield replace(stack, planes=planes, numbers=np.arange(len(values)))
+
+
+def _channels_of(frames: Frames) -> list[Frames]:
+    """Return the images of each channel with its emission; those of one channel, or of one plane, as they are."""
+    sizes = dict(zip(frames.axes, frames.numbers.shape, strict=False))
+    count = sizes.pop("C", 1)
+    if count == 1 or max(sizes.values(), default=1) == 1:
+        return [frames]
+    stated, waves = ([*frames.metadata.get(key, []), *[None] * count] for key in ("names", "emission"))
+    names = [name or f"channel {k}" for k, name in enumerate(stated[:count])]
+    return [
+        replace(
+            frames.one_of("C", k), metadata=frames.metadata | {"channel": k, "names": names, "emission": [waves[k]]}
+        )
+        for k in range(count)
+    ]
 
 
 def read_images(paths: Sequence[str | PathLike[str]]) -> Frames:

@@ -103,6 +103,24 @@ def test_a_tone_curve_that_a_picture_does_not_exclude_is_stated_with_its_effect(
     assert "tone curve" not in str(lm.sfr(light).findings.get("untested"))
 
 
+@pytest.mark.parametrize(("strength", "electrons"), [(0.0, 3000.0), (0.5, 2e4)])
+def test_a_tone_curve_shows_in_the_noise_of_areas_of_different_light(strength, electrons):
+    light = noisy(CHART * np.where(np.arange(CHART.shape[1]) < 160, 1.05, 0.6), electrons)
+    encoded = np.where(light < 0.0031308, 12.92 * light, 1.055 * np.maximum(light, 0.0) ** (1 / 2.4) - 0.055)
+    curved = (1.0 - strength) * encoded + strength * encoded**2 * (3.0 - 2.0 * encoded)
+    found = lm.imaging.sfr_chart((65535.0 * curved).round().astype(np.uint16), encoding="srgb")
+    assert ("tone_curve" in found.findings.codes) == (strength > 0.0)
+    assert found.reliable == (strength == 0.0)
+    assert "tone curve (" not in str(found.findings.get("untested"))
+    if strength:
+        f = np.linspace(0.05, 0.4, 8)
+        right = lm.imaging.sfr_chart(light).edges
+        change = [a.response(f) - b.response(f) for a, b in zip(found.edges, right, strict=True)]
+        expected = np.median(np.abs(change).max(axis=1))
+        assert expected > 0.03
+        assert found.findings.get("tone_curve").numbers["curve"] == pytest.approx(expected, rel=0.5)
+
+
 def test_errors_contain_the_correlation_of_noise():
     # A filter of the picture changes response and noise alike.
     image = noisy(EDGE, 5000.0, seed=4)

@@ -69,6 +69,7 @@ CODES: Mapping[str, str] = {
     "sign_open": "the sign of the even terms is ambiguous: another wavefront has the same images",
     "stated": "a stated value that is used without a test",
     "tilted_background": "the background of images is not flat, but tilted",
+    "tone_curve": "the noise is that of light behind a tone curve, which was not stated",
     "too_dim": "too little light: images are not linear within the standard errors, and other wavefronts fit as well",
     "too_quiet": "the images are less noisy than gain, offset and read noise state, or than light is",
     "unchecked": "the checks of the fit that take long were omitted",

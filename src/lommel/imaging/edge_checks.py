@@ -24,7 +24,8 @@ _LOSS = 2.0  # largest loss of it by an encoding that the noise of both sides sh
 _LEVEL = 0.005  # uncertainty of the levels of both sides by uneven light, fraction of the step
 _GAMMA = 2.2  # of that encoding
 _OF_ENCODING = 1.75  # least power that names it
-_CURVE = 0.5  # strength of a tone curve of cameras, from none to 3 v^2 - 2 v^3
+CURVE = 0.5
+"""Strength of a tone curve of cameras, from none to 3 v^2 - 2 v^3."""
 _FLAT = 0.9  # fraction of equal pixels of a bright side that is clipped, beside a dark one with noise
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
 _ALIKE = 1.15  # largest ratio of the noise of alike pixels: that of balanced colours is larger
@@ -195,7 +196,7 @@ def _of_symmetry(
     curve = 0.0
     if encoding != "linear":
         encoded = np.clip(profile, 0.0, 1.0) ** (1.0 / _GAMMA)
-        curve = change_by(_GAMMA, (1.0 - _CURVE) * encoded + _CURVE * encoded**2 * (3.0 - 2.0 * encoded))
+        curve = change_by(_GAMMA, (1.0 - CURVE) * encoded + CURVE * encoded**2 * (3.0 - 2.0 * encoded))
     evidence = gain, change_by(common) if gain < UNTESTED else 0.0, curve
     change = 0.0 if power == 1.0 else change_by(power)
     (dark, _), (bright_side, value) = _equal(edge, stored)

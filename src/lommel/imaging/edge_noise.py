@@ -13,14 +13,16 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 from scipy import ndimage
 
 from lommel.base.arrays import Array
+from lommel.base.encoding import Encoding, from_light, to_light
 from lommel.fit.findings import Finding, untested_finding
-from lommel.imaging.edge_checks import UNTESTED
-from lommel.imaging.edge_profile import SIGMA, Edge, Mask
+from lommel.imaging.edge_checks import CURVE, UNTESTED
+from lommel.imaging.edge_profile import FAR, SIGMA, Edge, Mask
 
 _PADDING = 6  # zeros between rows and between images: the largest lag, of pixels two apart (of a mosaic)
 _LAGS = np.array([(down, right) for down in range(4) for right in range(-3, 4) if down > 0 or right > 0])
@@ -44,6 +46,8 @@ _EFFECT = 0.02  # change of the response that is told
 _BINS, _PER_PIXEL = 24, 2  # of the overshoot
 _BOTH, _ONE = 0.006, 0.03  # overshoot that is told if it is on both sides, and on one, fractions of the step
 _SIDE = 3.5  # standard errors of the overshoot of each side
+_CURVES = np.linspace(-0.5, 1.0, 7)  # strengths of tone curves that are tested, as CURVE
+_CURVED, _LEVELS = 6.0, 12  # least gain in chi-squared / 2 by a tone curve, and least number of sides of edges
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +58,8 @@ class Evidence:
     variance; `beside` are squares of noise beside the edge, and of the areas; `encoding` is the evidence of
     ``edge_findings``; `above` is the response above 1 beyond errors; `response` are its frequencies, cycles per
     pixel, values and errors. `untested` tells that rounding hides the noise,
-    `uneven` that a large trend of the light was removed; `top` is the stored value that few pixels exceed.
+    `uneven` that a large trend of the light was removed; `top` is the stored value that few pixels exceed; `noise` is
+    that of both sides, as of ``_noise_of_light``.
     """
 
     neighbours: Neighbours
@@ -67,6 +72,7 @@ class Evidence:
     untested: bool
     uneven: bool
     top: float
+    noise: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,6 +118,7 @@ def evidence_of(
     found: tuple[Array, Array],
     encoding: tuple[float, float, float],
     pitch: float,
+    stated: Encoding,
     *,
     rounded: bool,
 ) -> Evidence:
@@ -125,7 +132,8 @@ def evidence_of(
     beside = measured, white + degrees * (_UNEVEN * edge.step) ** 2  # of light that changes along the edge
     top = float(np.quantile(stored[edge.used], 1.0 - _BRIGHTER))
     uneven = max(edge.trend, abs(edge.tail)) > _TREND
-    return Evidence(neighbours, excess, weights, beside, encoding, above, response, untested, uneven, top)
+    noise = _noise_of_light(edge, stored, stated, rounded=rounded)
+    return Evidence(neighbours, excess, weights, beside, encoding, above, response, untested, uneven, top, noise)
 
 
 def added_variance(edge: Edge) -> float:
@@ -182,10 +190,70 @@ def processing_findings(edges: Sequence[Evidence], *, compressed: bool) -> list[
     if sum(edge.encoding[0] for edge in edges) < UNTESTED and change > _EFFECT and tested.pairs:
         items.append(f"encoding (±{change:.1g})")
     if (curve := float(np.median([edge.encoding[2] for edge in edges]))) > _EFFECT:
-        items.append(f"tone curve (±{curve:.1g})")
+        misfits = 0.5 * _tone_misfits(edges)
+        likely, none, usual = misfits.argmin(), *(np.abs(_CURVES - size).argmin() for size in (0.0, CURVE))
+        change = curve * abs(float(_CURVES[likely])) / CURVE
+        if misfits[none] - misfits[likely] > _CURVED and change > _EFFECT:
+            text = (
+                "noise of dark and bright areas is that of light behind a tone curve (contrast, a picture style), "
+                f"which changes the response by about {change:.1g}: take a raw picture"
+            )
+            numbers = {"curve": change, "gain": float(misfits[none] - misfits[likely])}
+            return [Finding("tone_curve", "doubt", text, numbers)]
+        if misfits[usual] - misfits[likely] < _CURVED:
+            items.append(f"tone curve (±{curve:.1g})")
     if tested.hidden > _EFFECT:
         items.append(f"sharpening or denoising (±{tested.hidden:.1g})")
     return [untested_finding(items, {"encoding": change, "curve": curve, "filter": tested.hidden})] if items else []
+
+
+def _noise_of_light(edge: Edge, stored: Array, encoding: Encoding, *, rounded: bool) -> Array:
+    """Return light, variance, variance of rounding, and number of pixels, by tone curve and side of an edge.
+
+    The shape is (4, curves, 2), or (4, curves, 0) if values are linear: a tone curve is one of encoded values.
+    """
+    if isinstance(encoding, str) and encoding == "linear":
+        return np.zeros((4, _CURVES.size, 0))
+    far = edge.used & (np.abs(edge.distance) > FAR * edge.reach)
+    sides = [far & (sign * edge.distance > 0.0) for sign in (-1.0, 1.0)]
+    codes = np.array([from_light(np.array(level), encoding, np.float64) for level in edge.levels]).clip(0.01, 0.99)
+    scale = max(float(np.median(stored[side])) for side in sides) / float(codes.max())  # stored values at 1
+    grid = np.linspace(0.0, 1.0, 1025)
+
+    def slope(values: Array) -> Array:
+        """Return the change of light with that of encoded values."""
+        low, high = (to_light("values", values + change, encoding, np.float64) for change in (-1e-3, 1e-3))
+        return np.asarray(500.0 * (high - low), float)
+
+    variances = np.array(edge.variances) / np.square(slope(codes))
+    found = np.zeros((4, _CURVES.size, 2))
+    for k, size in enumerate(_CURVES):
+        before = np.interp(codes, (1.0 - size) * grid + size * grid**2 * (3.0 - 2.0 * grid), grid)
+        gain = np.square(slope(before) / (1.0 - size + 6.0 * size * before * (1.0 - before)))
+        found[0, k] = to_light("values", before, encoding, np.float64)
+        found[1:3, k] = variances * gain, (float(rounded) / 12.0 / scale**2) * gain
+        found[3, k] = [int(side.sum()) for side in sides]
+    return found
+
+
+def _tone_misfits(edges: Sequence[Evidence]) -> Array:
+    """Return chi-squared of the noise of all sides as that of light behind each tone curve; 0 if there are few sides.
+
+    The variance of light is that of reading, a multiple of the light, and one of its square (uneven pixels).
+    """
+    light, variance, rounding, count = np.concatenate([edge.noise for edge in edges], axis=2)
+    if light.shape[1] < _LEVELS:
+        return np.zeros(_CURVES.size)
+    misfits = np.zeros(_CURVES.size)
+    for k in range(_CURVES.size):
+        terms, expected = np.stack([np.ones_like(light[k]), light[k], light[k] ** 2], axis=1), variance[k]
+        for _ in range(3):
+            weights = np.sqrt(0.5 * count[k]) / np.maximum(expected, 1e-300)
+            sizes = scipy.optimize.nnls(terms * weights[:, None], (variance[k] - rounding[k]) * weights)[0]
+            expected = terms @ sizes + rounding[k]
+        misfits[k] = float(np.square((variance[k] - expected) * weights).sum())
+    # Noise that is no such light, as of gains over the field, scatters more.
+    return np.asarray(misfits / max(1.0, float(misfits.min()) / (light.shape[1] - 4)))
 
 
 class _Area(NamedTuple):

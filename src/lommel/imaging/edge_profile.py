@@ -35,7 +35,8 @@ _FAR_OFF = 8.0  # mean absolute deviations of pixels of a side that are left out
 _TAIL = 0.35  # fraction of the profile beyond which its approach to the sides is fitted
 _OUTER, _STEEP = 0.6, 2.0  # the same, of those that fall faster by these standard errors
 _UNSURE = 0.5  # relative error of the fitted light: other blurs, and halos of other edges, at two reaches
-_FAR = 0.6  # fraction of the profile beyond which pixels show the uniform sides
+FAR = 0.6
+"""Fraction of the profile beyond which pixels show the uniform sides."""
 _STEPS, _TERMS = 3, 4  # of the fit of the edge, and number of its Legendre polynomials
 # Where the response is 0.5: size of the part fitted around it, relative to its frequency; number of fits, each around
 # the last one; least fall of its logarithm there with that of frequency (1.4 of Gaussians, 1.3 of apertures); least
@@ -404,7 +405,7 @@ class _Side(NamedTuple):
 
 def _side(light: Array, distance: Array, reach: float, used: Mask, side: float) -> _Side:
     """Return the light of one side (sign of the distance) of an edge, far from it."""
-    chosen = used & (side * distance > _FAR * reach)
+    chosen = used & (side * distance > FAR * reach)
     rows = np.arange(len(light)) - 0.5 * (len(light) - 1)
     bend = _bend(len(light))
     values, far, index = light[chosen], distance[chosen], np.nonzero(chosen)[0]

@@ -371,7 +371,9 @@ def _measured(
     contrast = edge.step / max(abs(sum(edge.levels)), 1e-300)
     found, of_encoding = edge_findings(edge, upright[1], encoding, (values, errors))
     findings = Findings([*found, *left_out])
-    evidence = evidence_of(edge, neighbours, upright[1], (values, errors), of_encoding, pitch, rounded=rounded)
+    evidence = evidence_of(
+        edge, neighbours, upright[1], (values, errors), of_encoding, pitch, encoding, rounded=rounded
+    )
     found_response = EdgeResponse(
         frequencies, values, errors, (mtf50, mtf50_error), angle, float(contrast), findings, pixel
     )

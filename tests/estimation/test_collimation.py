@@ -88,6 +88,12 @@ def test_a_misfit_names_its_causes_and_large_errors_are_in_doubt(monkeypatch):
     doubt = Finding("missed_light", "doubt", "the model misses 9 % of the light")
     assert changed(0.01, doubt).reliable  # errors contain it
     assert not changed(9.0, doubt).reliable  # of phases in which images are not linear
+    # Of 6 waves out of focus, a wave rms of coma changes the light by 17 / 6.
+    (steady,) = (
+        f for f in changed(0.01, replace(doubt, numbers={"missed": 0.085})).findings if f.severity == "doubt"
+    )
+    assert "each aberration by 0.03 waves" in steady.text
+    assert changed(0.01, replace(doubt, numbers={"missed": 0.04})).reliable  # as of averaged turbulence
     misfit = changed(0.01, Finding("misfit", "error", "chi2 99"))
     assert not misfit.converged
     assert "turbulence that is not averaged" in misfit.message

@@ -37,6 +37,11 @@ _MOST_SPREAD = 1.19  # largest moment of inertia of an outline, relative to a di
 _MOST_SATURATED = 0.05  # largest part of the outline that may be saturated without a doubt
 _TOLD = 5.0  # brightness, standard deviations of the noise, from which photon noise must be seen
 _SIGNIFICANT = 3.0  # standard errors from which an aberration has a direction
+# Part of the light that the model may miss because of turbulence: of 60 phase screens 3 %, of 10 8 %.
+_MOST_TURBULENT = 0.05
+# A wave rms of coma changes the light of a star, W waves out of focus, by 17 / W rms: relative to the radius, it
+# moves rays by its gradient over 2 W, and the light by its Laplacian, sqrt(8) 24 rho cos(theta), over 2 W.
+_LIGHT_OF_COMA = 17.0
 # Doubts whose size the standard errors contain: they are notes.
 _CONTAINED = {"missed_light", "other_explanation", "rare_chi2", "sign_open"}
 _WAVE = 2.0 * math.pi  # radians
@@ -161,7 +166,18 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
     value, error = ({n: part[n] / _WAVE for n in fit.coefficients} for part in (fit.coefficients, fit.errors))
     # Larger errors are those of phases in which images are not linear.
     contained = _CONTAINED if math.hypot(*error.values()) < MAX_PHASE_ERROR / _WAVE else _CONTAINED - {"missed_light"}
+    defocus = side * waves + math.sqrt(12.0) * value[2, 0]
+    steady = 0.0  # waves rms: effects of the telescope that the model lacks
     for found in fit.findings:
+        if found.code == "missed_light" and (missed := found.numbers.get("missed", 0.0)) > _MOST_TURBULENT:
+            steady = missed * abs(defocus) / _LIGHT_OF_COMA
+            text = (
+                f"the model misses {100.0 * missed:.2g} % of the light, more than averaged turbulence; vanes, "
+                f"obscuration or mirrors other than stated may move each aberration by {steady:.2g} waves, which "
+                "errors include: expose longer, or state them"
+            )
+            findings.append(Finding("missed_light", "doubt", text, {**found.numbers, "waves": steady}))
+            continue
         is_contained = found.code in contained and found.severity == "doubt"
         if found.code != "left_out":  # of bins
             findings.append(replace(found, severity="note") if is_contained else found)
@@ -175,6 +191,7 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
         )
         findings.append(Finding("missed_light", "note", text, {"missed": missed}))
     fit = replace(fit, findings=Findings(findings))
+    error = {n: math.hypot(part, steady) for n, part in error.items()}
     trail = next((blur for blur in fit.blurs[0] if isinstance(blur, Motion)), None)
     coma = complex(value[3, 1], value[3, -1])
     # Inside focus, rays go outwards where the phase increases outwards: the star is longer there.
@@ -184,7 +201,7 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
         components=coma,
         astigmatism=Vector.of(longer, max(error[2, 2], error[2, -2]), 2),
         spherical=(value[4, 0], error[4, 0]),
-        waves=side * waves + math.sqrt(12.0) * value[2, 0],
+        waves=defocus,
         star=star,
         drift=None if trail is None else (trail.length / pixel, trail.angle),
         fit=fit,

@@ -258,8 +258,11 @@ def neighbour_findings(residual: Array, variance: Array, light: Array) -> list[F
     known = np.nan_to_num(residual)
 
     def matched(part: Array, star: Array) -> Array:
-        sums = scipy.signal.fftconvolve(part, star[:, ::-1, ::-1], mode="full", axes=(1, 2)).sum(axis=0)
-        return np.asarray(sums, np.float64)
+        # scipy.signal is slow to import.
+        lags = [2 * side - 1 for side in part.shape[1:]]
+        sides = [scipy.fft.next_fast_len(count, real=True) for count in lags]
+        spectra = scipy.fft.rfft2(part, sides) * scipy.fft.rfft2(star[:, ::-1, ::-1], sides)
+        return np.asarray(scipy.fft.irfft2(spectra.sum(axis=0), sides)[: lags[0], : lags[1]], np.float64)
 
     # For each displacement, the light of a second star relative to the first, by least squares.
     gradient, information = matched(weight * known, light), np.maximum(matched(weight, light**2), 1e-9)

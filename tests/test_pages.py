@@ -177,7 +177,9 @@ def write_files(place: Path) -> None:
     np.save("opd.npy", 1e-7 * (u * u + v * v))
     np.save("measured.npy", u * u + v * v < 0.9)
     listing = "Listing of Zernike Fringe Coefficient Data\nWavelength : 0.6328 µm\nRMS (to chief) : 0.1 waves\n"
-    Path("zemax.txt").write_text(f"{listing}Z   4\t 0.25\nZ   9\t -0.1\n", encoding="utf-16")
+    terms = {4: 0.25, 9: -0.1}
+    listing += "".join(f"Z {k:3d}\t {terms.get(k, 0.0)}\n" for k in range(1, 10))
+    Path("zemax.txt").write_text(listing, encoding="utf-16")
     heights = [0.0, 0.5e-3, 1e-3]
     field = lm.Wavefront.zernike({4: [0.0, 0.1, 0.3]}, order="noll", unit="waves", wavelength=550e-9)
     lm.FieldMap.radial(heights, field, wavelength=550e-9, f_number=1.8).save("field.csv")

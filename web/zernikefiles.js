@@ -175,10 +175,16 @@ export function listingTable(text, faults) {
   const stated = /^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$/m.exec(text);
   if (stated) settings.wavelength = `${numberOf(stated[1])} ${stated[2]}`;
   const terms = [];
+  let [last, formulas] = [0, false];
   text.split("\n").forEach((line, index) => {
-    const entry = /^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$/.exec(line);
-    if (entry) terms.push([entry[1], numberOf(entry[2]), `line ${index + 1}`]);
-    else if (/^\s*Z\s*\d/.test(line)) faults.push(`line ${index + 1}: a term must have a number and a value, got ${shownValue(line.trim())}`);
+    const entry = /^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(:.*)?$/.exec(line);
+    if (entry) {
+      const number = Number(entry[1]);
+      if (number > last + 1) faults.push(`line ${index + 1}: the term ${last + 1} is missing, got ${number}; a listing has all terms from 1`);
+      if (formulas && !entry[3]) faults.push(`line ${index + 1}: the term ${number} is cut off, without the formula that the others have`);
+      [last, formulas] = [number, Boolean(entry[3])];
+      terms.push([entry[1], numberOf(entry[2]), `line ${index + 1}`]);
+    } else if (/^\s*Z\s*\d/.test(line)) faults.push(`line ${index + 1}: a term must have a number and a value, got ${shownValue(line.trim())}`);
   });
   return builtTable(settings, terms, (key) => key, faults);
 }

@@ -237,7 +237,9 @@ def write_wavefronts(folder: Path) -> None:
     for suffix in (".json", ".toml", ".csv"):
         lm.save_zernike(folder / f"table{suffix}", table)
     listing = "Listing of Zernike Fringe Coefficient Data\nWavelength : 0.55 µm\nRMS (to chief) : 0.2 waves\n"
-    (folder / "listing.txt").write_text(listing + "Z   1\t  0.1\t: 1\nZ   4\t -0.25\n", encoding="utf-16")
+    (folder / "listing.txt").write_text(
+        listing + "Z   1\t  0.1\t: 1\nZ   2\t -0.25\t: p COS (A)\n", encoding="utf-16"
+    )
     (folder / "code.int").write_text("title\nZRN 4 WFR WVL 0.6328 SSZ 1000 NDA 32767\n10 20.5\n-30 1e2\n")
     opd = lm.OPDMap(5e-7 * lm.opd_map(lm.Wavefront(1.0), 8, unit="waves"), spacing=1e-3, wavelength=5e-7)
     for suffix in (".fits", ".fits.gz", ".csv"):

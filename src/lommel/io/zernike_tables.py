@@ -414,6 +414,7 @@ _WAVES_LINE = re.compile(r"^\s*(?:Peak to Valley|RMS|Maximum fit)\b.*?:\s*[\d.,e
 _WAVELENGTH_LINE = re.compile(r"^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$", re.MULTILINE)
 _RATIO = re.compile(r"^\s*(?:Obscuration|Epsilon|Annular ratio)[\w ]*:\s*([\d.,]+)\s*$", re.MULTILINE | re.IGNORECASE)
 _TERM_LINE = re.compile(r"^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$", re.ASCII)
+_COUNT_LINE = re.compile(r"^\s*(?:Number of|Maximum)\s+(?:\w+\s+)*terms?\s*:\s*(\d{1,4})\s*$", re.IGNORECASE)
 _TERM_START = re.compile(r"^\s*Z\s*\d", re.ASCII)
 # Formula of spherical aberration in a listing; the index of this term must fit the kind that the heading states.
 _SPHERICAL = re.compile(r":.*\(\s*6\s*p\^4\s*-\s*6\s*p\^2\s*\+\s*1\s*\)\s*$", re.IGNORECASE)
@@ -462,9 +463,12 @@ def _find_terms(text: str, kind: str, errors: list[str]) -> dict[int, float]:
     """Return the coefficients of a listing by index; append the errors of its lines to `errors`."""
     terms: dict[int, float] = {}
     spherical = {"standard": 11, "fringe": 9}.get(kind)
+    last, count, formulas = 0, (0, 0), False
     for place, line in enumerate(text.splitlines(), 1):
         entry = _TERM_LINE.match(line)
         if not entry:
+            if stated := _COUNT_LINE.match(line):
+                count = place, int(stated[1])
             if _TERM_START.match(line):
                 errors.append(f"line {place}: a term must have a number and a value, got {validation.shown(line)}")
             continue
@@ -478,7 +482,16 @@ def _find_terms(text: str, kind: str, errors: list[str]) -> dict[int, float]:
             errors.append(f"line {place}: the term {index} was given before")
         elif not math.isfinite(value):
             errors.append(f"line {place}: the term {index} must be a finite number, got {validation.shown(entry[2])}")
-        terms[index] = value
+        elif index != last + 1:
+            errors.append(
+                f"line {place}: the term {last + 1} is missing, got {index}; a listing has all terms from 1"
+            )
+        has_formula = ":" in line[entry.end(2) :]
+        if formulas and not has_formula:
+            errors.append(f"line {place}: the term {index} is cut off, without the formula that the others have")
+        terms[index], last, formulas = value, index, has_formula
+    if count[1] > last:
+        errors.append(f"line {count[0]}: states {count[1]} terms, and the listing ends at {last}")
     return terms
 
 

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: e778d465218599d4e9025133d7a583e6a4aaba182f1a64489ba0ea939c66c6ab
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 7b5e775b8174d36e31a4f112da167be23e26e8c6235e96770816630f762ff916
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {
@@ -2561,6 +2561,9 @@ Signs: "Vorzeichen",
 "the unit is not stated": "die Einheit ist nicht angegeben",
 "listings have 'Peak to Valley ... waves'": "Listen haben 'Peak to Valley ... waves'",
 "a term must have a number and a value, got {0}": "ein Term braucht eine Nummer und einen Wert, nicht {0!}",
+"the term {0} is missing, got {1}": "der Term {0} fehlt, es folgt {1}",
+"a listing has all terms from 1": "eine Liste hat alle Terme ab 1",
+"the term {0} is cut off, without the formula that the others have": "der Term {0} ist abgeschnitten, ohne die Formel, die die anderen haben",
 "the second line must begin with ZRN or ZFR and have WFR": "die zweite Zeile muss mit ZRN oder ZFR beginnen und WFR haben",
 "Zernike terms of a wavefront": "Zernike-Terme einer Wellenfront",
 "the second line must have WVL and SSZ, the wavelength in um and the value of one wave": "die zweite Zeile muss WVL und SSZ haben, die Wellenlänge in um und den Wert einer Wellenlänge",
@@ -3434,10 +3437,16 @@ const settings = { order: kind === "fringe" ? "fringe" : "noll", unit: "waves", 
 const stated = /^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$/m.exec(text);
 if (stated) settings.wavelength = `${numberOf(stated[1])} ${stated[2]}`;
 const terms = [];
+let [last, formulas] = [0, false];
 text.split("\n").forEach((line, index) => {
-const entry = /^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$/.exec(line);
-if (entry) terms.push([entry[1], numberOf(entry[2]), `line ${index + 1}`]);
-else if (/^\s*Z\s*\d/.test(line)) faults.push(`line ${index + 1}: a term must have a number and a value, got ${shownValue(line.trim())}`);
+const entry = /^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(:.*)?$/.exec(line);
+if (entry) {
+const number = Number(entry[1]);
+if (number > last + 1) faults.push(`line ${index + 1}: the term ${last + 1} is missing, got ${number}; a listing has all terms from 1`);
+if (formulas && !entry[3]) faults.push(`line ${index + 1}: the term ${number} is cut off, without the formula that the others have`);
+[last, formulas] = [number, Boolean(entry[3])];
+terms.push([entry[1], numberOf(entry[2]), `line ${index + 1}`]);
+} else if (/^\s*Z\s*\d/.test(line)) faults.push(`line ${index + 1}: a term must have a number and a value, got ${shownValue(line.trim())}`);
 });
 return builtTable(settings, terms, (key) => key, faults);
 }

@@ -195,6 +195,9 @@ def bad(name: str, data: bytes | str, told: str):
 
 
 GOOD = metropro(VALUES)
+POSITIONS = "".join(
+    f"{x / 4:.4f},{y / 4:.4f},{x * y / 7:.4f}\n" for y in range(-4, 4) for x in range(-4, 4) if abs(x) + abs(y) < 7
+)
 
 
 @pytest.mark.parametrize(
@@ -213,8 +216,10 @@ GOOD = metropro(VALUES)
         bad("a.fits", b"", "cannot be read"),
         bad("a.fits", b"SIMPLE  =                    T" + b" " * 2850, "cannot be read"),
         bad("a.fits.gz", b"\x1f\x8b\x08" + b"\0" * 30, "cannot be read"),
-        bad("a.csv", "1,2\n3\n", "it must hold rows with the same number of values"),
-        bad("a.csv", "1,2\n3,x\n", "it must hold rows with the same number of values"),
+        bad("a.csv", "1,2\n3\n", "it must hold rows with the same number of values, got 1 in line 2, and 2 before"),
+        bad("a.csv", "1,2\n3,x\n", "it must hold rows with the same number of values, got '3, x' in line 2"),
+        bad("a.csv", POSITIONS, "got a list of 59 positions x, y and values: put them into an array"),
+        bad("a.csv", f"x (mm),y (mm),W (waves)\n{POSITIONS}", "got a list of 59 positions x, y and values"),
         bad("a.csv", "", "it must hold rows with the same number of values"),
         bad("a.csv", "# unit: furlong\n1,2\n", "it has the unknown unit 'furlong'"),
         bad("a.csv", "# Unit: nm\n1,2\n", "it states 'Unit', which is unknown"),

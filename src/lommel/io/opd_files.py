@@ -287,18 +287,34 @@ def _read_csv(data: bytes) -> Measured:
     stated_values = {key: value for _, key, value in text_files.settings(text)}
     if unknown_keys := [key for key in stated_values if key not in ("unit", "spacing", "wavelength")]:
         raise ValueError(f"it states {', '.join(map(validation.shown, unknown_keys[:3]))}, which is unknown")
-    values, width, ragged = array("d"), 0, False
-    for _, row in text_files.rows(text):
-        ragged |= bool(width) and len(row) != width
+    values, width, fault = array("d"), 0, ""
+    for place, row in text_files.rows(text):
+        if width and len(row) != width:
+            fault = fault or f", got {len(row)} in line {place}, and {width} before"
         width = len(row)
         try:
-            values.extend(math.nan if cell == "" else float(cell) for cell in row)
+            values.extend([math.nan if cell == "" else float(cell) for cell in row])
         except ValueError:
-            ragged = True
-    if ragged or not width:
-        raise ValueError("it must hold rows with the same number of values")
+            fault = fault or f", got {validation.shown(', '.join(row[:3]))} in line {place}"
+    if width == 3 and len(values) % 3 == 0 and _lists_positions(np.array(values).reshape(-1, 3)):
+        raise ValueError(
+            f"it must hold a row of values for each row of pixels, got a list of {len(values) // 3} positions x, y "
+            "and values: put them into an array, NaN where there is none"
+        )
+    if fault or not width:
+        raise ValueError(f"it must hold rows with the same number of values{fault}")
     lengths = {name: parse_length(stated_values[name]) for name in ("spacing", "wavelength") if name in stated_values}
     return Measured(np.array(values).reshape(-1, width), _find_unit(stated_values.get("unit", "")), **lengths)
+
+
+def _lists_positions(rows: Values) -> bool:
+    """Return whether rows of three numbers are x, y and a value: different positions, on a grid in part or whole."""
+    if rows.shape[1:] != (3,) or len(rows) < 10:
+        return False
+    x, y = rows[:, 0], rows[:, 1]
+    columns, lines = np.unique(x), np.unique(y)
+    is_grid = min(columns.size, lines.size) > 2 and columns.size * lines.size <= 3 * len(rows)
+    return bool(is_grid and len(np.unique(rows[:, :2], axis=0)) == len(rows))
 
 
 def _write_csv(opd: OPDMap) -> bytes:

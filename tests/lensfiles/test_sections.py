@@ -177,6 +177,7 @@ def test_what_narrows_the_aperture_and_its_amplitude_are_those_of_every_position
 @pytest.mark.parametrize(
     ("text", "what"),
     [
+        (TABLE + 'order = "fringe"\n', 'needs normalization with order = "fringe": "edge"'),
         (TABLE + 'edge = "1 mm"\n', "edge has no meaning with rows"),
         (TABLE.replace("0 mm", "1 mm"), "field: height must begin with 0, the axis, got 0.001"),
         (TABLE + 'direction = "y"\n', 'it is that of heights along x: direction = "x"'),

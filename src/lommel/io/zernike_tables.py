@@ -74,7 +74,7 @@ class ZernikeTable:
         terms = {i: validation.real(f"the Zernike coefficient {i!r}", c) for i, c in self.terms.items()}
         object.__setattr__(self, "terms", terms)
         # This raises an error that names unknown terms.
-        Wavefront.zernike(terms, order=self.order, obscuration=self.obscuration)
+        Wavefront.zernike(terms, order=self.order, normalization=self.normalization, obscuration=self.obscuration)
 
     @classmethod
     def from_wavefront(
@@ -289,7 +289,7 @@ def _read_terms(terms: Sequence[tuple[str, object, str]], order: object, errors:
             term = zernike.term(index, order)
             if term in places:
                 raise ValueError(f"the term {text} was given before, {places[term]}")
-            Wavefront.zernike({index: coefficient}, order=order)
+            Wavefront.zernike({index: coefficient}, order=order, normalization="rms")
             values[index], places[term] = coefficient, place
     return values
 

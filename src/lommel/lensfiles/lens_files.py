@@ -606,7 +606,7 @@ class _Field(_Seidel):
     edge: Length | None = None
     order: Literal["noll", "ansi", "fringe"] = "noll"
     unit: Literal["waves", "radians", "metres"] = "waves"
-    normalization: Literal["rms", "edge"] = "rms"
+    normalization: Literal["rms", "edge"] | None = None
     direction: Literal["x", "y"] = "x"
     columns: Annotated[list[str], Field(min_length=1)] | None = None
     # Fields are validated in this order; `rows` and `file`, which need the fields above, are replaced by tables.
@@ -645,6 +645,10 @@ class _Field(_Seidel):
             got = " and ".join(sources) or "none"
             return f"needs Seidel coefficients ({seidel}), rows, or file: one of them, got {got}"
         extra_keys = sorted(excluded_keys[sources[0]] & set(entries))
+        if entries.get("order") == "fringe" and "normalization" not in entries and not extra_keys:
+            return (
+                'needs normalization with order = "fringe": "edge", as most lens design programs list them, or "rms"'
+            )
         return f"{', '.join(extra_keys)} has no meaning with {sources[0]}" if extra_keys else None
 
     def map(self, pupil: Pupil) -> FieldMap:
@@ -741,9 +745,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike coefficients
     (the columns height, or x and y, hold lengths, the others, such as Z4, numbers); or file, a CSV file with such a
     table. Options of tables are order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"), normalization
-    ("rms", "edge") and direction ("x" or "y", the axis of image heights). ``[field.vignetting]`` has height, shift
-    and radius of :class:`~lommel.field.maps.Vignetting`. ``[field.shading]`` has either distance, from the exit pupil
-    to the sensor, for the cos^4 law, or height and light, a table.
+    ("rms", "edge"; stated for Fringe) and direction ("x" or "y", the axis of image heights). ``[field.vignetting]``
+    has height, shift and radius of :class:`~lommel.field.maps.Vignetting`. ``[field.shading]`` has either distance,
+    from the exit pupil to the sensor, for the cos^4 law, or height and light, a table.
 
     ``[colour]``: lists wavelengths, focus_shift, lateral and heights of :class:`lommel.Colour`. ``[channels]``:
     either file, a CSV file for :func:`lommel.load_channels`, with its options filters, illuminant, tol and paths; or

@@ -51,7 +51,7 @@ class FieldTable:
     terms: dict[int, tuple[float, ...]]
     order: str
 
-    def field_map(self, pupil: Pupil, *, unit: str, normalization: str, direction: str) -> FieldMap:
+    def field_map(self, pupil: Pupil, *, unit: str, normalization: str | None, direction: str) -> FieldMap:
         """Return the field map, with the aperture and the scale of `pupil`.
 
         Heights are along x (by columns) or y (by rows, downwards). Coefficients always refer to the axes of the

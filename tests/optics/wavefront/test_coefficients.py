@@ -145,4 +145,11 @@ def test_a_bad_unit_or_normalization_is_refused_both_ways(options, message):
 
 def test_a_term_without_an_index_in_an_order_is_named():
     with pytest.raises(ValueError, match=r'"fringe" ends with 37 terms and has no \(n, m\) = \(7, 7\)'):
-        Wavefront(nonradial={(7, 7): 1.0}).to_zernike(order="fringe")
+        Wavefront(nonradial={(7, 7): 1.0}).to_zernike(order="fringe", normalization="edge")
+
+
+def test_fringe_terms_need_a_normalization():
+    with pytest.raises(ValueError, match='normalization must be given for the order "fringe": "edge"'):
+        Wavefront.zernike({4: 0.1}, order="fringe")
+    with pytest.raises(ValueError, match='normalization must be given for the order "fringe": "edge"'):
+        Wavefront(1.0).to_zernike(order="fringe")

@@ -264,7 +264,7 @@ class Wavefront(EqualByContent, display.Shown):
         *,
         order: str = "nm",
         unit: str = "radians",
-        normalization: str = "rms",
+        normalization: str | None = None,
         wavelength: float | None = None,
         error: float = 0.0,
         obscuration: float = 0.0,
@@ -282,9 +282,10 @@ class Wavefront(EqualByContent, display.Shown):
         unit : str, default "radians"
             Unit of the coefficients: "radians", "waves", "metres" or another length such as "nm". Lengths of optical
             path need `wavelength`.
-        normalization : {"rms", "edge"}, default "rms"
+        normalization : {"rms", "edge"}, default "rms", required for Fringe
             "rms": a coefficient is the root mean square of its term over the pupil (Noll, ANSI). "edge": a
-            coefficient is the largest value of its term at the edge of the pupil (usual with Fringe).
+            coefficient is the largest value of its term at the edge of the pupil (usual with Fringe, as in listings
+            of lens design programs).
         wavelength : float, optional
             Wavelength, metres.
         error : float, default 0
@@ -298,7 +299,8 @@ class Wavefront(EqualByContent, display.Shown):
         Raises
         ------
         TypeError, ValueError
-            If a term does not exist or occurs twice, or if n is too high to convert annular terms to terms over the
+            If a term does not exist or occurs twice, if the order is "fringe" and no normalization is given, or if n
+            is too high to convert annular terms to terms over the
             disc with nine correct digits.
 
         References
@@ -312,7 +314,7 @@ class Wavefront(EqualByContent, display.Shown):
         array(1.77715318)
         """
         scale = radians_per(unit, wavelength)
-        validation.choice("normalization", normalization, NORMALIZATIONS)
+        normalization = _normalization_of(order, normalization)
         eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
         try:
             # Keep pairs: a dictionary would hide that a term occurs twice.
@@ -340,7 +342,7 @@ class Wavefront(EqualByContent, display.Shown):
         *,
         order: str = "nm",
         unit: str = "radians",
-        normalization: str = "rms",
+        normalization: str | None = None,
         wavelength: float | None = None,
         obscuration: float = 0.0,
     ) -> dict[Any, Array]:
@@ -350,7 +352,7 @@ class Wavefront(EqualByContent, display.Shown):
         stack. Raises ValueError if a term has no index in the `order`: Fringe ends with 37.
         """
         scale = radians_per(unit, wavelength)
-        validation.choice("normalization", normalization, NORMALIZATIONS)
+        normalization = _normalization_of(order, normalization)
         eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
         terms = self.edge_terms()
         if eps > 0.0:
@@ -804,6 +806,16 @@ class Wavefront(EqualByContent, display.Shown):
 
 def _constant_or_list(value: Array) -> object:
     return float(value.flat[0]) if value.min() == value.max() else value.tolist()
+
+
+def _normalization_of(order: str, normalization: str | None) -> str:
+    """Return the normalization, by default "rms"; ValueError for the order "fringe" without one."""
+    if normalization is None and order == "fringe":
+        raise ValueError(
+            'normalization must be given for the order "fringe": "edge", as most lens design programs list them, or '
+            '"rms"'
+        )
+    return validation.choice("normalization", normalization or "rms", NORMALIZATIONS)
 
 
 def _edge_factor(term: Term, normalization: str) -> float:

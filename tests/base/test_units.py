@@ -151,3 +151,8 @@ def test_a_radius_on_the_sensor_is_a_length_or_an_angle_on_the_sky():
 def test_a_number_has_as_many_digits_as_its_error_allows(value, error, texts):
     assert with_error(value, error) == texts
     assert with_error(value, error, most=1)[0] == (f"{value:.1f}" if 0.0 < error < 10.0 else texts[0])
+
+
+@pytest.mark.parametrize("symbol", ["\u00c5", "\u212b"])
+def test_the_symbol_of_the_angstrom_is_a_unit(symbol):
+    assert parse_length(f"5875.6 {symbol}") == 5875.6e-10

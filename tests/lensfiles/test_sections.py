@@ -145,6 +145,15 @@ def test_a_place_beyond_the_map_or_without_a_map_is_refused(load):
         flat.pupil()
 
 
+def test_a_wavelength_in_the_far_infrared_is_used_and_named(tmp_path):
+    file = tmp_path / "lens.toml"
+    file.write_text((LENS + SEIDEL).replace("550 nm", "550 um"))
+    with pytest.warns(UserWarning, match=r"550 um, is in the far infrared, .* was it 550 nm\?"):
+        assert lm.load_instrument(file).lens.wavelength == pytest.approx(550e-6)
+    file.write_text((LENS + SEIDEL).replace("550 nm", "10.6 um"))
+    assert lm.load_instrument(file).lens.wavelength == pytest.approx(10.6e-6)
+
+
 APERTURE = """
 [aperture.spider]
 vanes = 3

@@ -13,13 +13,14 @@ ARCSEC = math.pi / 648000.0
 """Radians of an arcsecond."""
 
 _FINEST, _COARSEST = 1e-8, 5e-4  # pixels: in the sample, and of scans of prints or X-ray detectors
+_SYMBOLS = {"Å": "angstrom", "\u212b": "angstrom"}  # a letter, and the sign that looks like it
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
 
 
 def parse_length(text: str | float, example: str = "550 nm") -> float:
     """Return metres from text such as ``"3.45 um"`` or ``"50mm"``; a unit is required except for 0 and infinity.
 
-    Units: km, m, cm, mm, um, nm, pm, angstrom, in. The result is correctly rounded, except for inches.
+    Units: km, m, cm, mm, um, nm, pm, angstrom (or Å), in. The result is correctly rounded, except for inches.
 
     Parameters
     ----------
@@ -182,7 +183,7 @@ def _parse(text: object, units: dict[str, float], kind: str, example: str, other
         if "," in text and _QUANTITY.fullmatch(pointed := text.replace(",", ".")):
             raise ValueError(f"{shown(text)} is not {article} {kind}; write {shown(pointed)}, with a decimal point")
         raise ValueError(f"{shown(text)} is not {article} {kind}; write for example {example!r}")
-    number, unit = float(match[1]), match[2]
+    number, unit = float(match[1]), _SYMBOLS.get(match[2], match[2])
     if unit and unit not in units:
         angles = f", an angle in {', '.join(others)}" if others else ""
         raise ValueError(

@@ -17,7 +17,7 @@ from lommel.base.units import ARCSEC, camera_pixel, format_length
 from lommel.cli.command import is_number, length
 from lommel.cli.messages import flag_of
 from lommel.io.photos import Exif, optics_of
-from lommel.lensfiles.instrument import Camera, Instrument
+from lommel.lensfiles.instrument import Camera, Instrument, tell_wavelength
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
 from lommel.report import Facts
@@ -203,6 +203,8 @@ def instrument_of(path: Path, **options: object) -> Instrument:
             f"{flags} cannot be combined with the section [field] of {path}, which states waves over its own "
             "aperture: edit a copy"
         )
+    if "wavelength" in stated:
+        tell_wavelength(stated["wavelength"])
     for name, value in stated.items():
         lens = _LENS_OPTIONS[name](lens, value)
     if stated and math.isclose(instrument.object_distance, instrument.lens.focus_distance, rel_tol=1e-9):

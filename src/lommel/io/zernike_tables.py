@@ -64,7 +64,7 @@ class ZernikeTable:
     obscuration: float = 0.0
 
     def __post_init__(self) -> None:
-        validation.choice("order", self.order, zernike.ORDERS)
+        zernike.check_order(self.order)
         validation.choice("unit", self.unit, UNITS)
         validation.choice("normalization", self.normalization, NORMALIZATIONS)
         if self.wavelength is not None:
@@ -318,10 +318,10 @@ def _parse_index(text: str, order: str) -> Index:
     return int(text)
 
 
-_INDEX_COLUMNS = ("index", "term", "j", "zernike")  # names of columns
+_INDEX_COLUMNS = ("index", "term", "j", "z", "zernike")  # names of columns
 _VALUE_COLUMNS = ("value", "coefficient", "coeff", "c")
 _NAME_COLUMNS = ("name", "aberration", "description")  # names of ignored columns
-_COLUMN = re.compile(r"([a-z]+)\s*(?:[(\[]\s*(\S+?)\s*[)\]])?")
+_COLUMN = re.compile(r"([a-z]+)(?:\s*[(\[]\s*(\S+?)\s*[)\]]|_([^\s_]+))?")
 _NUMBERED_NAME = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
 
 
@@ -365,7 +365,10 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     index, _, unit = _find_columns([names[k] for k in columns_used], order)
     if columns and not index:
         expected = "n,m,value" if order == "nm" else "index,value"
-        errors.append(f"line {head}: the columns must be {expected}, got {_shorten_row(columns)}")
+        others = (
+            "" if order == "nm" else "; index may be called term, j, z, noll, ansi or fringe, value coeff (waves)"
+        )
+        errors.append(f"line {head}: the columns must be {expected}, got {_shorten_row(columns)}{others}")
         rows = []
     if index == ["n", "m"]:
         settings.add("order", "nm", head)
@@ -395,7 +398,8 @@ def _find_columns(columns: Sequence[str], order: str | None) -> tuple[list[str],
     one_index = len(index) == 1 and order != "nm" and index[0] in (*_INDEX_COLUMNS, *zernike.ORDERS[1:])
     if not value or value[1] not in _VALUE_COLUMNS or not (pair or one_index):
         return [], "", ""
-    unit = UNIT_NAMES.get(value[2] or "", value[2] or "")
+    stated = value[2] or value[3] or ""
+    unit = UNIT_NAMES.get(stated, stated)
     return (index, value[1], unit) if not unit or unit in UNITS else ([], "", "")
 
 
@@ -411,7 +415,9 @@ def _find_separator(text: str) -> str:
 
 _KIND_LINE = re.compile(r"^\s*(?:Listing of|Using)\b.*?\b(Standard|Fringe|Annular)\b", re.MULTILINE | re.IGNORECASE)
 _WAVES_LINE = re.compile(r"^\s*(?:Peak to Valley|RMS|Maximum fit)\b.*?:\s*[\d.,eE+-]+\s+waves\s*$", re.MULTILINE)
-_WAVELENGTH_LINE = re.compile(r"^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$", re.MULTILINE)
+_WAVELENGTH_LINE = re.compile(
+    r"^[^\S\n]*Wavelength[^\S\n]*:[^\S\n]*([\d.,]+)[^\S\n]*([^\s\d]\S*)?[^\S\n]*$", re.MULTILINE
+)
 _RATIO = re.compile(r"^\s*(?:Obscuration|Epsilon|Annular ratio)[\w ]*:\s*([\d.,]+)\s*$", re.MULTILINE | re.IGNORECASE)
 _TERM_LINE = re.compile(r"^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$", re.ASCII)
 _COUNT_LINE = re.compile(r"^\s*(?:Number of|Maximum)\s+(?:\w+\s+)*terms?\s*:\s*(\d{1,4})\s*$", re.IGNORECASE)
@@ -452,9 +458,11 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
 def _find_wavelength(text: str, errors: list[str]) -> float | None:
     """Return the wavelength (metres) that a listing states, or None; append an error for an unknown unit."""
     waves = _WAVELENGTH_LINE.search(text)
-    if waves and waves[2] in LENGTHS:
+    if waves and waves[2] is None:
+        errors.append(f"the wavelength {waves[1]} has no unit; OpticStudio writes {waves[1]} µm")
+    elif waves and waves[2] in LENGTHS:
         return validation.wavelength(_parse_number(waves[1]) * LENGTHS[waves[2]])
-    if waves:
+    elif waves:
         errors.append(f"the wavelength has the unknown unit {validation.shown(waves[2])}")
     return None
 

@@ -134,6 +134,18 @@ class Calibration:
         return {"f_number_error": self.f_number_error, "focus_error": self.focus_error}
 
 
+_FAR_INFRARED = (1e-4, 2.5e-3)  # wavelengths in metres, which in nanometres are those of visible and infrared light
+
+
+def tell_wavelength(wavelength: float) -> None:
+    """Issue a note on a stated wavelength in the far infrared, which is probably in nanometres."""
+    if _FAR_INFRARED[0] <= wavelength <= _FAR_INFRARED[1]:
+        text, likely = format_length(wavelength), format_length(1e-3 * wavelength)
+        validation.tell(
+            f"The wavelength, {text}, is in the far infrared, and all results are for it; was it {likely}?"
+        )
+
+
 _MAX_SHOWN = 129  # largest side in pixels of the PSF shown in notebooks
 
 

@@ -26,7 +26,7 @@ from lommel.io.photos import PhotoError, read_raster
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import camera_files, tables, toml_files
 from lommel.lensfiles.camera_files import PhotoSensor
-from lommel.lensfiles.instrument import Calibration, Instrument
+from lommel.lensfiles.instrument import Calibration, Instrument, tell_wavelength
 from lommel.lensfiles.tables import FieldTable, load_channels
 from lommel.lensfiles.toml_files import (
     Angle,
@@ -794,6 +794,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
 def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instrument:
     """Return the instrument of a validated file; `stem` is its default name."""
     wavelength = file.lens.wavelength
+    tell_wavelength(wavelength)
     terms = file.aberrations
     # Rms of balanced spherical aberration, converted from a path length to radians.
     rms = 2.0 * math.pi * terms.spherical_rms / wavelength

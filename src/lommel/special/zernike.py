@@ -15,6 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 
 ORDERS = ("nm", "noll", "ansi", "fringe")
+_NAMES_ELSEWHERE = {"osa": "OSA's is 'ansi'", "OSA": "OSA's is 'ansi'", "standard": "Zernike Standard is 'noll'"}
 MAX_DEGREE = 60
 """Highest degree n of a term."""
 
@@ -32,11 +33,20 @@ def check_term(n: object, m: object) -> tuple[int, int]:
     return degree, order
 
 
+def check_order(order: object) -> None:
+    """Raise ValueError unless the order of Zernike terms is known, with the name that it has here."""
+    if isinstance(order, str) and order in _NAMES_ELSEWHERE:
+        raise ValueError(
+            f"order must be one of {', '.join(map(repr, ORDERS))}, got {order!r}; {_NAMES_ELSEWHERE[order]}"
+        )
+    validation.choice("order", order, ORDERS)
+
+
 def term(index: object, order: str) -> tuple[int, int]:
     """Return (n, m) from a pair ("nm") or from an integer; TypeError or ValueError if there is no such term."""
     # R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and K. Creath,
     # "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III (Fringe).
-    validation.choice("order", order, ORDERS)
+    check_order(order)
     if order == "nm":
         if not isinstance(index, tuple | list) or len(index) != 2:
             is_number = isinstance(index, int | np.integer) and not isinstance(index, bool)
@@ -64,7 +74,7 @@ def term(index: object, order: str) -> tuple[int, int]:
 def index_of(n: int, m: int, order: str) -> Any:
     """Return the index of (n, m) in the given order of terms; the inverse of :func:`term`."""
     n, m = check_term(n, m)
-    validation.choice("order", order, ORDERS)
+    check_order(order)
     if order == "nm":
         return n, m
     if order == "ansi":

@@ -148,6 +148,15 @@ def test_a_term_without_an_index_in_an_order_is_named():
         Wavefront(nonradial={(7, 7): 1.0}).to_zernike(order="fringe", normalization="edge")
 
 
+@pytest.mark.parametrize(
+    ("name", "here"), [("osa", "OSA's is 'ansi'"), ("standard", "Standard is 'noll'"), ("x", "'x'")]
+)
+def test_an_order_by_another_name_is_told_the_name_it_has_here(name, here):
+    with pytest.raises(ValueError, match=f"order must be one of 'nm', .*, got '{name}'.*") as caught:
+        Wavefront.zernike({4: 0.1}, order=name)
+    assert str(caught.value).endswith(here)
+
+
 def test_fringe_terms_need_a_normalization():
     with pytest.raises(ValueError, match='normalization must be given for the order "fringe": "edge"'):
         Wavefront.zernike({4: 0.1}, order="fringe")

@@ -77,11 +77,11 @@ def localize(
 
     x and y are in the sample, from the outer corner of the first pixel along columns and rows. z is the position of
     the stage at which a molecule at this depth would have the same image, positive as objective and sample approach:
-    molecules deeper in the sample have a smaller z. With --along depth, z is the depth of the molecule below the cover
-    glass, for a stage that rests at the origin of the file. Fits that end at the range of z (--z) or beyond --reach,
-    or do not converge, are counted, not written. Drift is not corrected, and a molecule seen in several frames has a row
-    for each. The exit code is 3 if a check finds an error: no molecule, images that disagree with PSF and noise, the
-    opposite sign of the astigmatism.
+    molecules deeper in the sample have a smaller z. With --along depth, z is the depth of the molecule below the
+    cover glass, for a stage that rests at the origin of the file. Fits that end at the range of z (--z) or beyond
+    --reach, or do not converge, are counted, not written. Drift is not corrected, and a molecule seen in several
+    frames has a row for each. The exit code is 3 if a check finds an error: no molecule, images that disagree with
+    PSF and noise, the opposite sign of the astigmatism.
 
     Parameters
     ----------

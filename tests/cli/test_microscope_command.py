@@ -90,7 +90,20 @@ def test_the_measured_wavefront_is_told(folder, call_lommel):
     assert "astigmatism 0" in out.partition("\nzernike\n")[2]
     facts = json.loads(call_lommel("info", file, "--json", folder=folder).stdout)
     assert facts["rms_waves"] == pytest.approx(0.15)
+    assert 0.15 < facts["rms_waves_with_media"] < 0.17  # the depth in water adds to it
+    assert 0.8 < facts["strehl"] / math.exp(-((2.0 * math.pi * 0.15) ** 2)) < 1.2
     assert [(term["n"], term["m"]) for term in facts["zernike"]] == [(2, 2)]
     plain = call_lommel("info", "objective.toml", folder=folder).stdout
     assert "wavefront error" not in plain
+    assert "strehl" not in plain
     assert "Zernike" not in plain
+
+
+def test_a_cover_glass_unlike_the_design_has_its_strehl_ratio_without_terms(folder, call_lommel):
+    design = '[design]\nimmersion = 1.518\n\n[design.coverslip]\nindex = 1.5255\nthickness = "160 um"\n'
+    (folder / "thick.toml").write_text(f"{(folder / 'objective.toml').read_text()}\n{design}")
+    facts = json.loads(call_lommel("info", "thick.toml", "--json", folder=folder).stdout)
+    assert facts["rms_waves"] == 0.0
+    rms = 2.0 * math.pi * facts["rms_waves_with_media"]
+    assert rms > 0.1
+    assert 1.0 < facts["strehl"] / math.exp(-(rms**2)) < 1.3  # Marechal's is low for much spherical aberration

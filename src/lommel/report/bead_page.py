@@ -36,7 +36,9 @@ _NOTES = (
     "MetroloJ_QC, PSFj and the protocols of QUAREP-LiMi measure beads. Bead and pixel widen them. Standard errors "
     "are those of photon and read noise.",
     "FWHM, PSF: of the PSF fitted to each bead alone, without bead and pixel. Standard errors include those of the "
-    "constants of the microscope. Those of means include the part that all beads share, as the joint fit has it.",
+    "constants of the microscope. Those of means include the part that all beads share, as the joint fit has it. "
+    "They hold for the amplitude over the pupil that the surfaces of the stated media have. Other losses towards its "
+    "rim, as of coatings, change widths by parts of a percent, unless they are estimated (--apodization).",
     "Lateral asymmetry: the smaller over the larger of the Gaussian FWHM along x and y.",
     "Strehl ratio: peak of the fitted PSF over that of the same pupil with a flat phase. Zernike terms, the depth of "
     "the bead, and a cover glass, immersion or sample that are fitted unlike the design of the objective all reduce "

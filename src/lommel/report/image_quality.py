@@ -22,6 +22,7 @@ from lommel.methods.choice import first_within_tolerance, references
 from lommel.methods.paper.huygens import HuygensFresnel
 from lommel.optics.aperture.apodization import illumination
 from lommel.optics.aperture.shapes import Segments
+from lommel.optics.layers.objective import aberration, layers_of, media_strehl
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 from lommel.show.drawing import of_emitter
@@ -386,7 +387,8 @@ def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
 
     Lengths are in metres: x and y in the sample, z of the stage, "pixel" on the camera. Angles are in radians. The
     list "focus" has one row for each depth of a freely rotating dipole, and "refused" the reasons why depths are
-    missing.
+    missing. With terms, or media unlike the design, "rms_waves_with_media" is of the whole wavefront at the depth of
+    the file in the best focus, and "strehl" the peak over that of the same pupil with a flat phase.
     """
     objective, wavelength = microscope.objective, microscope.wavelength
     light, nyquist = illumination(objective.apodization), objective.nyquist(wavelength=wavelength)
@@ -396,6 +398,14 @@ def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
     as_designed = design.immersion == objective.immersion and design.coverslip == objective.coverslip
     is_coarse = {"pixel": microscope.pixel > nyquist.pixel, "step": step is not None and step > nyquist.axial}
     rows, refused = _foci(microscope) if foci else ([], [])
+    whole: Json = {"strehl": None, "rms_waves_with_media": None}
+    if terms or not as_designed:
+        layers, depth = layers_of(objective, wavelength), microscope.depth
+        radians = {(term["n"], term["m"]): 2.0 * math.pi * term["waves_rms"] for term in terms}
+        whole["rms_waves_with_media"] = float(np.linalg.norm(aberration(layers, depth, radians))) / (2.0 * math.pi)
+        if peaks := [row["peak"] for row in rows if row["depth"] == depth]:
+            unaberrated = float(objective.focus(depth, wavelength=wavelength).peak)
+            whole["strehl"] = media_strehl(layers, depth) * float(peaks[0] or 0.0) / unaberrated
     return {
         "name": microscope.name,
         "source": microscope.source,
@@ -411,6 +421,7 @@ def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
         "wavelength": wavelength,
         "emitter": of_emitter(microscope.emitter),
         "rms_waves": math.hypot(*(term["waves_rms"] for term in terms)),
+        **whole,
         "zernike": terms,
         "depth": microscope.depth,
         "planes": microscope.planes,

@@ -84,7 +84,10 @@ def index_of(n: int, m: int, order: str) -> Any:
         # Even indices are cosines, odd indices are sines.
         return start + (1 if (m == 0 or (m > 0) == (start % 2 == 1)) else 0)
     if (n, m) not in _FRINGE_INDEX:
-        raise ValueError(f'the order "fringe" ends with 37 terms and has no (n, m) = ({n}, {m})')
+        raise ValueError(
+            f'the order "fringe" ends with 37 terms and has no (n, m) = ({n}, {m}): take order="noll", or a '
+            "wavefront fitted to a degree of at most 5"
+        )
     return _FRINGE_INDEX[n, m]
 
 

@@ -88,7 +88,7 @@ def test_a_measured_field_is_used_on_the_axis_which_is_named_with_the_range_over
     facts = json.loads(result.stdout)
     axis = strehl_of(0.05, 0.0, 0.08)
     assert facts["place"]["at"] == [0.0, 0.0]
-    assert facts["place"]["strehl"] == pytest.approx(axis, abs=1e-6)
+    assert facts["place"]["strehl_at_peak"] == pytest.approx(axis, abs=1e-6)
     low, high = facts["place"]["strehl_over_field"]
     assert high == pytest.approx(axis, abs=1e-6)
     assert low == pytest.approx(strehl_of(-0.15, 0.18, 0.06), abs=0.02)  # a tilt shifts the peak: higher by little
@@ -107,7 +107,8 @@ def test_the_report_is_on_the_place_that_is_stated(call_lommel, tmp_path):
     result = call_lommel("info", "lens.toml", "--at", "0mm", "8.82mm", folder=tmp_path)
     first = result.stdout.splitlines()[1]
     assert re.match(
-        r"0 m and 8.82 mm from the middle of the sensor, Strehl ratio 0\.\d+; 0\.\d+ to 0\.\d+ over", first
+        r"0 m and 8.82 mm from the middle of the sensor, Strehl ratio at the peak 0\.\d+; 0\.\d+ to 0\.\d+ over",
+        first,
     )
     corner = strehl_of(-0.15, 0.18, 0.06)
     assert f"strehl                     {corner:.4g}\n" in result.stdout

@@ -261,8 +261,8 @@ def _along_diagonal(instrument: Instrument) -> Iterator[tuple[float, float, Pupi
 def place_quality(instrument: Instrument) -> Json:
     """Return the place of an instrument with aberrations over the field, and its range of Strehl ratios, as data.
 
-    "strehl" has the Strehl ratio at the place; "strehl_over_field" the least and the largest one from the axis to the
-    corner, at most "to" from the axis. They are those at the brightest point of the image, which a tilt only shifts.
+    "strehl_at_peak" has the Strehl ratio at the place, "strehl_over_field" the least and the largest one from the
+    axis to the corner, at most "to" from the axis; all at the brightest point of the image, which a tilt shifts.
     """
     attempt = _Attempts()
     ratios = {distance: attempt(strehl_at_peak, pupil) for _, distance, pupil in _along_diagonal(instrument)}
@@ -271,7 +271,12 @@ def place_quality(instrument: Instrument) -> Json:
     between = [min(known.values()), max(known.values())] if known else None
     return dict(
         plain(
-            {"at": instrument.place, "strehl": at_place, "strehl_over_field": between, "to": max(known, default=None)}
+            {
+                "at": instrument.place,
+                "strehl_at_peak": at_place,
+                "strehl_over_field": between,
+                "to": max(known, default=None),
+            }
         )
     )
 

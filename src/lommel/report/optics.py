@@ -56,9 +56,9 @@ def describe_place(instrument: Instrument) -> Report:
     if instrument.aberrations_of_field is None:
         return Report({}, [])
     facts = place_quality(instrument)
-    at_place, between = facts["strehl"], facts["strehl_over_field"]
+    at_place, between = facts["strehl_at_peak"], facts["strehl_over_field"]
     text = instrument.place_in_words[0].upper() + instrument.place_in_words[1:]
-    text += "" if at_place is None else f", Strehl ratio {at_place:.3g}"
+    text += "" if at_place is None else f", Strehl ratio at the peak {at_place:.3g}"
     if between is not None:
         low, high = between
         text += f"; {low:.3g} to {high:.3g} over the field to {format_length(facts['to'])} from the axis"

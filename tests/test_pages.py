@@ -241,7 +241,8 @@ def write_files(place: Path) -> None:
     for suffix in ("png", "tif"):
         Image.fromarray(seen).save(f"squares.{suffix}")
     write_video(place / "edge.mkv", [seen[:96, :128]] * 2)
-    tifffile.imwrite("mosaic.tif", np.rint(50000.0 * squares).astype(np.uint16), photometric="minisblack")
+    colours = np.tile([[0.6, 1.0], [1.0, 0.7]], (squares.shape[0] // 2, squares.shape[1] // 2))  # RGGB
+    tifffile.imwrite("mosaic.tif", np.rint(50000.0 * colours * squares).astype(np.uint16), photometric="minisblack")
     names = "inside", "stars", "outside", "donuts"
     for name, exposure in zip(names, lm.Noise(read=2.0).record(sky, seed=2), strict=True):
         fits.PrimaryHDU(exposure.astype(np.float32)).writeto(f"{name}.fits")

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
 
 import lommel as lm
 from lommel.imaging import edge_noise
+from lommel.imaging.slanted_edge import edge_response, image_counts
 from slanted_edges import across, picture, squares
 
 CHART = squares((160, 320), [(-80.0, 0.0), (80.0, 0.0)], 70.0, 0.8)
@@ -33,6 +36,14 @@ def test_mild_sharpening_is_told_of_all_edges_though_of_none_alone(seed):
     assert -0.06 < finding.numbers["correlation"] < -0.01
     assert finding.numbers["strength"] < -4.0
     assert all("sharpened" in edge.response.findings.codes for edge in found.edges)
+
+
+@pytest.mark.parametrize(("size", "told"), [(-0.008, True), (0.008, False)])
+def test_equal_correlations_at_all_lags_are_wide_sharpening_if_negative_and_light_if_positive(size, told):
+    evidence = edge_response(image_counts(noisy(EDGE)), None, "linear", None)[1][""]
+    pairs = np.full_like(evidence.neighbours.pairs, 5e4)
+    edge = replace(evidence, neighbours=replace(evidence.neighbours, products=size * pairs, pairs=pairs))
+    assert (abs(edge_noise._correlation([edge]).strength) > 4.0) == told
 
 
 @pytest.mark.parametrize(("amount", "radius"), [(0.3, 1.0), (0.5, 1.5), (0.3, 4.0)])

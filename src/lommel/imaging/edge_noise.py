@@ -27,7 +27,7 @@ from lommel.imaging.edge_profile import FAR, SIGMA, Edge, Mask
 _PADDING = 6  # zeros between rows and between images: the largest lag, of pixels two apart (of a mosaic)
 _LAGS = np.array([(down, right) for down in range(4) for right in range(-3, 4) if down > 0 or right > 0])
 _RADII = np.array([0.6, 1.0, 1.6, 2.5])  # of the correlations that are tested: exp(-lag^2 / (2 radius^2)), pixels
-_DEGREE, _ACROSS = 6, 12  # of the polynomials of the light of each side, and of those across the edge
+_DEGREE, _ACROSS, _ALONG_EDGE = 4, 12, 10  # of polynomials of the light of each side: of both directions, and of one
 _FEW = 120  # pixels of a side from which noise is tested
 _ROUNDING = 0.3  # smallest noise in units of integers that is tested
 _CLIPPED = 4.0  # standard deviations
@@ -291,9 +291,10 @@ class Areas:
             pixels = side[box]
             d = sign * edge.distance[side]
             u = 2.0 * (d - d.min()) / max(float(np.ptp(d)), 1e-12) - 1.0
-            powers = legendre.legvander(u, _DEGREE).T, legendre.legvander(v[side], _DEGREE).T
+            powers = legendre.legvander(u, _ACROSS).T, legendre.legvander(v[side], _ALONG_EDGE).T
             terms = [powers[0][i] * powers[1][j] for i in range(_DEGREE + 1) for j in range(_DEGREE + 1 - i)]
-            terms += [*legendre.legvander(u, _ACROSS).T[_DEGREE + 1 :]]
+            # Halos of this edge, and of others at its ends.
+            terms += [*powers[0][_DEGREE + 1 :], *powers[1][_DEGREE + 1 :]]
             design = np.stack(terms)
             normal = design @ design.T
             normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12
@@ -348,13 +349,17 @@ def _correlation(edges: Sequence[Evidence]) -> _Correlation:
     """Return the correlation of the noise of neighbours by the evidence of all edges."""
     products, pairs = (sum(getattr(edge.neighbours, name) for edge in edges) for name in ("products", "pairs"))
     shapes = np.exp(-0.5 * np.square(_LAGS).sum(axis=1) / _RADII[:, None] ** 2)
-    # Light that is not quite the fitted one adds as much at all lags.
+    # Light that is not quite the fitted one adds as much at all lags, which negative sums of them exclude.
     contrasts = shapes - shapes @ pairs[:, None] / max(float(pairs.sum()), 1.0)
-    variances = np.square(contrasts) @ pairs
+    every = np.concatenate([contrasts, shapes])
+    variances = np.square(every) @ pairs
     if not variances.all():
         return _Correlation(0.0, 0.0, 0.0, 0.0, 0.0)
-    sizes, errors = contrasts @ products / variances, 1.0 / np.sqrt(variances)
-    best = int(np.abs(sizes / errors).argmax())
+    sizes, errors = every @ products / variances, 1.0 / np.sqrt(variances)
+    strengths = sizes / errors
+    strengths[len(shapes) :] = np.minimum(strengths[len(shapes) :], 0.0)
+    best = int(np.abs(strengths).argmax())
+    shape = shapes[best % len(shapes)]
 
     def change(edge: Evidence, size: float, shape: Array) -> Array:
         """Return the change of the response by the filter that made noise of this correlation."""
@@ -363,17 +368,17 @@ def _correlation(edges: Sequence[Evidence]) -> _Correlation:
         return np.asarray(values * (1.0 - np.sqrt(power[0] / power)))
 
     relative = [
-        float(np.max(np.abs(change(edge, sizes[best], shapes[best])[1:]) / np.maximum(edge.response[2][1:], 1e-12)))
+        float(np.max(np.abs(change(edge, sizes[best], shape)[1:]) / np.maximum(edge.response[2][1:], 1e-12)))
         for edge in edges
     ]
     hidden = [
-        float(np.median([np.abs(change(edge, size + sign * error, shape)).max() for edge in edges]))
-        for radius, size, error, shape in zip(_RADII, sizes, errors, shapes, strict=True)
+        float(np.median([np.abs(change(edge, size + sign * error, narrow)).max() for edge in edges]))
+        for radius, size, error, narrow in zip(_RADII, sizes, errors, shapes, strict=False)
         for sign in (-2.0, 2.0)
         if radius <= _NARROW
     ]
     strength = float(sizes[best] / errors[best])
-    correlation = min(max(float(sizes[best] * np.exp(-0.5 / _RADII[best] ** 2)), -1.0), 1.0)
+    correlation = min(max(float(sizes[best] * np.exp(-0.5 / _RADII[best % len(shapes)] ** 2)), -1.0), 1.0)
     return _Correlation(correlation, strength, float(np.median(relative)), max(hidden), float(pairs.sum()))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+import os
 import re
 from pathlib import Path
 
@@ -132,6 +133,25 @@ def test_new_pictures_are_read_once_and_when_whole(tmp_path, monkeypatch):
     (tmp_path / "a.png").write_bytes(b"1")
     found = [(path.name, path.stat().st_size) for path in _pictures([tmp_path], stop, watch=True)]
     assert found == [("a.png", 1), ("b.fits", 2)]
+
+
+def test_watched_pictures_come_by_age_also_once_overwritten_and_removed_ones_do_not_matter(tmp_path, monkeypatch):
+    def write(name, second):
+        (tmp_path / name).write_bytes(b"123")
+        os.utime(tmp_path / name, (second, second))
+
+    stop = type("Stop", (), {"requested": False})()
+    sleeps = iter([None, None, lambda: write("b.fits", 30), None, lambda: setattr(stop, "requested", True)])
+    monkeypatch.setattr(collimate_command.time, "sleep", lambda _: (next(sleeps) or (lambda: None))())
+    write("b.fits", 10)
+    write("a.fits", 20)
+    write("c.fits", 5)
+    found = []
+    for path in _pictures([tmp_path], stop, watch=True):
+        if not found:
+            (tmp_path / "a.fits").unlink()
+        found.append(path.name)
+    assert found == ["c.fits", "b.fits", "a.fits", "b.fits"]
 
 
 def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_path, monkeypatch):

@@ -7,6 +7,7 @@ import math
 import time
 import warnings
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
@@ -203,16 +204,23 @@ def _pictures(images: list[Path], stop: Stop, *, watch: bool) -> Iterator[Path]:
         for path in images:
             yield from sorted(filter(_is_picture, path.iterdir())) if path.is_dir() else [path]
         return
-    sizes: dict[Path, int] = {}
-    done: dict[Path, int] = {}  # sizes of files that were measured: one may have been written only in part
+    stamps: dict[Path, tuple[int, int]] = {}
+    done: dict[Path, tuple[int, int]] = {}  # of files that were measured: one may have been written only in part
     while not stop.requested:
-        for path in sorted(filter(_is_picture, images[0].iterdir())):
-            size, before = path.stat().st_size, sizes.get(path)
-            sizes[path] = size
-            if size == before and size not in (0, done.get(path)):
-                done[path] = size
+        before, stamps = stamps, {path: stamp for path in images[0].iterdir() if (stamp := _stamp(path))}
+        for path in sorted(stamps, key=stamps.__getitem__):  # the newest last
+            if stamps[path] == before.get(path) and stamps[path] != done.get(path):
+                done[path] = stamps[path]
                 yield path
         time.sleep(_POLL)
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    """Return the time of the last change of a picture, ns, and its size; None of other, empty and removed files."""
+    with suppress(FileNotFoundError):
+        if _is_picture(path) and (state := path.stat()).st_size:
+            return state.st_mtime_ns, state.st_size
+    return None
 
 
 def _is_picture(path: Path) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -175,6 +175,13 @@ def _jacobi(m: int, highest: int, rho: Array) -> Iterator[Array]:
             weight = 2.0 * k * (k + a) * (s + 2)
             previous, current = current, ((slope * x + shift) * current - weight * previous) / scale
         yield current
+
+
+def normalized(terms: Sequence[tuple[int, int]], rho: Array, theta: Array) -> Array:
+    """Return the rms-normalized terms (n, m) at points, shape (terms, points); m < 0 is a sine."""
+    radii = {key: rms_factor(*key) * radial(*key, rho) for key in {(n, abs(m)) for n, m in terms}}
+    azimuths = {m: np.cos(m * theta) if m >= 0 else np.sin(-m * theta) for m in {m for _, m in terms}}
+    return np.array([radii[n, abs(m)] * azimuths[m] for n, m in terms])
 
 
 def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:

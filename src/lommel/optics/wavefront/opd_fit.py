@@ -14,10 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Numbers, Values, numbers
 from lommel.base.quantities import is_angle, stated_unit
 from lommel.base.units import percent
 from lommel.fit.findings import Finding, Findings, Judged
+from lommel.optics.wavefront import opd_residual
+from lommel.optics.wavefront.pupil_circle import Circle, Outline, conversion, outline, stated_circle
 from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront, radians_per
 from lommel.special import zernike
 
@@ -35,10 +37,9 @@ _RESIDUE = 1e-9
 # Count, for each value, the pixels with an equal neighbour. A value is taken as a marker of missing pixels if its
 # count is at least this number, this fraction of the pupil's pixels, and this multiple of every other count.
 _MIN_BLANK_PIXELS, _MIN_BLANK_FRACTION, _MIN_BLANK_RATIO = 8, 0.002, 8
-# A pixel is an outlier if it differs from the median of itself and its four neighbours by this multiple of the
-# typical difference. Steps between neighbours count from this multiple on, if they are this fraction of a wave or
-# more, and are along this many pixels, relative to the square root of all.
-_OUTLIER, _STEP, _STEP_LENGTH = 8.0, 0.5, 0.15
+# A stated centre is in doubt if the samples fill a circle of the same radius, within this fraction, whose centre is
+# apart by more pixels than the second number.
+_SAME_RADIUS, _LEAST_SHIFT = 0.05, 0.25
 _BLOCK = 16384  # samples processed together; bounds the memory of fits to large maps
 
 
@@ -128,13 +129,25 @@ class OPDMap:
 class WavefrontFit(Judged):
     """A wavefront fitted to measurements, and its residual.
 
-    The findings have the codes "other_explanation" (a step of one wave, as of an error of phase unwrapping) and
-    "outliers" (pixels far from their neighbours; a doubt if they move coefficients by a standard error or more).
+    The findings have the codes "other_explanation" (jumps of waves in the map, as of errors of phase unwrapping),
+    "outliers" (pixels far from their neighbours; a doubt if they move coefficients by a standard error or more),
+    "estimated" (the circle of the pupil is that of the samples), "undetermined" (the samples do not tell the circle,
+    and another one would move coefficients by a standard error or more), "contradiction" (the stated centre is not
+    that of the samples) and "misfit" (terms of higher degree are missing; a doubt if they change a Strehl ratio by
+    1 %).
 
     Attributes
     ----------
     wavefront : Wavefront
         Fitted wavefront, without piston; a stack if several maps were fitted.
+    coefficients, errors : dict of (int, int) to float or ndarray
+        Coefficients of the terms (n, m) over the disc, rms-normalized, in `unit`, and their standard errors: from the
+        residual and, if the samples tell the circle of the pupil, from its error. Correlated noise of neighbours
+        counts by its power in the terms of the next higher degrees, extrapolated to those of the fit: right within
+        40 % for noise that is correlated over a few pixels. Errors of tilt and defocus are up to 3 times too small
+        for spectra as steep as that of turbulence.
+    covariance : ndarray, shape ``wavefront.shape + (k, k)``
+        Covariance of `coefficients`, in the same order, in `unit` squared.
     piston : ndarray, shape ``wavefront.shape``
         Fitted coefficient of the constant Zernike term over the disc, in `unit`. Measurement = piston + wavefront +
         residual. Over an annulus the piston differs from the mean of the map.
@@ -149,7 +162,7 @@ class WavefrontFit(Judged):
         full pupil. For a stack it is the largest one of the maps. Above 1e4 only the phase is determined, not single
         coefficients.
     unit : str
-        Unit of `piston`, `rms`, `peak_to_valley` and `residual`.
+        Unit of `coefficients`, `errors`, `piston`, `rms`, `peak_to_valley` and `residual`.
     findings : Findings
         Findings on the residual, from which `status`, `converged` and `reliable` follow.
     message : str
@@ -157,6 +170,9 @@ class WavefrontFit(Judged):
     """
 
     wavefront: Wavefront
+    coefficients: dict[tuple[int, int], Numbers]
+    errors: dict[tuple[int, int], Numbers]
+    covariance: Array
     piston: Array
     rms: Array
     peak_to_valley: Array
@@ -206,10 +222,14 @@ def fit_opd(
     degree : int, default 8
         Highest n of the fitted Zernike terms, 1 to 20; the number of terms is (degree + 1) (degree + 2) / 2.
     center : (float, float), optional
-        Row and column of the pupil's centre; (0, 0) is the centre of the first pixel. Default: the centre of the map.
+        Row and column of the pupil's centre; (0, 0) is the centre of the first pixel. Default: the centre of the
+        circle that the samples fill, such as ``n / 2`` in grids of Zemax; if their outline is no circle, the centre
+        of the map.
     radius : float, optional
-        Radius of the pupil in pixels. Default: half the smaller side of the map. If the samples do not fill that
-        circle, the function raises an error that states the circle around the samples.
+        Radius of the pupil in pixels. Default: that of the circle that the samples fill: ``n / 2`` for pixels that
+        fill the map, ``(n - 1) / 2`` for ``np.linspace(-1, 1, n)``, ``n / 2 - 1`` in grids of Zemax; if their outline
+        is no circle, half the smaller side of the map. If the samples are far from filling the map, the function
+        raises an error that states the circle around them.
     obscuration : float, default 0
         Radius of the central obscuration divided by the radius of the pupil, 0 to below 1. The fit omits pixels whose
         centre lies within the obscuration and uses annular Zernike terms (:meth:`lommel.Wavefront.zernike`), which
@@ -244,7 +264,14 @@ def fit_opd(
     # Outside the mask values may be arbitrary, even NaN.
     maps, valid = _maps(opd, mask, unit)
     height, width = maps.shape[-2:]
-    x, y = _pupil_coordinates((height, width), center, radius)
+    pupil, free = stated_circle((height, width), center, radius)
+    filled = np.asarray(valid.any(axis=tuple(range(valid.ndim - 2))))
+    if radius is None and filled.any():
+        _require_filled(filled)
+    stated, around = pupil, outline(filled, pupil, free) if free.any() else None
+    if around is not None:
+        pupil = around.circle
+    x, y = pupil.coordinates((height, width))
     # A pixel belongs to the pupil if its centre lies in the pupil.
     square = x * x + y * y
     clear = (square <= 1.0) & (square >= eps * eps)
@@ -258,12 +285,12 @@ def fit_opd(
         raise ValueError(f"{argument} must leave samples inside the pupil of every map, got none")
     if mask is None:
         _require_measured(maps.reshape(-1, height, width), in_pupil.reshape(-1, height, width))
-    if radius is None:
-        _require_filled(np.asarray(valid.any(axis=tuple(range(valid.ndim - 2)))))
     terms = [(n, m) for n in range(highest + 1) for m in range(-n, n + 1, 2)]
     flat_maps = maps.reshape(-1, height, width)
     coefficients = np.empty((len(flat_maps), len(terms)))
     residual = np.full(flat_maps.shape, np.nan)
+    covariance = np.empty((len(flat_maps), len(terms), len(terms)))
+    missing: list[opd_residual.Missing | None] = [None] * len(flat_maps)
     condition = 1.0
     # Maps with the same valid pixels share their normal equations.
     groups: dict[bytes, list[int]] = {}
@@ -274,11 +301,86 @@ def fit_opd(
         rho, theta = np.hypot(x[pixels], y[pixels]), np.arctan2(y[pixels], x[pixels])
         group_fit = _least_squares(rho, theta, flat_maps[members][:, pixels], terms, eps, _test_points(x, y, clear))
         coefficients[members], group_residuals, group_condition = group_fit
-        for member, map_residual in zip(members, group_residuals, strict=True):
+        places = np.array(np.nonzero(pixels), dtype=np.int64)
+        noise = opd_residual.modes(group_residuals, places, x[pixels], y[pixels], highest, MAX_RADIAL)
+        for member, map_residual, map_noise in zip(members, group_residuals, noise, strict=True):
             residual[member][pixels] = map_residual
+            covariance[member], missing[member] = map_noise
         condition = max(condition, group_condition)
     floor = _RESIDUE * float(np.abs(maps[in_pupil]).max())
-    return _fit_result(terms, coefficients, residual, condition, maps.shape[:-2], unit, scale, floor)
+    if around is not None:
+        # The circle's errors are those of all maps alike.
+        for shift in np.diag(around.errors)[around.errors > 0.0]:
+            other = Circle(*(np.array(pupil) + shift).tolist())
+            moved = coefficients @ (conversion(terms, pupil, other) - np.eye(len(terms))).T
+            covariance += moved[:, :, None] * moved[:, None, :]
+    errors = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
+    wave = 2.0 * math.pi / scale
+    findings = [
+        *_circle_findings(filled, stated, free, around, terms, coefficients, np.fmax(errors, floor), unit),
+        *opd_residual.jumps(flat_maps, np.isfinite(residual), wave),
+    ]
+    if Findings(findings).converged:  # a fit to jumps leaves their outlines
+        findings += opd_residual.outliers(residual, floor)
+    rms = np.sqrt(np.nanmean(residual**2, axis=(1, 2)))
+    found = [(one, float(left)) for one, left in zip(missing, rms, strict=True) if one is not None and left > floor]
+    if found and Findings(findings).converged:
+        worst, left = max(found, key=lambda pair: pair[0].rms)
+        findings.append(opd_residual.missing_finding(worst, left, unit, wave))
+    return _fit_result(terms, coefficients, covariance, residual, condition, maps.shape[:-2], unit, scale, findings)
+
+
+def _circle_findings(
+    filled: NDArray[np.bool_],
+    stated: Circle,
+    free: NDArray[np.bool_],
+    around: Outline | None,
+    terms: list[tuple[int, int]],
+    coefficients: Array,
+    errors: Array,
+    unit: str,
+) -> Iterator[Finding]:
+    """Yield the finding on the circle of the pupil, with what another one would change in coefficients (maps, terms).
+
+    `around` is the circle of the samples, if it was taken, with `free` values that were not stated.
+    """
+    used = stated if around is None else around.circle
+
+    def change(other: Circle) -> tuple[str, dict[str, float], bool]:
+        moved = np.abs(coefficients @ (conversion(terms, used, other) - np.eye(len(terms))).T)[:, 1:]
+        worst, place = divmod(int(np.argmax(moved)), moved.shape[1])
+        n, m = terms[place + 1]
+        largest = float(moved[worst, place])
+        words = f"change terms by up to {largest:.2g} {unit} ({n}, {m})"
+        return words, {"moved": largest, "n": n, "m": m}, bool((moved > errors[:, 1:]).any())
+
+    def beyond(circle: Circle) -> bool:
+        x, y = circle.coordinates((filled.shape[0], filled.shape[1]))
+        return bool((np.hypot(x, y)[filled] > 1.0 + 1e-9).any())
+
+    if around is not None and used != stated:
+        words, numbers, _ = change(stated)
+        error = f" (+- {around.errors.max():.2g})" if around.errors.any() else ""
+        text = f"the pupil was taken to be the circle of the samples, {used}{error} pixels; {stated} would {words}"
+        yield Finding("estimated", "note", text, {**used._asdict(), "error": float(around.errors.max()), **numbers})
+    elif around is None and free.any():
+        other = stated._replace(radius=stated.radius - 0.5)
+        if not free[2]:
+            other = stated._replace(row=stated.row + 0.5, column=stated.column + 0.5)
+        words, numbers, matters = change(other)
+        # A circle is excluded by samples beyond it, if they are not beyond the other one, too.
+        if matters and (beyond(stated) or not beyond(other)):
+            text = f"the outline of the samples does not determine the circle of the pupil: {stated} pixels was "
+            text += f"assumed, and {other} would {words}: state {'radius' if free[2] else 'center'}"
+            yield Finding("undetermined", "doubt", text, numbers)
+    if not free[0] and (found := outline(filled, stated, np.ones(3, dtype=np.bool_))) is not None:
+        apart = math.dist(found.circle[:2], stated[:2])
+        alike = abs(found.circle.radius - used.radius) < _SAME_RADIUS * used.radius
+        if alike and apart > _LEAST_SHIFT + 5.0 * float(found.errors.max()):
+            words, numbers, _ = change(found.circle)
+            text = f"the samples fill the circle of {found.circle} pixels, whose centre is {apart:.2g} pixels from "
+            text += f"the stated center=({stated.row:.5g}, {stated.column:.5g}), and which would {words}"
+            yield Finding("contradiction", "doubt", text, {**found.circle._asdict(), **numbers})
 
 
 def opd_map(
@@ -313,7 +415,7 @@ def opd_map(
     validation.instance("wavefront", wavefront, Wavefront)
     scale = radians_per(unit, wavelength)
     size = validation.image_shape(shape)
-    x, y = _pupil_coordinates(size, center, radius)
+    x, y = stated_circle(size, center, radius)[0].coordinates(size)
     rho = np.hypot(x, y)
     in_pupil = rho <= 1.0
     values = np.full((*wavefront.shape, *size), np.nan)
@@ -409,31 +511,33 @@ def _basis(
     """Yield slices of the samples, each with the rms-normalized terms at these samples, shape (terms, samples)."""
     for start in range(0, rho.size, _BLOCK):
         block = slice(start, start + _BLOCK)
-        r, angle = rho[block], theta[block]
-        radial = {key: zernike.rms_factor(*key) * zernike.radial(*key, r) for key in {(n, abs(m)) for n, m in terms}}
-        azimuth = {m: np.cos(m * angle) if m >= 0 else np.sin(-m * angle) for m in {m for _, m in terms}}
-        basis = np.array([radial[n, abs(m)] * azimuth[m] for n, m in terms])
+        basis = zernike.normalized(terms, rho[block], theta[block])
         yield block, basis if over_disc is None else over_disc.T @ basis
 
 
 def _fit_result(
     terms: list[tuple[int, int]],
     coefficients: Array,
+    covariance: Array,
     residual: Array,
     condition: float,
     stack: tuple[int, ...],
     unit: str,
     scale: float,
-    floor: float,
+    findings: list[Finding],
 ) -> WavefrontFit:
-    """Return the fit from residuals of maps (axis 0; NaN: unused), whose rounding errors are below `floor`."""
+    """Return the fit from coefficients, covariance and residuals of maps (axis 0; NaN: unused)."""
     flat_residual = residual.reshape(len(residual), -1)
     count = np.isfinite(flat_residual).sum(axis=1)
     # The constant is among the terms, so that the mean of the residual is 0.
     rms = np.sqrt(np.nanmean(flat_residual**2, axis=1))
     radians = {t: scale * c.reshape(stack) for t, c in zip(terms, coefficients.T, strict=True)}
+    errors = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
     return WavefrontFit(
         wavefront=Wavefront.zernike(radians),
+        coefficients={t: numbers(c, stack) for t, c in zip(terms[1:], coefficients.T[1:], strict=True)},
+        errors={t: numbers(e, stack) for t, e in zip(terms[1:], errors.T[1:], strict=True)},
+        covariance=covariance[:, 1:, 1:].reshape(*stack, len(terms) - 1, len(terms) - 1),
         piston=coefficients[:, terms.index((0, 0))].reshape(stack),
         rms=rms.reshape(stack),
         peak_to_valley=(np.nanmax(flat_residual, axis=1) - np.nanmin(flat_residual, axis=1)).reshape(stack),
@@ -441,39 +545,8 @@ def _fit_result(
         samples=count.reshape(stack),
         condition=condition,
         unit=unit,
-        findings=Findings(_findings(residual, floor, 2.0 * math.pi / scale)),
+        findings=Findings(findings),
     )
-
-
-def _findings(residual: Array, floor: float, wave: float) -> Iterator[Finding]:
-    """Yield the findings on residuals of maps (axis 0; NaN: unused) whose rounding errors are below `floor`."""
-    # The median includes the pixel itself, so that both sides of a step have medians of their own.
-    padded = np.pad(residual, ((0, 0), (1, 1), (1, 1)), constant_values=np.nan)
-    neighbors = padded[:, 2:, 1:-1], padded[:, :-2, 1:-1], padded[:, 1:-1, 2:], padded[:, 1:-1, :-2]
-    apart = np.abs(residual - np.median([residual, *neighbors], axis=0))
-    far = apart > _limits(apart, floor)
-    inner = np.where(far, np.nan, residual)
-    square = np.nansum(residual[far] ** 2), np.nansum(inner**2)
-    steps = 0
-    for axis in (1, 2):
-        difference = np.abs(np.diff(inner, axis=axis))
-        steps += ((difference > _STEP * wave) & (difference > _limits(difference, floor))).sum(axis=(1, 2))
-    longest = int(np.max(steps, initial=0))
-    if longest > _STEP_LENGTH * math.sqrt(np.isfinite(residual).sum(axis=(1, 2)).max()):
-        text = f"the residual has a step of about one wave along {longest} pixels: unwrap the phase, or mask a side"
-        yield Finding("other_explanation", "error", text, {"pixels": longest})
-    if far.any():
-        moved = math.sqrt(square[0] / max(square[1], 1e-300))
-        text = f"{int(far.sum())} pixels are far from their neighbours"
-        text += f", and move coefficients by about {moved:.2g} standard errors: mask them"
-        numbers = {"pixels": int(far.sum()), "standard_errors": moved}
-        yield Finding("outliers", "doubt" if moved > 1.0 else "note", text, numbers)
-
-
-def _limits(values: Array, floor: float) -> Array:
-    """Return the limit of values of each map beyond which they are not noise."""
-    typical = np.nanpercentile(values, 68.0, axis=(1, 2), keepdims=True)
-    return np.asarray(_OUTLIER * np.fmax(typical, floor))
 
 
 def _maps(opd: ArrayLike, mask: ArrayLike | None, unit: str) -> tuple[Array, NDArray[np.bool_]]:
@@ -544,16 +617,3 @@ def _real_maps(name: str, value: ArrayLike) -> Array:
     if data.ndim < 2 or data.size == 0:
         raise ValueError(f"{name} must have the shape (..., height, width) and not be empty, got {data.shape}")
     return data.astype(np.float64)
-
-
-def _pupil_coordinates(
-    shape: tuple[int, int], center: tuple[float, float] | None, radius: float | None
-) -> tuple[Array, Array]:
-    """Return x and y of the pixel centres relative to the pupil's centre, divided by the radius of the pupil."""
-    height, width = shape
-    row, column = ((height - 1) / 2, (width - 1) / 2) if center is None else validation.position("center", center)
-    pupil = 0.5 * min(shape) if radius is None else validation.real("radius", radius, above=0.0, unit="pixels")
-    with np.errstate(over="ignore"):  # pixels far outside a tiny pupil; clipped below, so that squares are finite
-        sides = [(np.arange(count) - middle) / pupil for count, middle in ((height, row), (width, column))]
-    y, x = np.meshgrid(*(np.clip(side, -1e150, 1e150) for side in sides), indexing="ij")
-    return x, y

@@ -287,8 +287,11 @@ def depth_from_defocus(
     registered = Registration(o.magnification, lenses, valid.shape, processors())
     for channel in images if registered else ():
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
-    # Registration returns NaN for pixels that depend on unknown pixels.
-    valid = np.isfinite(images).all(axis=(0, 1)) & valid
+    if registered:
+        # Pixels that depend on unknown ones are NaN. The transforms of the verdict need a value everywhere.
+        valid = np.isfinite(images).all(axis=(0, 1)) & valid
+        for channel in images if valid.any() else ():
+            channel[:] = [fill_missing(plane, "nearest") for plane in channel]
     colours = spectra("channels", channel_spectra(shape, lenses[0].wavelength))
     task = FocalTask(lenses, vergence, colours, pitch, ends, BLOCK, processors(), transfer, registered.scales)
     means = images[..., _unmixed(valid, task.blur)].mean(axis=(0, 2), dtype=np.float64)

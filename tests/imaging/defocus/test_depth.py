@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.ndimage import map_coordinates
 
 import lommel as lm
 from lommel.imaging import defocus_depth, focal_engine
@@ -115,6 +116,24 @@ def test_a_focus_scale_that_is_off_is_within_the_error_of_a_lens_that_was_not_me
     stated = lm.imaging.depth_from_defocus(images, shown, PIXEL, focus_error=0.01, **CAMERA)
     assert repr(stated).endswith("mm of noise and lens>")
     assert "standard errors are of noise and of the lens as stated, " in stated.verdict.message
+
+
+def breathing(scale, distance=1.5):
+    """Two photographs of a plane, the second magnified and blurred on a sensor whose pixels have one size."""
+    scene = texture()
+    places = 0.5 * (len(scene) - 1) + (np.arange(len(scene)) - 0.5 * (len(scene) - 1)) / scale
+    smaller = map_coordinates(scene, np.meshgrid(places, places, indexing="ij"), order=3, mode="grid-wrap")
+    return [
+        shoot(one, distance, [lens], seed)[0]
+        for seed, (one, lens) in enumerate(zip((scene, smaller), PAIR, strict=True))
+    ]
+
+
+def test_the_blur_of_resampled_photographs_is_tested_although_their_border_is_unknown():
+    pair = breathing(PAIR[1].sensor_distance / PAIR[0].sensor_distance)
+    verdict = lm.imaging.depth_from_defocus(pair, PAIR, PIXEL, magnification="lens", **CAMERA).verdict
+    assert verdict.agrees
+    assert abs(verdict.scale - 1.0) < 2.0 * verdict.scale_error < 0.3
 
 
 def test_without_texture_there_is_no_depth():

@@ -25,10 +25,11 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length, percent
 from lommel.estimation.depth_precision import WINDOW
 from lommel.fit.findings import Finding, Findings, FitReport, Severity, untested_finding
-from lommel.imaging.focal_engine import BLOCK, UNMEASURED, FocalEngine
+from lommel.imaging.focal_engine import BLOCK, UNMEASURED, FocalEngine, Registration
 from lommel.imaging.focal_tables import residual_filters
-from lommel.imaging.frame_phases import frame_scales, frame_shift
+from lommel.imaging.frame_phases import frame_magnifications, frame_shift
 from lommel.imaging.pair_noise import MOSTLY_ROUNDING, is_compressed
+from lommel.io.depth_maps import fill_missing
 from lommel.recorded.noise import Noise
 
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
@@ -38,6 +39,7 @@ _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
 # pixel. JPEG removes finest details: up to 25 in right pairs of quality 75, 15 to 88 in those shifted by a pixel.
 _DOUBTFUL_EXCESS, _WRONG_EXCESS, _WRONG_EXCESS_OF_JPEG = 5.0, 10.0, 30.0
 _TOLD_ROUNDING = 0.01  # fraction of the variance that is of rounding, from which it is told
+_EXPLAINED = 0.5  # largest (misfit - 1) of frames resampled by a magnification / as stated, that it explains
 _EXCHANGED_RATIO = 1.15  # misfit / that of exchanged lenses, from which these are named if they agree
 _MAX_PREDICTED = 0.5  # largest misfit due to slopes and edges of depth, as predicted, in blocks that are judged
 _BLUR_SHARE = 0.75  # share of (blur radius)^2 that slopes count like window^2, measured in rendered ramps
@@ -143,8 +145,9 @@ class DefocusVerdict(FitReport):
         exchanged: bool = False,
         compressed: bool = False,
         shift: Sequence[float] = (),
-        magnifications: Sequence[float] = (),
-        likely: Sequence[float] = (),
+        magnifications: Sequence[tuple[float, float]] = (),
+        undone: float = math.nan,
+        likely: Sequence[tuple[float, float]] = (),
         one: str = "",
     ) -> Self:
         """Return the verdict for a misfit and a scale.
@@ -170,7 +173,9 @@ class DefocusVerdict(FitReport):
         shift
             Pixels, down and right, by which a frame is shifted; empty if none was found.
         magnifications
-            Those of the frames as recorded, relative to the first; empty if they are as stated.
+            Those of the frames as recorded, relative to the first, and their standard errors; empty if as stated.
+        undone
+            Misfit of the frames resampled by these; NaN if not computed.
         likely
             The same, which blurred edges of depth may explain, too.
         one
@@ -198,12 +203,17 @@ class DefocusVerdict(FitReport):
             )
         elif len(magnifications) and (noise is not None or misfit > _DOUBTFUL_MISFIT):
             findings.extend([noise_finding(noise, rounding)] if noise else [])
-            times = ", ".join(f"{scale:.4f}" for scale in magnifications[1:])
-            text = (
-                f"the images are magnified {times} times the first, not as stated (focus breathing): state this "
-                "magnification, or align them (lommel align)"
+            times = ", ".join(f"{scale:.4f} +- {error:.4f}" for scale, error in magnifications[1:])
+            less = (
+                "" if math.isnan(undone) else f", which explains the misfit ({misfit:.3g}; {undone:.3g} without it)"
             )
-            add("misfit", "error", text, {"magnifications": tuple(magnifications)})
+            text = (
+                f"the images are magnified {times} times the first, not as stated (focus breathing){less}: state "
+                "this magnification, or align them (lommel align)"
+            )
+            relative, of_relative = map(tuple, zip(*magnifications, strict=True))
+            facts = {"magnifications": relative, "errors": of_relative, "misfit": misfit}
+            add("misfit", "error", text, facts | ({} if math.isnan(undone) else {"undone": undone}))
         elif noise is not None:
             findings.append(noise_finding(noise, rounding))
             wrong = _WRONG_EXCESS_OF_JPEG if compressed else _WRONG_EXCESS
@@ -214,14 +224,16 @@ class DefocusVerdict(FitReport):
             elif total > (wrong if compressed else _DOUBTFUL_EXCESS):
                 size = "which lommel calibrate names with its size"
                 if len(likely):
-                    times = ", ".join(f"{scale:.3f}" for scale in likely[1:])
+                    times = ", ".join(f"{scale:.3f}" for scale, _ in likely[1:])
                     size = f"by about {times} times the first, or edges of depth seem so: try --magnification {times}"
                 text = (
                     f"the images differ by {total:.2g} times the noise of their finest details: frames are shifted "
                     f"or magnified (focus breathing, {size}), something moved, the lens or its foci are wrong, or "
                     "they were denoised; noise and errors of depth are estimated from this difference"
                 )
-                magnified: dict[str, object] = {"magnifications": tuple(likely)} if len(likely) else {}
+                magnified: dict[str, object] = (
+                    {"magnifications": tuple(scale for scale, _ in likely)} if len(likely) else {}
+                )
                 add("misfit", "error" if total > wrong else "doubt", text, {"excess": total, **magnified})
             untested.insert(0, "registration and noise (the noise is estimated from the images)")
         elif judged < _MIN_JUDGED:
@@ -381,14 +393,21 @@ def judge_frames(
     ends = np.percentile(known_vergence, [95.0, 5.0])
     sizes = np.stack([1.0 / ends, engine.lens_errors(ends, *lens_errors) / ends**2], axis=1)
     lens_error = dict(zip(("nearest", "farthest"), sizes.tolist(), strict=True))
-    differ = noise is not None and excess * median > _DOUBTFUL_EXCESS
+    in_doubt = excess * median > _DOUBTFUL_EXCESS if noise else median > _DOUBTFUL_MISFIT
+    certain, undone = frame_magnifications(images[brightest], valid, engine.task.blur), math.nan
+    likely = frame_magnifications(images[brightest], valid, 0.0) if in_doubt and not certain else ()
+    # Wide blur may displace windows by more than noise does: only the misfit shows that a magnification is the cause.
+    if noise is None and len(likely) == 2:
+        resampled = _resampled(engine, images[brightest], valid, likely[1][0])
+        undone, _ = _judged_misfit(engine, brightest, list(_tiles(*resampled, weight, engine, 1)), vergence) or (
+            math.inf,
+            0.0,
+        )
+        certain = likely if undone - 1.0 < _EXPLAINED * (median - 1.0) else ()
     certain, likely = (
         # Of frames as recorded, before they were resampled.
-        np.multiply(scales, engine.task.scales or 1.0).tolist() if scales else []
-        for scales in (
-            frame_scales(images[brightest], valid, engine.task.blur),
-            frame_scales(images[brightest], valid, 0.0) if differ else (),
-        )
+        np.multiply(found, np.reshape(engine.task.scales or 1.0, (-1, 1))).tolist() if found else []
+        for found in (certain, likely)
     )
     stated = None if lens_errors == (None, None) else engine.scale_error(*lens_errors)
     make_verdict = partial(
@@ -404,6 +423,7 @@ def judge_frames(
         rounding=rounding,
         shift=frame_shift(images[brightest], valid, engine.task.blur) if noise else (),
         magnifications=certain,
+        undone=undone,
         likely=likely,
         exchanged=noise is None and median > _DOUBTFUL_MISFIT and _exchanged_agree(engine, brightest, tiles),
         one=_shared(engine, known_vergence, errors[known]),
@@ -417,6 +437,17 @@ def judge_frames(
     if best.error >= max(_MAX_SCALE_ERROR, abs(best.scale - 1.0) / _WRONG_DEVIATION):
         return make_verdict()
     return make_verdict(best.scale, best.error, tuple(minimum.scale for minimum in others))
+
+
+def _resampled(
+    engine: FocalEngine, frames: Values, valid: NDArray[np.bool_], scale: float
+) -> tuple[Values, NDArray[np.bool_]]:
+    """Return two frames, the second resampled by a magnification, and the pixels that are known in both."""
+    task = engine.task
+    registered = Registration(scale, task.lenses, valid.shape, task.threads)
+    seen = np.array(registered(list(frames), math.inf, valid.view(np.uint8)))
+    known = np.isfinite(seen).all(axis=0) & valid
+    return np.stack([fill_missing(frame, "nearest") for frame in seen]), known
 
 
 def _shared(engine: FocalEngine, vergence: Array, errors: Values) -> str:

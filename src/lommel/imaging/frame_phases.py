@@ -41,15 +41,20 @@ def frame_shift(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[
 
 def frame_scales(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[float, ...]:
     """Return magnifications of frames relative to frame 0; empty if none is certain and moves half a pixel (rms)."""
+    return tuple(scale for scale, _ in frame_magnifications(frames, valid, blur))
+
+
+def frame_magnifications(frames: Values, valid: NDArray[np.bool_], blur: float) -> tuple[tuple[float, float], ...]:
+    """Return the magnifications of `frame_scales`, each with its standard error."""
     if min(valid.shape) // 2 < _MIN_WINDOW:
         return ()
-    scales = [1.0]
+    scales = [(1.0, 0.0)]
     for other in frames[1:]:
         fit, covariance, _ = motion(frames[0], other, valid, blur, 2, turns=False)
         error = math.sqrt(covariance[2, 2])
         told = abs(fit[2]) > max(_CERTAIN * error, _LEAST * math.sqrt(12.0) / math.hypot(*valid.shape))
-        scales.append(1.0 + float(fit[2]) if told else 1.0)
-    return tuple(scales) if set(scales) != {1.0} else ()
+        scales.append((1.0 + float(fit[2]), error) if told else (1.0, 0.0))
+    return tuple(scales) if set(scales) != {(1.0, 0.0)} else ()
 
 
 def motion(

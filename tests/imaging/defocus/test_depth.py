@@ -118,9 +118,9 @@ def test_a_focus_scale_that_is_off_is_within_the_error_of_a_lens_that_was_not_me
     assert "standard errors are of noise and of the lens as stated, " in stated.verdict.message
 
 
-def breathing(scale, distance=1.5):
+def breathing(scale, distance=1.5, side=144):
     """Two photographs of a plane, the second magnified and blurred on a sensor whose pixels have one size."""
-    scene = texture()
+    scene = texture(side)
     places = 0.5 * (len(scene) - 1) + (np.arange(len(scene)) - 0.5 * (len(scene) - 1)) / scale
     smaller = map_coordinates(scene, np.meshgrid(places, places, indexing="ij"), order=3, mode="grid-wrap")
     return [
@@ -134,6 +134,22 @@ def test_the_blur_of_resampled_photographs_is_tested_although_their_border_is_un
     verdict = lm.imaging.depth_from_defocus(pair, PAIR, PIXEL, magnification="lens", **CAMERA).verdict
     assert verdict.agrees
     assert abs(verdict.scale - 1.0) < 2.0 * verdict.scale_error < 0.3
+
+
+def test_a_magnification_that_explains_the_misfit_is_named_though_wide_blur_hides_it_in_the_phases(monkeypatch):
+    monkeypatch.setattr("lommel.imaging.defocus_verdict._scale_minima", lambda *_: [])
+    scale = PAIR[1].sensor_distance / PAIR[0].sensor_distance
+    pair, wide = breathing(scale, side=240), CAMERA | {"between": (1.1, 2.4)}
+    verdict = lm.imaging.depth_from_defocus(pair, PAIR, PIXEL, **wide).verdict
+    found = verdict.findings.get("misfit")
+    (_, named), (_, error) = found.numbers["magnifications"], found.numbers["errors"]
+    assert abs(named - scale) < 3.0 * error < 0.003
+    assert found.numbers["undone"] < 1.2 < verdict.misfit
+    assert f"magnified {named:.4f} +- {error:.4f} times the first" in found.text
+    assert "which explains the misfit (" in found.text
+    # Where undoing it leaves the misfit, it is not the cause.
+    monkeypatch.setattr("lommel.imaging.defocus_verdict._EXPLAINED", -1.0)
+    assert "magnifi" not in lm.imaging.depth_from_defocus(pair, PAIR, PIXEL, **wide).verdict.message
 
 
 def test_without_texture_there_is_no_depth():

@@ -81,15 +81,17 @@ def test_unknown_pixels_do_not_count():
 
 
 def test_a_magnification_is_an_error_where_the_noise_is_estimated_or_the_frames_differ():
-    estimated = DefocusVerdict.of(1.0, noise=Noise(white=1e4, read=3.0), magnifications=[1.0, 0.99])
-    assert "magnified 0.9900 times the first" in estimated.findings.get("misfit").text
+    estimated = DefocusVerdict.of(1.0, noise=Noise(white=1e4, read=3.0), magnifications=[(1.0, 0.0), (0.99, 1e-3)])
+    assert "magnified 0.9900 +- 0.0010 times the first" in estimated.findings.get("misfit").text
     assert estimated.status == "misfit"
     noise = Noise(white=1e4, read=3.0)
-    unsure = DefocusVerdict.of(1.0, noise=noise, excess=20.0, likely=[1.0, 0.984]).findings.get("misfit")
+    unsure = DefocusVerdict.of(1.0, noise=noise, excess=20.0, likely=[(1.0, 0.0), (0.984, 1e-3)]).findings.get(
+        "misfit"
+    )
     assert "by about 0.984 times the first" in unsure.text
     assert unsure.numbers["magnifications"] == (1.0, 0.984)
-    assert DefocusVerdict.of(1.5, magnifications=[1.0, 0.99]).status == "misfit"
-    assert DefocusVerdict.of(1.0, magnifications=[1.0, 0.99]).findings.get("misfit") is None
+    assert DefocusVerdict.of(1.5, magnifications=[(1.0, 0.0), (0.99, 1e-3)]).status == "misfit"
+    assert DefocusVerdict.of(1.0, magnifications=[(1.0, 0.0), (0.99, 1e-3)]).findings.get("misfit") is None
 
 
 def test_a_number_is_the_magnification_of_the_second_frame():

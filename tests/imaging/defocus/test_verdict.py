@@ -139,7 +139,7 @@ def test_a_size_of_blur_that_frames_do_not_tell_is_named_with_what_it_costs(pair
     # A shift of all foci shifts depth: by 0.01 z^2.
     assert one.changes[1] == pytest.approx(-0.01 * 1.4**2, rel=0.02)
     assert (told.numbers["by_f_number"], told.numbers["by_foci"]) == one.changes
-    assert "1 % of the f-number changes depth by " in told.text
+    assert "1 % of the f-number changes the median depth by " in told.text
     assert "0.01 dioptre of all focus distances by 20 mm" in told.text
 
 

@@ -94,9 +94,36 @@ def test_a_misfit_names_its_causes_and_large_errors_are_in_doubt(monkeypatch):
     )
     assert "each aberration by 0.03 waves" in steady.text
     assert changed(0.01, replace(doubt, numbers={"missed": 0.04})).reliable  # as of averaged turbulence
+    scale = {"f_number": {"value": 6.4, "error": 0.06, "stated": 10.0}}
+    (wrong,) = (f for f in changed(0.01, Finding("estimated", "note", "", scale)).findings if f.severity == "doubt")
+    assert "f/6.4 +- 0.06, but f/10 is stated" in wrong.text
+    scale["f_number"] |= {"value": 9.7}
+    assert changed(0.01, Finding("estimated", "note", "", scale)).reliable
     misfit = changed(0.01, Finding("misfit", "error", "chi2 99"))
     assert not misfit.converged
     assert "turbulence that is not averaged" in misfit.message
+
+
+def test_the_noise_of_a_dim_star_is_that_of_its_residuals(monkeypatch):
+    whole, chi2 = collimation.fit_stars, []
+
+    def fit_stars(counts, *args, **options):
+        fit = whole(counts, *args, **options)
+        chi2.append(fit.chi2)
+        return fit
+
+    monkeypatch.setattr(collimation, "fit_stars", fit_stars)
+    # Noise that is found in one picture, by a fifth too large.
+    monkeypatch.setattr(
+        collimation,
+        "measured_noise",
+        lambda window, read: (lm.Noise(white=1.6, read=2.0, offset=200.0), None),
+    )
+    found = measure_collimation(donut(6.0, 0.12, -0.16, electrons=4e4), TELESCOPE, PIXEL)
+    assert chi2[0] == pytest.approx(0.8, abs=0.08)
+    assert chi2[1] == pytest.approx(1.0, abs=0.08)
+    assert found.fit.converged
+    assert found.coma.size == pytest.approx(0.2, abs=3.0 * found.coma.error)
 
 
 def test_an_outline_includes_the_dim_side_and_the_hole():

@@ -118,10 +118,10 @@ def collimate(
     row at the top. The donut is narrow and bright on the opposite side. Both are the same on either side of focus.
     The screws of a secondary mirror (Cassegrain, Schmidt-Cassegrain) must move the star in the direction of the tail,
     those of the primary mirror of a Newtonian against it. Bring the star back to the middle with the mount, and
-    repeat. Angles are in degrees counterclockwise from the right. Sizes are in waves rms, proportional to pixel and
-    aperture, inversely to focal length and wavelength, which the pictures do not test; directions do not depend on
-    them. If the model does not fit a picture, errors are unknown; the mean of three or more pictures then has the
-    error of their scatter. The exit code is 3 for a misfit, and 4 for a result in doubt.
+    repeat. Angles are in degrees counterclockwise from the right. Sizes are in waves rms at the wavelength. A bright
+    star tests pixel, aperture, focal length and wavelength together, and a doubt names a wrong one; directions do not
+    depend on them. If the model does not fit a picture, errors are unknown; the mean of three or more pictures then
+    has the error of their scatter. The exit code is 3 for a misfit, and 4 for a result in doubt.
 
     Parameters
     ----------
@@ -191,7 +191,7 @@ def collimate(
         facts["telescope"] = _telescope(lens, pixel)
         lengths = {name: format_length(value) for name, value in facts["telescope"].items()}
         words = ", ".join(f"{name.replace('_', ' ')} {length}" for name, length in lengths.items())
-        parts.append(Wrapped(f"Sizes in waves are those of {words}, which are not tested."))
+        parts.append(Wrapped(f"Sizes in waves hold for {words}."))
         if unstated:
             parts.append("Neither --obscuration nor --telescope is stated: 0.33 was assumed.")
         save_figure(lambda: show.estimates.collimation(picture, star, coma.angle, title), figure)

@@ -42,6 +42,9 @@ _MOST_TURBULENT = 0.05
 # A wave rms of coma changes the light of a star, W waves out of focus, by 17 / W rms: relative to the radius, it
 # moves rays by its gradient over 2 W, and the light by its Laplacian, sqrt(8) 24 rho cos(theta), over 2 W.
 _LIGHT_OF_COMA = 17.0
+_QUIETEST = 0.7  # least chi2 of residuals from which the noise is estimated once more
+# Least difference of an f-number that was estimated from that stated, standard errors and relative, which is a doubt.
+_OTHER_SCALE = 5.0, 0.05
 # Doubts whose size the standard errors contain: they are notes.
 _CONTAINED = {"missed_light", "other_explanation", "rare_chi2", "sign_open"}
 _WAVE = 2.0 * math.pi  # radians
@@ -163,6 +166,10 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
     options = RetrieveOptions(terms=8, defocus=(side * math.pi * waves,), blur=True)  # Noll 4 to 11
     effort = EFFORT._replace(starts=1, tol=1e-4)
     fit = fit_stars(counts, lens.pupil(), pixel=step * pixel, noise=None, options=options, effort=effort)
+    if "too_quiet" in fit.findings.codes and fit.chi2 > _QUIETEST:
+        # One dim picture determines its noise by little: residuals do better.
+        counts = Counts.of(counts.values / fit.chi2, noise=Noise(read=step * _READ))
+        fit = fit_stars(counts, lens.pupil(), pixel=step * pixel, noise=None, options=options, effort=effort)
     value, error = ({n: part[n] / _WAVE for n in fit.coefficients} for part in (fit.coefficients, fit.errors))
     # Larger errors are those of phases in which images are not linear.
     contained = _CONTAINED if math.hypot(*error.values()) < MAX_PHASE_ERROR / _WAVE else _CONTAINED - {"missed_light"}
@@ -178,13 +185,17 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
             )
             findings.append(Finding("missed_light", "doubt", text, {**found.numbers, "waves": steady}))
             continue
+        if found.code == "estimated" and "f_number" in found.numbers:
+            findings += _other_scale(**found.numbers["f_number"])
         is_contained = found.code in contained and found.severity == "doubt"
         if found.code != "left_out":  # of bins
             findings.append(replace(found, severity="note") if is_contained else found)
     if not fit.converged:
         left = np.nan_to_num(fit.images - fit.model)
         light = fit.model - fit.background[:, None, None]
-        missed = math.sqrt(float((left**2).sum() / (light**2).sum()))
+        variance = fit.model + (step * _READ) ** 2
+        excess = float((left**2).sum()) - float(variance[np.isfinite(fit.images)].sum())
+        missed = math.sqrt(max(excess, 0.0) / float((light**2).sum()))
         text = (
             f"the model misses {100.0 * missed:.2g} % of the light: turbulence that is not averaged, another star, "
             "or vanes and an obscuration that are not as stated"
@@ -206,6 +217,17 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
         drift=None if trail is None else (trail.length / pixel, trail.angle),
         fit=fit,
     )
+
+
+def _other_scale(value: float, error: float, stated: float) -> list[Finding]:
+    """Return the doubt on an f-number other than that of aperture and focal length, if it differs."""
+    if abs(value - stated) < max(_OTHER_SCALE[0] * error, _OTHER_SCALE[1] * stated):
+        return []
+    text = (
+        f"the star fits f/{value:.3g} +- {error:.1g}, but f/{stated:.3g} is stated: pixel, focal length, aperture or "
+        f"wavelength is off by a factor of {stated / value:.3g}; if it is the wavelength, sizes change by as much"
+    )
+    return [Finding("contradiction", "doubt", text, {"value": value, "error": error, "stated": stated})]
 
 
 def _binned(window: Array, radius: float) -> tuple[Counts, int, list[Finding]]:

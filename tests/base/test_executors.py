@@ -265,3 +265,26 @@ def test_results_within_patience_need_no_workers_asked(monkeypatch):
             raise AssertionError("asked")
 
     assert len(list(Workers(Immediate(), 2, Client()).run(str, numbers(3)))) == 3
+
+
+def test_tasks_of_a_cluster_are_cancelled_in_silence(caplog):
+    """While their results arrive, of which the executor of the client would log tracebacks."""
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(1, threads_per_worker=2, processes=False, dashboard_address=":0") as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        for count in range(30):
+            results = Workers.of(client).run(_late, numbers(100))
+            for _ in range(1 + count % 7):
+                next(results)
+            results.close()
+        deadline = time.monotonic() + 30.0
+        while cluster.scheduler.tasks and time.monotonic() < deadline:
+            time.sleep(0.01)
+        assert not cluster.scheduler.tasks
+    assert [message for message in caplog.messages if "Exception" in message] == []
+
+
+def _late(k):
+    time.sleep(0.002 * (k % 5))

@@ -39,11 +39,12 @@ class ExecutorError(RuntimeError):
 
 
 @dataclass(eq=False)
-class _Submitted(Generic[_Task, _Result]):
-    """A task, its future, and how often the executor gave it up."""
+class _Submitted(Generic[_Task]):
+    """A task, the future of its executor, the future of its result here, and how often the executor gave it up."""
 
     task: _Task
-    future: futures.Future[_Result]
+    remote: Any
+    future: futures.Future[Any]
     losses: int = 0
 
 
@@ -84,7 +85,7 @@ class Workers:
             return cls(client, 2 * (os.cpu_count() or 1))
         if callable(getattr(client, "get_executor", None)):
             threads_of = client.nthreads().values()
-            return cls(client.get_executor(), 2 * max(1, sum(threads_of)), client, min(threads_of, default=1))
+            return cls(client, 2 * max(1, sum(threads_of)), client, min(threads_of, default=1))
         raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
     def run(
@@ -101,7 +102,7 @@ class Workers:
         At most `slots` + 1 tasks are queued. An error, or closing the generator, cancels them. ExecutorError if the
         executor ends or gives up a task.
         """
-        queue: list[_Submitted[_Task, _Result]] = []
+        queue: list[_Submitted[_Task]] = []
         pool = futures.ThreadPoolExecutor(self.slots) if self.executor is None else nullcontext(self.executor)
         with pool as executor:
             first = () if shared is None else (self._sent(shared),)
@@ -109,7 +110,7 @@ class Workers:
                 source = iter(tasks)
                 while True:
                     while len(queue) <= self.slots and (task := next(source, None)) is not None:
-                        queue.append(_Submitted(task, self._submit(executor, function, task, first)))
+                        queue.append(_Submitted(task, *self._submit(executor, function, task, first)))
                     if not queue:
                         return
                     done = self._wait([each.future for each in (queue[:1] if ordered else queue)])
@@ -121,14 +122,19 @@ class Workers:
                                 raise
                             if (losses := each.losses + 1) > _ATTEMPTS:
                                 raise ExecutorError(_KILLED) from None
-                            each.future = self._submit(executor, function, each.task, first)
+                            each.remote, each.future = self._submit(executor, function, each.task, first)
                             each.losses = losses
                             continue
                         queue.remove(each)
                         yield each.task, result
             finally:
-                for each in queue:
-                    each.future.cancel()
+                if self._is_connected():
+                    for each in queue:
+                        each.remote.cancel()
+
+    def _is_connected(self) -> bool:
+        """Return False for a client that lost its scheduler, or was closed."""
+        return getattr(self.client, "status", "running") == "running"
 
     def _sent(self, shared: Shared[Any]) -> Any:
         """Return a shared value for tasks: for a cluster the result of a task, which it repeats if it is lost."""
@@ -138,19 +144,25 @@ class Workers:
             return self.client.submit(_Call(_itself, (shared,)))
 
     def _submit(
-        self, executor: futures.Executor, function: Callable[..., _Result], task: _Task, first: tuple[Any, ...]
-    ) -> futures.Future[_Result]:
+        self, executor: Any, function: Callable[..., _Result], task: _Task, first: tuple[Any, ...]
+    ) -> tuple[Any, futures.Future[_Result]]:
+        """Return the future of the executor, and that of the result in this process."""
         try:
             # distributed would read and hash all arguments, such as a movie, for the name of a task.
-            return executor.submit(
+            remote = executor.submit(
                 *((_Call(function, task), *first) if self.client is not None else (function, *first, *task))
             )
+            if isinstance(remote, futures.Future):
+                return remote, remote
+            future: futures.Future[_Result] = futures.Future()
+            self.client.loop.add_callback(_arrive, remote, future)
+            return remote, future
         except futures.BrokenExecutor:
             raise ExecutorError(_ENDED) from None
         except Exception:
-            if getattr(self.client, "status", "running") == "running":
+            if self._is_connected():
                 raise
-            raise ExecutorError(_CANCELLED) from None  # the client lost its scheduler
+            raise ExecutorError(_CANCELLED) from None
 
     def _wait(self, pending: list[futures.Future[_Result]]) -> set[futures.Future[_Result]]:
         """Return the futures that are done, at least one; warn if a cluster has no workers."""
@@ -183,6 +195,14 @@ _REPEAT = "repeat the call, which keeps the parts that were computed and compute
 _CANCELLED = f"the client cancelled tasks, as when the scheduler of its cluster ends: {_REPEAT}"
 _ENDED = f"a process of the executor ended, as when memory is short: {_REPEAT}, with a new executor"
 _KILLED = f"the workers that computed a task ended again and again, as when their memory is too small: {_REPEAT}"
+
+
+async def _arrive(remote: Any, future: futures.Future[Any]) -> None:
+    """Pass on the result of a future of dask, whose own executor logs a traceback if it is cancelled by then."""
+    try:
+        future.set_result(await remote)
+    except Exception as error:
+        future.set_exception(error)
 
 
 def _result(future: futures.Future[_Result]) -> _Result:

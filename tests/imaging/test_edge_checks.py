@@ -105,6 +105,16 @@ def test_right_pictures_have_no_findings(seed):
         assert {*found.findings.codes} <= {"untested"}  # what one crop shows of sharpening
 
 
+def test_the_size_of_the_values_moves_no_finding():
+    light = np.random.default_rng(0).normal(picture(5.0, 0.6, (80, 80), 8), 0.01)
+    for encoded in (light, light**2):  # in light, and a likely sRGB
+        small, large = (lm.sfr(scale * encoded, encoding="linear").findings for scale in (1.0, 60000.0))
+        assert small.codes == large.codes
+        for one, other in zip(small, large, strict=True):
+            sizes = [{k: v for k, v in f.numbers.items() if isinstance(v, float)} for f in (one, other)]
+            assert sizes[0] == pytest.approx(sizes[1], rel=1e-6)
+
+
 def test_a_flat_side_with_brighter_pixels_elsewhere_is_not_clipped():
     clipped = np.minimum(bytes_of(noisy(LIGHT, 2000.0)), 160)
     assert "flat_top" in lm.imaging.sfr_chart(clipped).findings.codes

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.imaging.edge_profile import locate, response
+from lommel.imaging.edge_profile import Transform, locate
 from slanted_edges import gaussian, picture
 
 KNOWN = np.ones((80, 80), bool)
@@ -15,7 +15,7 @@ F = np.linspace(0.0, 0.5, 6)
 
 def measured(edge):
     position, profile, _, variances = edge.profile
-    values, _ = response(position, profile, variances)
+    values, _ = Transform(position).response(profile, variances)
     return np.interp(F, np.linspace(0.0, 0.5, values.size), values)
 
 
@@ -92,7 +92,7 @@ def test_what_lies_beyond_is_not_subtracted_where_both_sides_slope():
     # The slope may be uneven light as well: errors contain all of the correction, of which they contain half else.
     d = np.arange(-30.0, 30.0, 1 / 16)
     profile, variances = 0.5 + np.arctan(d / 0.3) / np.pi, np.full(d.size, 1e-10)
-    (values, covariance), (kept, larger) = (response(d, profile, variances, tail=tail) for tail in (0.0, 0.05))
+    (values, covariance), (kept, larger) = (Transform(d).response(profile, variances, tail) for tail in (0.0, 0.05))
     change = kept - values
     assert change[10] > 5e-3
     right = np.exp(-2.0 * np.pi * 0.3 * np.linspace(0.0, 0.5, values.size))
@@ -105,7 +105,7 @@ def test_what_lies_beyond_is_not_subtracted_where_both_sides_slope():
 @pytest.mark.parametrize("sigma", [3.0, 4.0])
 def test_a_wide_gaussian_blur_has_no_halo_beyond_the_picture(sigma):
     edge = locate(picture(5.0, sigma, (64, 50), 8), np.ones((64, 50), bool))
-    values, covariance = response(*[edge.profile[k] for k in (0, 1, 3)])
+    values, covariance = Transform(edge.profile[0]).response(edge.profile[1], edge.profile[3])
     f = np.linspace(0.0, 0.5, values.size)
     # An approach to the sides like 1 / distance, fitted to the foot of the edge, changes values by 0.01 and 0.04.
     assert np.abs(values - gaussian(f, np.radians(5.0), sigma))[1:].max() < 4e-3
@@ -118,7 +118,7 @@ def test_errors_contain_that_of_a_trend_that_was_divided_out():
     off = []
     for seed in range(12):
         edge = locate(np.random.default_rng(seed).normal(light, 0.01), np.ones((60, 60), bool))
-        values, covariance = response(*(edge.profile[k] for k in (0, 1, 3)), unsure=edge.unsure)
+        values, covariance = Transform(edge.profile[0]).response(edge.profile[1], edge.profile[3], unsure=edge.unsure)
         at = round(0.06 * 2.0 * (values.size - 1))
         right = gaussian(0.5 * at / (values.size - 1), np.radians(5.0), 0.6)
         off.append((values[at] - right) / np.sqrt(covariance[at, at]))

@@ -10,7 +10,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.encoding import Encoding, named
 from lommel.fit.findings import Finding, Severity
-from lommel.imaging.edge_profile import MIN_TREND, SIGMA, Edge, Mask, halo_share, response
+from lommel.imaging.edge_profile import MIN_TREND, SIGMA, Edge, Mask, Transform, halo_share
 from lommel.imaging.pair_noise import is_compressed
 
 _EFFECT = 0.02  # change of the response from which a fault is a doubt
@@ -97,7 +97,7 @@ def compression_findings(image: Array) -> list[Finding]:
 
 
 def edge_findings(
-    edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]
+    edge: Edge, stored: Array, encoding: Encoding, transform: Transform, found: tuple[Array, Array]
 ) -> tuple[list[Finding], tuple[float, float, float]]:
     """Return the findings on an edge, and the evidence for its encoding; `found` are its response and the errors.
 
@@ -136,12 +136,12 @@ def edge_findings(
     if edge.curvature > _CURVATURE:
         text = f"the edge is curved, by {edge.curvature:.2g} pixels (distortion): a polynomial was fitted"
         findings.append(Finding("curved_edge", "note", text, {"curvature": edge.curvature}))
-    asymmetric, evidence = _of_symmetry(edge, stored, encoding, found)
+    asymmetric, evidence = _of_symmetry(edge, stored, encoding, transform, found)
     return findings + asymmetric, evidence
 
 
 def _of_symmetry(
-    edge: Edge, stored: Array, encoding: Encoding, found: tuple[Array, Array]
+    edge: Edge, stored: Array, encoding: Encoding, transform: Transform, found: tuple[Array, Array]
 ) -> tuple[list[Finding], tuple[float, float, float]]:
     """Return a finding if the profile is not symmetric, as clipped or wrongly encoded values are not, and evidence.
 
@@ -187,9 +187,8 @@ def _of_symmetry(
 
     def change_by(power: float, values: Array = profile) -> float:
         """Return the change of the response if values are encoded by another power."""
-        other = response(position, (np.maximum(values, 0.0) / bright) ** power, variances, 0.5, edge.tail)[0]
-        size = min(other.size, found[0].size)
-        return float(np.abs(other[:size] - found[0][:size]).max())
+        other = transform.values((np.maximum(values, 0.0) / bright) ** power, variance, edge.tail)
+        return float(np.abs(other - found[0]).max())
 
     common = _GAMMA if encoding == "linear" else 1.0 / _GAMMA
     gain = 0.5 * (chi2(common) - stated)

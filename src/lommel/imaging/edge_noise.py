@@ -20,6 +20,7 @@ from scipy import ndimage
 
 from lommel.base.arrays import Array
 from lommel.base.encoding import Encoding, from_light, to_light
+from lommel.base.threads import product
 from lommel.fit.findings import Finding, untested_finding
 from lommel.imaging.edge_checks import CURVE, UNTESTED
 from lommel.imaging.edge_profile import FAR, SIGMA, Edge, Mask
@@ -296,9 +297,9 @@ class Areas:
             # Halos of this edge, and of others at its ends.
             terms += [*powers[0][_DEGREE + 1 :], *powers[1][_DEGREE + 1 :]]
             design = np.stack(terms)
-            normal = design @ design.T
+            normal = product(design, design.T)
             normal.flat[:: len(normal) + 1] *= 1.0 + 1e-12
-            basis = np.linalg.inv(np.linalg.cholesky(normal)) @ design
+            basis = product(np.linalg.inv(np.linalg.cholesky(normal)), design)
             pairs, fitted = (_at_lags(_spread(part, pixels), spacing) for part in (np.ones((1, len(d))), basis))
             sides.append(_Area(box, pixels, basis, pairs, fitted))
         return cls(edge.used, sides)
@@ -308,7 +309,7 @@ class Areas:
         sums = np.zeros((2, len(_LAGS)))
         for area in self.sides:
             values = stored[area.box][area.pixels]
-            part = values - (area.basis @ values) @ area.basis
+            part = values - np.einsum("k,kn->n", np.einsum("kn,n->k", area.basis, values), area.basis)
             sigma = math.sqrt(float(part @ part) / (values.size - len(area.basis)))
             if sigma > (_ROUNDING if rounded else 1e-4 * abs(float(values.mean()))):
                 noise = np.clip(part / sigma, -_CLIPPED, _CLIPPED)
@@ -328,7 +329,7 @@ def _at_lags(images: NDArray[np.float32], spacing: int) -> Array:
     """Return the sums of products of pixels of images, parted by zeros, at each lag."""
     flat, width = images.ravel(), images.shape[-1]
     lags = [int(down * width + right) for down, right in spacing * _LAGS]
-    return np.array([flat[:-lag] @ flat[lag:] for lag in lags], float)
+    return np.array([np.einsum("n,n->", flat[:-lag], flat[lag:]) for lag in lags], float)
 
 
 class _Correlation(NamedTuple):

@@ -20,6 +20,7 @@ from scipy.special import sici
 
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
+from lommel.base.threads import product
 
 Mask = NDArray[np.bool_]
 
@@ -198,54 +199,93 @@ def require_measurable(edge: Edge, pitch: float) -> None:
         )
 
 
-def response(
-    position: Array,
-    profile: Array,
-    variances: Array,
-    most: float = 0.5,
-    tail: float = 0.0,
-    unsure: float = 0.0,
-    power: Callable[[Array], Array] = np.ones_like,
-    added: Array | float = 0.0,
-) -> tuple[Array, Array]:
-    """Return the response at frequencies from 0 to `most` cycles per pixel, and its covariance.
+@dataclass(frozen=True, eq=False)
+class Transform:
+    """Transform from profiles at positions to responses at frequencies from 0 to `most` cycles per pixel."""
 
-    The `power` of the noise at frequencies across the edge is relative to its mean; white noise of the variances
-    `added` adds to it.
+    position: Array
+    most: float = 0.5
 
-    The effect of the light beyond the profile is estimated and subtracted; errors contain the noise and half of it.
-    With a `tail`, which may be uneven light as well, it is not subtracted, and errors contain all of it.
-    """
-    reach, gaps, middle = float(np.abs(position).max()), np.diff(position), 0.5 * (position[1:] + position[:-1])
-    window = _window(middle / reach)
-    frequencies = np.linspace(0.0, most, max(int(reach * 4.0 * most), 2))
-    wave, row = np.exp(-2j * math.pi * frequencies[1] * middle), window.astype(complex)
-    waves = np.empty((frequencies.size, middle.size), complex)
-    for k in range(frequencies.size):
-        waves[k], row = row, row * wave
-    square = np.square(np.outer(math.pi * frequencies, gaps))
-    waves *= 1.0 + square / 6.0 * (1.0 + square * 7.0 / 60.0)  # 1 / sinc, of differences, within 1e-5
-    found = np.einsum("kn,n->k", waves, np.diff(profile))
-    # Propagate the noise: the final `derivative` is that of abs(response) / abs(response[0]) with respect to
-    # each sample of the profile, times abs(response[0]).
-    derivative = np.zeros((frequencies.size, position.size + 1))
-    derivative[:, 1:-1] = np.real(waves * np.exp(-1j * np.angle(found))[:, None])
-    derivative = derivative[:, :-1] - derivative[:, 1:]
-    values: Array = np.abs(found) / abs(found[0])
-    derivative -= np.outer(values, derivative[0])
-    derivative /= abs(found[0])
-    coloured = derivative * np.sqrt(variances * power(frequencies)[:, None])
-    covariance = coloured @ coloured.T
-    if np.any(added):
-        covariance += (derivative * added) @ derivative.T
-    values = np.sqrt(np.maximum(np.square(values) - np.diag(covariance), 0.0))  # by which noise raises squares
-    beyond, error = _beyond(position, profile, variances + added, frequencies, values)
-    covariance += np.outer(error, error)
-    of_trend = values * math.hypot(unsure, halo_share(values) if tail < 0.0 else 0.0) * (frequencies > 0.0)
-    covariance += np.outer(of_trend, of_trend)
-    if tail:
-        return values, covariance + np.outer(beyond, beyond)
-    return values - beyond, covariance
+    @cached_property
+    def reach(self) -> float:
+        """Largest distance from the edge."""
+        return float(np.abs(self.position).max())
+
+    @cached_property
+    def frequencies(self) -> Array:
+        """Frequencies of responses."""
+        return np.linspace(0.0, self.most, max(int(self.reach * 4.0 * self.most), 2))
+
+    @cached_property
+    def _waves(self) -> tuple[Array, Array]:
+        """Cosines and sines of the middles of differences, by frequency, times the window function."""
+        gaps, middle = np.diff(self.position), 0.5 * (self.position[1:] + self.position[:-1])
+        wave, row = np.exp(-2j * math.pi * self.frequencies[1] * middle), _window(middle / self.reach).astype(complex)
+        shape = self.frequencies.size, middle.size
+        cosines, sines = np.empty(shape), np.empty(shape)
+        for k in range(len(cosines)):
+            cosines[k], sines[k], row = row.real, row.imag, row * wave
+        square = np.square(np.outer(math.pi * self.frequencies, gaps))
+        square *= (1.0 + square * 7.0 / 60.0) / 6.0  # 1 / sinc - 1, of differences, within 1e-5
+        cosines += cosines * square
+        sines += sines * square
+        return cosines, sines
+
+    def response(
+        self,
+        profile: Array,
+        variances: Array,
+        tail: float = 0.0,
+        unsure: float = 0.0,
+        power: Callable[[Array], Array] = np.ones_like,
+        added: Array | float = 0.0,
+    ) -> tuple[Array, Array]:
+        """Return the response of a profile and its covariance.
+
+        The `power` of the noise at frequencies across the edge is relative to its mean; white noise of the variances
+        `added` adds to it.
+
+        The effect of the light beyond the profile is estimated and subtracted; errors contain the noise and half of
+        it. With a `tail`, which may be uneven light as well, it is not subtracted, and errors contain all of it.
+        """
+        values, noise = self._values(profile, variances, power(self.frequencies), added)
+        covariance = product(noise, noise.T)
+        beyond, error = _beyond(self.position, profile, variances + added, self.frequencies, values)
+        covariance += np.outer(error, error)
+        of_trend = values * math.hypot(unsure, halo_share(values) if tail < 0.0 else 0.0) * (self.frequencies > 0.0)
+        covariance += np.outer(of_trend, of_trend)
+        if tail:
+            return values, covariance + np.outer(beyond, beyond)
+        return values - beyond, covariance
+
+    def values(self, profile: Array, variances: Array, tail: float = 0.0) -> Array:
+        """Return the response of a profile with white noise."""
+        values, _ = self._values(profile, variances, np.ones_like(self.frequencies), 0.0)
+        return values if tail else values - _beyond(self.position, profile, variances, self.frequencies, values)[0]
+
+    def _values(self, profile: Array, variances: Array, power: Array, added: Array | float) -> tuple[Array, Array]:
+        """Return the response without that of the light beyond, and its change by one standard deviation of noise.
+
+        The change is that by each sample of the profile, and by each of the `added` variances.
+        """
+        cosines, sines = self._waves
+        real, imaginary = (np.einsum("kn,n->k", part, np.diff(profile)) for part in (cosines, sines))
+        size = np.hypot(real, imaginary)
+        # Propagate the noise: the final `derivative` is that of abs(response) / abs(response[0]) with respect to each
+        # sample of the profile.
+        along = np.zeros((size.size, self.position.size + 1))
+        along[:, 1:-1] = cosines * (real / size)[:, None]
+        along[:, 1:-1] += sines * (imaginary / size)[:, None]
+        derivative = along[:, :-1] - along[:, 1:]
+        values: Array = size / size[0]
+        derivative -= np.outer(values, derivative[0])
+        derivative /= size[0]
+        parts = [derivative * np.sqrt(power)[:, None] * np.sqrt(variances)]
+        if np.any(added):
+            parts.append(derivative * np.sqrt(added))
+        noise = np.hstack(parts)
+        # By noise, squares are larger.
+        return np.sqrt(np.maximum(np.square(values) - np.einsum("kn,kn->k", noise, noise), 0.0)), noise
 
 
 def halo_share(values: Array) -> float:

@@ -24,7 +24,7 @@ from lommel.imaging.edge_checks import (
     unless_brighter,
 )
 from lommel.imaging.edge_noise import Areas, Evidence, Neighbours, added_variance, evidence_of, processing_findings
-from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask, half, locate, require_measurable, response
+from lommel.imaging.edge_profile import MAX_ANGLE, MIN_ANGLE, Mask, Transform, half, locate, require_measurable
 from lommel.recorded.counts import Counts, counts_of
 
 if TYPE_CHECKING:
@@ -224,16 +224,17 @@ def pixel_pitch(pixel: float | None) -> float | None:
 def require_mosaic(mosaic: str | None, counts: Counts, part: tuple[slice, ...] = ()) -> None:
     """Raise ValueError if the colours of a mosaic are unknown or in another order, by a part of the image."""
     is_plane = len(counts.shape) == 2
+    seen = counts[part]
     if mosaic is None:
         if is_plane:
-            require_one_colour(counts.filled()[part], counts.known[part])
+            require_one_colour(seen.filled(), seen.known)
         return
     if not isinstance(mosaic, str) or mosaic not in _ORDERS or not is_plane:
         raise ValueError(
             f"mosaic must be {', '.join(_ORDERS[:-1])} or {_ORDERS[-1]}, of an image (height, width), got "
             f"{validation.shown(mosaic)} and an image {counts.shape}"
         )
-    require_order(mosaic, counts.filled()[part], counts.known[part])
+    require_order(mosaic, seen.filled(), seen.known)
 
 
 def image_counts(image: ArrayLike | Counts) -> Counts:
@@ -360,16 +361,15 @@ def _measured(
     position, profile, counts, variances = edge.profile
     neighbours = Neighbours.of(edge, upright[1], pitch, shared, rounded=rounded)
     added = added_variance(edge) / counts
-    values, covariance = response(
-        position, profile, variances, 0.5 / pitch, edge.tail, edge.unsure, neighbours.power, added
-    )
+    transform = Transform(position, 0.5 / pitch)
+    values, covariance = transform.response(profile, variances, edge.tail, edge.unsure, neighbours.power, added)
     errors = np.sqrt(np.diag(covariance))
-    frequencies = np.linspace(0.0, 0.5 / pitch, values.size) / (pixel or 1.0)
+    frequencies = transform.frequencies / (pixel or 1.0)
     mtf50, mtf50_error = (float(frequencies[1]) * part for part in half(values, covariance))
     # The normal of the line x = start + slope y is along (1, -slope).
     angle = math.atan2(1.0, -edge.slope) if horizontal else math.atan2(-edge.slope, 1.0)
     contrast = edge.step / max(abs(sum(edge.levels)), 1e-300)
-    found, of_encoding = edge_findings(edge, upright[1], encoding, (values, errors))
+    found, of_encoding = edge_findings(edge, upright[1], encoding, transform, (values, errors))
     findings = Findings([*found, *left_out])
     evidence = evidence_of(
         edge, neighbours, upright[1], (values, errors), of_encoding, pitch, encoding, rounded=rounded

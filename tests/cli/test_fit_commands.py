@@ -23,7 +23,7 @@ def test_coefficients_blurs_and_rejected_stars_are_told_with_their_errors_in_the
     )  # fmt: skip
     names = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
     result.to_dict = lambda: dict.fromkeys(names, 1)
-    facts = fit_commands._facts(result, SimpleNamespace(left_out={}, refused=[]))
+    facts = fit_commands._facts(result, SimpleNamespace(left_out={}, refused=[]), down=False)
     assert facts["coma"] == {"waves": 0.5, "error": pytest.approx(0.05), "degrees": 30.0}
     assert facts["waves"] == {
         "middle": {"coefficients": [0.5], "errors": pytest.approx([0.1])},
@@ -39,8 +39,10 @@ def test_coefficients_blurs_and_rejected_stars_are_told_with_their_errors_in_the
     assert line_of == "a line of 2.000 +- 0.050 pixels at 29 degrees from the rows"
     assert ellipse == "0.500 +- 0.025 by 0.250 pixels (standard deviation) at 14 degrees from the rows"
     assert seeing.startswith("seeing of 0.99")
+    upside_down = fit_commands._facts(result, SimpleNamespace(left_out={}, refused=[]), down=True)
+    assert upside_down["coma"]["degrees"] == 330.0  # counterclockwise as shown
     result.coma = None
-    assert fit_commands._facts(result, SimpleNamespace(left_out={}, refused=[]))["coma"] is None
+    assert fit_commands._facts(result, SimpleNamespace(left_out={}, refused=[]), down=True)["coma"] is None
 
 
 def test_beads_of_a_field_begin_half_a_window_before_their_places(monkeypatch):

@@ -7,6 +7,7 @@ import re
 
 import numpy as np
 import pytest
+from astropy.io import fits
 
 import lommel as lm
 import simulated_fields as simulated
@@ -61,12 +62,15 @@ def night(tmp_path_factory):
 
 
 def test_images_become_a_table_that_the_lens_file_reads(night, call_lommel):
-    call = ("fit-field", "stars.npy", "lens.toml", "--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 2)
+    fits.writeto(night / "stars.fits", np.load(night / "stars.npy"))
+    foci = ("--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 2)
+    call = ("fit-field", "stars.fits", "lens.toml", *foci)
     written = ("-o", "field.csv", "--plot", "field.png", "--spots", "spots.png")
     options = (*call, "--terms", 5, "--known-blur", 0, *written)
     text = call_lommel(*options, folder=night).stdout
     assert "converged: " in text
     assert "16 spots found; refused: none" in text
+    assert "waves rms, top right corner" in text  # FITS files are shown with the first row at the bottom
     assert (night / "field.png").stat().st_size > 10_000
     (night / "fitted.toml").write_text(LENS + FIELD, encoding="utf-8")
     found = load_instrument(night / "fitted.toml").aberrations_of_field.pupil(150e-6, -100e-6).wavefront
@@ -99,6 +103,7 @@ def test_pixels_that_are_masked_or_nan_are_left_out_and_counted(night, call_lomm
     assert "33 of 16250 pixels left out" in found["message"]
     text = call_lommel(*call, folder=night).stdout
     assert "13 spots found; refused: 3 masked; 7635 pixels left out (masked or NaN)" in text
+    assert "waves rms, bottom right corner" in text
     assert re.search(r"^ *29 +29 +masked$", text, re.MULTILINE)
 
 

@@ -232,6 +232,7 @@ def _read(path: Path, encoding: Encoding | None = None) -> tuple[Array, Metadata
     """Return a picture with NaN at saturated pixels, its header, and whether its first row is shown at the top."""
     from lommel.recorded.counts import Counts
     from lommel.recorded.frames import read_images
+    from lommel.recorded.headers import is_first_row_on_top
     from lommel.recorded.noise import Noise
 
     if path.suffix.lower() in _PHOTOS and (found := _light(path, encoding)) is not None:
@@ -243,8 +244,7 @@ def _read(path: Path, encoding: Encoding | None = None) -> tuple[Array, Metadata
     if len(counts) != 1:
         raise ValueError(f"{line(path)} must be one picture, got {len(counts)}")
     values = np.where(counts.known, counts.values, np.nan)[0]
-    is_up = read.metadata.get("format") == "FITS" and str(read.metadata.get("rows", "")).strip().upper() != "TOP-DOWN"
-    return np.asarray(values, np.float64), read.metadata, not is_up
+    return np.asarray(values, np.float64), read.metadata, is_first_row_on_top(read.metadata)
 
 
 def _light(path: Path, encoding: Encoding | None) -> tuple[Array, Metadata, bool] | None:

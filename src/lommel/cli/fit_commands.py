@@ -36,7 +36,7 @@ from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.psf import psf
 from lommel.recorded.camera_noise import StackView, hot_pixel_findings, hot_pixels, sharpness
 from lommel.recorded.counts import Counts, counts_of, flat_top
-from lommel.recorded.headers import without_compared
+from lommel.recorded.headers import is_first_row_on_top, without_compared
 from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.table import described, tables
 
@@ -83,8 +83,10 @@ def retrieve(
     first even term is positive if both are equally near.
 
     Coefficients are of Zernike terms in Noll's order, normalised to unit rms, in radians with standard errors;
-    defocus and spherical by name are C_d and C_s. The reduced chi-squared (chi2) is about 1 where pupil, pixel pitch
-    and noise are right. The exit code is 3 for a misfit, and 4 for a result in doubt.
+    defocus and spherical by name are C_d and C_s. x grows with the columns and y with the rows: downwards in a
+    picture as shown, but upwards in that of a FITS file, unless it states ROWORDER = TOP-DOWN. The reduced
+    chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right. The exit code is 3 for a misfit, and 4
+    for a result in doubt.
 
     Parameters
     ----------
@@ -265,6 +267,10 @@ def fit_field(
     defocus in the mean; --twin writes the other map. One exposure well out of focus ("donuts") is enough to
     collimate.
 
+    x and y of terms and tables grow with columns and rows. Corners, and the direction in degrees of the tail of coma,
+    counterclockwise from the right, are those of the picture as programs show it: FITS files with the first row at
+    the bottom, unless their header states ROWORDER = TOP-DOWN, other files with the first row at the top.
+
     The table serves as file of the section [field], with unit = "waves". The first line is the verdict. A misfit is
     also stated in the first line of the table and by "converged" of --json, and the exit code is 3.
 
@@ -355,12 +361,13 @@ def fit_field(
     save_figure(result.plot, figure)
     note = "" if result.converged else f", of a fit that has not converged: {result.status.replace('_', ' ')}"
     files = written([output, twin, figure, spots], lambda path: note if path in (output, twin) else "")
-    facts = _facts(result, targets) | {"notes": [*without_compared(read.notes), *header]}
+    down = is_first_row_on_top(read.metadata)
+    facts = _facts(result, targets, down=down) | {"notes": [*without_compared(read.notes), *header]}
     middle = described({"coma_in_the_middle": facts["coma"], "focus_in_the_middle": facts["focus"]})
     shown: list[Any] = [*verdict_lines(facts, result.summary), *middle, ""]
     for name, wave in facts["waves"].items():
         found, errors = (dict(zip(facts["terms"], wave[key], strict=True)) for key in ("coefficients", "errors"))
-        place = {"corner": "bottom right corner"}.get(name, name)
+        place = {"corner": f"{'bottom' if down else 'top'} right corner"}.get(name, name)
         shown += [*tables({f"waves rms, {place}": found, "errors": errors}), ""]
     shown += [*blurs_in_words(result, pitch, focal_length), Wrapped(targets.message)]
     return report_findings(facts, *shown, *tables(facts), "") + files
@@ -404,8 +411,8 @@ def _values(values: tuple[Array, Array], name: str, unit: float) -> Facts:
     return {key: (part / unit).tolist() for key, part in zip((name, "errors"), values, strict=True)}
 
 
-def _facts(result: FieldFit, targets: detection.PointSources | detection.Crossings) -> Facts:
-    """Return the results as data that can be written as JSON."""
+def _facts(result: FieldFit, targets: detection.PointSources | detection.Crossings, *, down: bool) -> Facts:
+    """Return the results as data that can be written as JSON; `down` if the first row is shown at the top."""
     from lommel.estimation.star_images import label
 
     x, y = result.extent
@@ -421,10 +428,11 @@ def _facts(result: FieldFit, targets: detection.PointSources | detection.Crossin
         }
     fit, coma, stars = result.to_dict(), result.coma, result.stars
     names = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
+    degrees = coma and (-coma.degrees if down else coma.degrees) % 360.0
     rows = np.flatnonzero(~stars.used)
     rows = rows[np.argsort(-stars.chi2[rows], kind="stable")]
     return {name: fit[name] for name in names} | {
-        "coma": coma and {"waves": coma.rms / _WAVE, "error": coma.error / _WAVE, "degrees": coma.degrees},
+        "coma": coma and {"waves": coma.rms / _WAVE, "error": coma.error / _WAVE, "degrees": degrees},
         "focus": result.focus and result.focus._asdict(),
         "distortion": distortion,
         "terms": [label(name) for name in result.names],

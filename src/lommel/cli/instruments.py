@@ -109,7 +109,7 @@ class Optics(PhotoCamera):
     shape
         Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
     place
-        Place on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a section
+        Place on the sensor, from its middle right and down (in FITS pictures up), such as 1.5mm -2mm; needs a section
         [field]. By default the axis.
     """
 

@@ -833,7 +833,7 @@ def precision(
     f_number
         F-number; overrides the lens file.
     place
-        Place on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a section
+        Place on the sensor, from its middle right and down (in FITS pictures up), such as 1.5mm -2mm; needs a section
         [field]. By default the axis.
     between
         Nearest and farthest distance to list; by default around the focus distances.

@@ -65,7 +65,7 @@ def stack(
     shape
         Window in pixels, such as 65 or 64x128 (height x width); overrides the file.
     place
-        Place on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file needs a section
+        Place on the sensor, from its middle right and down (in FITS pictures up), such as 1.5mm -2mm; needs a section
         [field]. By default the axis.
     client
         Scheduler of a dask cluster that computes, such as tcp://host:8786; its workers must reach the store.

@@ -240,6 +240,11 @@ def fits_notes(header: Mapping[str, object], metadata: Metadata) -> list[str]:
     return [f"The header of the images states {words}, {ending}." for words, ending in endings]
 
 
+def is_first_row_on_top(metadata: Metadata) -> bool:
+    """Return whether programs show the first row of these images at the top: not in FITS, unless ROWORDER says so."""
+    return metadata.get("format") != "FITS" or str(metadata.get("rows", "")).strip().upper() == "TOP-DOWN"
+
+
 def without_compared(notes: Sequence[str]) -> list[str]:
     """Return the notes of images without those on cards that a command compares with its lens."""
     return [note for note in notes if not note.endswith(_GIVEN)]

@@ -228,7 +228,7 @@ def _surfaces(rows: Sequence[Row]) -> list[str]:
             continue
         lines = [
             ("tilt along x (nm over 100 µm)", _value(surface, "tilt_x", 1e5)),
-            ("tilt along y (nm over 100 µm)", _value(surface, "tilt_y", 1e5)),
+            ("tilt along y, with the rows (nm over 100 µm)", _value(surface, "tilt_y", 1e5)),
             ("field curvature (nm of height, 100 µm from the middle)", _value(surface, "curvature", 5.0)),
             (
                 f"scatter of heights about this surface, in their errors: {_scatter(surface)}",

@@ -10,7 +10,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel.base.units import format_length, parse_angle, parse_length, parse_radius, with_error, with_units
+from lommel.base.units import (
+    camera_wavelength,
+    format_length,
+    parse_angle,
+    parse_length,
+    parse_radius,
+    with_error,
+    with_units,
+)
 
 LENGTHS = {
     "m": 1.0, "km": 1e3, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e-9, "pm": 1e-12,
@@ -156,3 +164,10 @@ def test_a_number_has_as_many_digits_as_its_error_allows(value, error, texts):
 @pytest.mark.parametrize("symbol", ["\u00c5", "\u212b"])
 def test_the_symbol_of_the_angstrom_is_a_unit(symbol):
     assert parse_length(f"5875.6 {symbol}") == 5875.6e-10
+
+
+@pytest.mark.parametrize(("metres", "likely"), [(550e-6, "550 nm"), (0.55, "550 nm"), (5.5e-10, "550 nm")])
+def test_a_wavelength_that_no_camera_records_is_refused_with_the_likely_one(metres, likely):
+    with pytest.raises(ValueError, match=rf"a must be from 10 nm to 100 um, .*; did you mean {likely}\?"):
+        camera_wavelength("a", metres)
+    assert camera_wavelength("a", 10e-6) == 10e-6

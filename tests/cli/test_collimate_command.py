@@ -169,7 +169,7 @@ def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_p
         verdict = {"converged": fits_well, "reliable": True, "message": "misfit: chi2 9; noise; wrong"}
         fit = type("Fit", (), verdict | {"findings": told})()
         fields = {"components": coma, "spherical": (0.0, 0.1), "waves": 5.0, "fit": fit, "drift": (7.4, -0.2)}
-        fields |= {"coma": Vector.of(coma, 0.01), "astigmatism": Vector.of(0.0j, 0.01, 2)}
+        fields |= {"coma": Vector.of(coma, 0.01), "astigmatism": Vector.of(0.0j, 0.01, 2), "steady": 0.0}
         return type("One", (), fields | {"star": collimation.Star(10.0, 12.0, 7.0)})()
 
     monkeypatch.setattr(collimation, "measure_collimation", measured)

@@ -181,6 +181,14 @@ def test_a_star_near_focus_is_refused():
         measure_collimation(np.where(r < 10.0, 100.0, 0.0), TELESCOPE, 1.0e-6)
 
 
+def test_a_telescope_that_makes_the_star_too_many_waves_out_of_focus_is_refused():
+    picture = np.zeros((90, 90))
+    picture[25:66, 25:66] = np.hypot(*np.mgrid[-20:21, -20:21]) < 20.0
+    small = lm.Lens(focal_length=2.0, aperture_diameter=2.0, wavelength=550e-9)
+    with pytest.raises(ValueError, match=r"got 7\d .* f/1 and wavelength: correct the aperture"):
+        measure_collimation(picture, small, PIXEL)
+
+
 def test_a_mean_allows_for_the_scatter():
     mean = mean_coma([0.3 + 0.1j, 0.3 + 0.1j], [0.01, 0.01])
     assert (mean.size, mean.error) == pytest.approx((math.hypot(0.3, 0.1), 0.01 / math.sqrt(2.0)))
@@ -189,3 +197,9 @@ def test_a_mean_allows_for_the_scatter():
     values = np.array([[0.3, 0.1], [0.5, 0.1], [0.4, -0.1]])
     assert scattered.error == pytest.approx(np.sqrt(values.var(axis=0, ddof=1).mean() / 3.0))
     assert Vector.of(0.02 + 0.0j, 0.01).angle is None
+
+
+def test_a_mean_keeps_the_part_of_errors_that_pictures_share():
+    alike = mean_coma([0.3 + 0.1j] * 4, [0.05] * 4, [0.03, 0.03, 0.03, 0.03])
+    assert alike.error == pytest.approx(math.hypot(0.04 / 2.0, 0.03))
+    assert mean_coma([0.3 + 0.1j] * 100, [0.0] * 100, [0.03]).error == pytest.approx(0.03)

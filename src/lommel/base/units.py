@@ -12,7 +12,8 @@ from lommel.base.validation import angle, real, shown
 ARCSEC = math.pi / 648000.0
 """Radians of an arcsecond."""
 
-_FINEST, _COARSEST = 1e-8, 5e-4  # pixels: in the sample, and of scans of prints or X-ray detectors
+_PITCHES = 1e-8, 5e-4  # metres: pixels in the sample, and of scans of prints or X-ray detectors
+_WAVELENGTHS = 1e-8, 1e-4  # metres: of light that cameras record
 _SYMBOLS = {"Å": "angstrom", "\u212b": "angstrom"}  # a letter, and the sign that looks like it
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
 
@@ -66,15 +67,26 @@ def parse_angle(text: str | float) -> float:
 def camera_pixel(name: str, value: float | tuple[float, ...]) -> float | tuple[float, ...]:
     """Return the pitch of pixels, metres, if a camera, a scanner or a microscope may have it: 10 nm to 0.5 mm."""
     for side in value if isinstance(value, tuple) else (value,):
-        if not _FINEST <= side <= _COARSEST:
-            likely = real(name, side, above=0.0, unit="metres")
-            while not 1e-6 <= likely < 1e-3:
-                likely *= 1e3 if likely < 1e-6 else 1e-3
-            raise ValueError(
-                f"{name} must be from {format_length(_FINEST)} to {format_length(_COARSEST)}, got "
-                f"{format_length(side)}; did you mean {format_length(likely)}?"
-            )
+        _require_likely(name, side, _PITCHES, 1e-6)
     return value
+
+
+def camera_wavelength(name: str, value: float) -> float:
+    """Return the wavelength of light, metres, if a camera may have recorded it: 10 nm to 0.1 mm."""
+    _require_likely(name, value, _WAVELENGTHS, 1e-7)
+    return value
+
+
+def _require_likely(name: str, value: float, limits: tuple[float, float], least: float) -> None:
+    """Raise ValueError for a length out of limits; it names that with these digits from `least` on, metres."""
+    if not limits[0] <= value <= limits[1]:
+        likely = real(name, value, above=0.0, unit="metres")
+        while not least <= likely < 1e3 * least:
+            likely *= 1e3 if likely < least else 1e-3
+        raise ValueError(
+            f"{name} must be from {format_length(limits[0])} to {format_length(limits[1])}, got "
+            f"{format_length(value)}; did you mean {format_length(likely)}?"
+        )
 
 
 def parse_radius(text: str | float, focal_length: float) -> float:

@@ -18,7 +18,7 @@ from lommel import show
 from lommel.base.arrays import Array
 from lommel.base.encoding import Encoding, named
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import format_length
+from lommel.base.units import camera_wavelength, format_length
 from lommel.base.validation import line
 from lommel.cli.command import ENCODING, PLOT, command
 from lommel.cli.instruments import Sensor, instrument_of
@@ -66,7 +66,7 @@ class Telescope(Options):
     aperture: Annotated[float | None, In(above=0.0), Shown(length="mm")] = None
     focal_length: Annotated[float | None, In(above=0.0), Shown(length="m")] = None
     obscuration: Annotated[float | None, In(least=0.0, most=0.9)] = None
-    wavelength: Annotated[float, In(above=0.0), Shown(length="nm")] = 550e-9
+    wavelength: Annotated[float, Shown(length="nm"), camera_wavelength] = 550e-9
 
     def instrument(self, header: Metadata, sensor: Sensor) -> tuple[Lens, float]:
         """Return the lens and the pixel, metres, of a picture with this header; ValueError if one is not stated."""
@@ -76,6 +76,7 @@ class Telescope(Options):
             if self.obscuration is not None or any(stated.values()):
                 raise ValueError("--telescope must not be combined with --aperture, --focal-length or --obscuration")
             instrument = instrument_of(self.lens, camera=sensor.camera, pixel=sensor.pixel)
+            camera_wavelength("--telescope: wavelength", instrument.lens.wavelength)
             return instrument.lens_at_place, float(np.min(instrument.side))
         found: dict[str, Any] = {name: value or header.get(name) for name, value in stated.items()}
         found["pixel"] = pixel or header.get("sensor_pixel")
@@ -121,7 +122,8 @@ def collimate(
     repeat. Angles are in degrees counterclockwise from the right. Sizes are in waves rms at the wavelength. A bright
     star tests pixel, aperture, focal length and wavelength together, and a doubt names a wrong one; directions do not
     depend on them. If the model does not fit a picture, errors are unknown; the mean of three or more pictures then
-    has the error of their scatter. The exit code is 3 for a misfit, and 4 for a result in doubt.
+    has the error of their scatter. A doubt on what the model lacks is an error that the mean does not reduce. The
+    exit code is 3 for a misfit, and 4 for a result in doubt.
 
     Parameters
     ----------
@@ -148,6 +150,7 @@ def collimate(
     unstated = telescope.lens is None and telescope.obscuration is None
     components: list[complex] = []  # of coma, along columns and upwards in the pictures as shown
     errors: list[float | None] = []  # None of misfits
+    steady: list[float] = []  # parts of the errors that pictures share
     records: list[Facts] = []
     picture = np.zeros((1, 1))  # the last one that was measured, as shown
     with Stop().signals() as stop, progress("waiting" if watch else "reading", endless=True) as status:
@@ -168,6 +171,7 @@ def collimate(
                 picture = values if down else values[::-1]
                 star = one.star if down else one.star._replace(row=len(values) - 1 - one.star.row)
                 errors.append(one.coma.error if one.fit.converged else None)
+                steady.append(one.steady)
                 components.append(one.components.conjugate() if down else one.components)
             records.append(record)
             if watch:
@@ -181,7 +185,7 @@ def collimate(
     if components:
         # Screws may have been turned between the pictures of a session: the last one counts.
         used = slice(-1, None) if watch else slice(None)
-        coma = _mean(components[used], errors[used])
+        coma = _mean(components[used], errors[used], steady[used])
         facts["coma"] = _vector(coma, down=False, unstated=unstated)
         title = _with_direction("coma", facts["coma"])
         if len(components) > 1:
@@ -277,15 +281,19 @@ def _telescope(lens: Lens, pixel: float) -> Facts:
     }
 
 
-def _mean(components: list[complex], errors: list[float | None]) -> Vector:
-    """Return the mean coma of pictures; with misfits its error is the scatter of three or more, or infinite."""
+def _mean(components: list[complex], errors: list[float | None], steady: Sequence[float]) -> Vector:
+    """Return the mean coma of pictures; with misfits its error is the scatter of three or more, or infinite.
+
+    `steady` are the parts of the errors that the pictures share.
+    """
     from lommel.estimation.collimation import Vector, mean_coma
 
     known = [(value, error) for value, error in zip(components, errors, strict=True) if error is not None]
     if len(known) == len(components):
-        return mean_coma(*map(list, zip(*known, strict=True)))
+        return mean_coma([value for value, _ in known], [error for _, error in known], steady)
     if len(components) > 2:
-        return mean_coma(components, [0.0] * len(components))
+        shared = [part for part, error in zip(steady, errors, strict=True) if error is not None]
+        return mean_coma(components, [0.0] * len(components), shared)
     mean = sum(components) / len(components)
     return Vector(abs(mean), math.inf, cmath.phase(mean), math.inf)
 
@@ -312,7 +320,7 @@ def _facts(one: Collimation, *, down: bool, unstated: bool, notes: Sequence[str]
     notes_of_fit = [f for f in fit.findings if f.code in _NOTES[not fit.converged :] and f.severity == "note"]
     facts["notes"] = [*notes, *("; ".join(f.text.split("; ")[:2]) for f in notes_of_fit)]
     if not fit.converged:
-        return facts | {"coma": _vector(_mean([one.components], [None]), down=down)}
+        return facts | {"coma": _vector(_mean([one.components], [None], [0.0]), down=down)}
     drift = one.drift and {
         "pixels": one.drift[0],
         "degrees": math.degrees(-one.drift[1] if down else one.drift[1]) % 180.0,

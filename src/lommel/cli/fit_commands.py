@@ -18,7 +18,7 @@ from lommel import detection
 from lommel.base import atomic, optional, reading
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import ARCSEC, format_length
+from lommel.base.units import ARCSEC, camera_wavelength, format_length
 from lommel.base.validation import line
 from lommel.base.validation import wavelength as wavelength_of
 from lommel.blur.blurs import Seeing
@@ -122,6 +122,7 @@ def retrieve(
     if output is not None:
         zernike_tables.find(output, "--output")
     instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
+    camera_wavelength(f"{line(lens.name)}: wavelength", instrument.lens.wavelength)
     with progress("reading") as status:
         read = read_images(_files(images))
         sizes = float(np.min(instrument.side)), instrument.lens
@@ -322,6 +323,7 @@ def fit_field(
     if seeing is not None and known_blur is not None:
         raise ValueError("--seeing and --known-blur must not both be given: either is the whole blur")
     instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
+    camera_wavelength(f"{line(lens.name)}: wavelength", instrument.lens.wavelength)
     focal_length = instrument.lens.focal_length
     blur: Any = True if known_blur is None else known_blur
     if seeing is not None:

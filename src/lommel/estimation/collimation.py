@@ -28,7 +28,7 @@ _LEVEL = 0.05  # brightness of the outline of a star, relative to its brightest 
 # Least brightness of a star, and of its outline, standard deviations of the smoothed background.
 _MIN_HEIGHT, _MIN_OUTLINE = 8.0, 4.0
 _MIN_RADIUS = 6.0  # pixels: least radius of a star
-_MIN_WAVES = 1.5  # least defocus, waves between centre and edge
+_MIN_WAVES, _MAX_WAVES = 1.5, 60.0  # least and largest defocus, waves between centre and edge
 _BINNED_RADIUS = 14.0  # pixels: least radius of a star after binning; errors of 20 simulated stars hardly grow
 _ROOM = 1.4  # half a side of the window, radii of the star
 _READ = 1.6  # electrons rms: read noise, which one picture does not separate from the offset
@@ -93,6 +93,8 @@ class Collimation(NamedTuple):
     star : Star
     drift : (float, float) or None
         Length of the trail of the star, pixels, and its angle from columns to rows, radians; None if none is seen.
+    steady : float
+        Part of the standard errors that pictures of this telescope share, waves rms: effects that the model lacks.
     fit : Retrieval
         The fit, with findings on the picture; doubts that the standard errors contain are notes.
     """
@@ -104,6 +106,7 @@ class Collimation(NamedTuple):
     waves: float
     star: Star
     drift: tuple[float, float] | None
+    steady: float
     fit: Retrieval
 
 
@@ -159,6 +162,11 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
     waves = star.radius * pixel / (4.0 * lens.f_number * lens.wavelength)
     if waves < _MIN_WAVES:
         raise ValueError(f"the star must be {_MIN_WAVES:g} waves or more out of focus, got {waves:.2g}: defocus more")
+    if waves > _MAX_WAVES:
+        raise ValueError(
+            f"the star must be {_MAX_WAVES:g} waves or less out of focus, got {waves:.2g} by the stated pixel, "
+            f"f/{lens.f_number:.3g} and wavelength: correct the aperture, focal length or pixel, or defocus less"
+        )
     reach = math.ceil(_ROOM * star.radius + 4.0)
     rows, columns = (slice(max(round(p) - reach, 0), round(p) + reach + 1) for p in (star.row, star.column))
     counts, step, findings = _binned(image[rows, columns], star.radius)
@@ -215,6 +223,7 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
         waves=defocus,
         star=star,
         drift=None if trail is None else (trail.length / pixel, trail.angle),
+        steady=steady,
         fit=fit,
     )
 
@@ -274,10 +283,14 @@ def _binned(window: Array, radius: float) -> tuple[Counts, int, list[Finding]]:
     return Counts.of(binned, noise=Noise(read=step * _READ)), step, findings
 
 
-def mean_coma(components: Sequence[complex], errors: Sequence[float]) -> Vector:
-    """Return the mean coma of several pictures; its error is at least that of their scatter."""
+def mean_coma(components: Sequence[complex], errors: Sequence[float], steady: Sequence[float] = ()) -> Vector:
+    """Return the mean coma of several pictures; its error is at least that of their scatter.
+
+    The mean does not reduce the part `steady` of the errors, which the pictures share.
+    """
     values, count = np.array(components), len(components)
-    mean, error = complex(values.mean()), math.hypot(*errors) / count
+    mean, shared = complex(values.mean()), math.hypot(*steady) / math.sqrt(max(len(steady), 1))
+    error = math.sqrt(max(math.hypot(*errors) ** 2 - count * shared**2, 0.0)) / count
     if count > 1:
         error = max(error, math.sqrt(float((np.abs(values - mean) ** 2).sum()) / (2.0 * count * (count - 1))))
-    return Vector.of(mean, error)
+    return Vector.of(mean, math.hypot(error, shared))

@@ -14,6 +14,7 @@ from lommel.fit.model_error import (
     larger,
     model_error,
     with_errors_of_model,
+    with_shared_error,
 )
 
 SIDES, KAPPA, LENGTH = (2, 9, 10), 0.12, 1.4
@@ -175,3 +176,18 @@ def test_errors_include_little_light_in_proportion_to_that_of_the_star(numbers, 
     found = [Finding(code, "doubt", code, numbers) for code in ("missed_light", "other_explanation", "pattern")]
     assert [one.severity for one in covered(found)] == ["note"] * notes + ["doubt"] * (3 - notes)
     assert covered(found[1:]) == found[1:]
+
+
+def test_missed_light_of_stars_out_of_focus_states_what_it_may_move_in_all_exposures():
+    text = "the model misses 12 % of the light; errors hold between exposures of this set-up; a cause"
+    (doubt,) = found = [Finding("missed_light", "doubt", text, {"missed": 0.12})]
+    (told,) = with_shared_error(found, np.pi * np.array([-13.0, 5.0]))
+    rows, columns = np.indices((401, 401)) / 200.0 - 1.0
+    inside = rows**2 + columns**2 < 1.0
+    # Coma of 1 wave rms, sqrt(8) (3 rho^3 - 2 rho) cos(theta), moves rays and changes the light by its Laplacian.
+    coma = np.sqrt(8.0) * columns * (3.0 * (rows**2 + columns**2) - 2.0)
+    laplacian = sum(np.gradient(np.gradient(coma, 0.005, axis=k), 0.005, axis=k) for k in (0, 1))
+    per_wave = np.sqrt((laplacian[inside] ** 2).mean()) / (2.0 * 13.0)
+    assert told.numbers["shared"] == pytest.approx(2.0 * np.pi * 0.12 / per_wave, rel=0.02)
+    assert "what all of them share may move each term by up to 0.58 rad rms; a cause" in told.text
+    assert [*with_shared_error(found, np.array([-4.0, 0.0, 4.0]))] == [doubt]

@@ -18,7 +18,7 @@ from lommel.estimation import EFFORT
 from lommel.estimation.options import RetrieveOptions
 from lommel.estimation.phase_retrieval import Retrieval, fit_stars
 from lommel.fit.findings import Finding, Findings, Severity
-from lommel.fit.model_error import MAX_PHASE_ERROR
+from lommel.fit.model_error import MAX_PHASE_ERROR, shared_error
 from lommel.optics.lens import Lens
 from lommel.recorded.camera_noise import hot_voxels, image_noise, measured_noise
 from lommel.recorded.counts import Counts, flat_top
@@ -39,9 +39,6 @@ _TOLD = 5.0  # brightness, standard deviations of the noise, from which photon n
 _SIGNIFICANT = 3.0  # standard errors from which an aberration has a direction
 # Part of the light that the model may miss because of turbulence: of 60 phase screens 3 %, of 10 8 %.
 _MOST_TURBULENT = 0.05
-# A wave rms of coma changes the light of a star, W waves out of focus, by 17 / W rms: relative to the radius, it
-# moves rays by its gradient over 2 W, and the light by its Laplacian, sqrt(8) 24 rho cos(theta), over 2 W.
-_LIGHT_OF_COMA = 17.0
 _QUIETEST = 0.7  # least chi2 of residuals from which the noise is estimated once more
 # Least difference of an f-number that was estimated from that stated, standard errors and relative, which is a doubt.
 _OTHER_SCALE = 5.0, 0.05
@@ -185,7 +182,7 @@ def measure_collimation(image: Array, lens: Lens, pixel: float, *, outside: bool
     steady = 0.0  # waves rms: effects of the telescope that the model lacks
     for found in fit.findings:
         if found.code == "missed_light" and (missed := found.numbers.get("missed", 0.0)) > _MOST_TURBULENT:
-            steady = missed * abs(defocus) / _LIGHT_OF_COMA
+            steady = shared_error(missed, abs(defocus))
             text = (
                 f"the model misses {100.0 * missed:.2g} % of the light, more than averaged turbulence; vanes, "
                 f"obscuration or mirrors other than stated may move each aberration by {steady:.2g} waves, which "

@@ -45,7 +45,7 @@ from lommel.estimation.star_images import (
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 from lommel.fit.goodness_of_fit import SURE, largest_plausible_chi2
-from lommel.fit.model_error import ModelError, covered, with_errors_of_model, with_noise
+from lommel.fit.model_error import ModelError, covered, with_errors_of_model, with_noise, with_shared_error
 from lommel.fit.score_tests import Grade, Marginal, ScoreTest, causes_of_misfit, seen
 from lommel.fit.scoring import Progress, Report, Scores, covariance, search_rows
 from lommel.io import zernike_tables
@@ -361,7 +361,9 @@ def retrieve(
     (with `blur`, 5 % of a known C_d above 10), or below ten pixels per parameter. It is a note, and so is
     "other_explanation", if less than 3 % of the light is missed, in proportion to the light (not as of a ghost beside
     the star). An error of the model that resembles a term is in no residual: the errors hold for changes between
-    exposures of one instrument.
+    exposures of one instrument. Of stars 1.5 waves or more out of focus the doubt states by how much such an error
+    may move each term in all exposures ("shared" of its numbers, radians rms): as much as changes the light by what
+    is missed, missed C_d / 8.5. It is not part of `errors`.
 
     Examples
     --------
@@ -678,7 +680,7 @@ def _build_retrieval(
         covariance=common_covariance,
         units={name: unit_of(name) for name in (*names, *image_errors)},
         chi2=chi2,
-        findings=Findings(findings),
+        findings=with_shared_error(findings, model.known_defoci),
         summary=f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}",
         flux=noise.excess * image_parameters[-2],
         background=noise.excess * image_parameters[-1],
@@ -770,7 +772,7 @@ def _build_blurred_retrieval(
         covariance=field_fit.covariance,
         units={name: unit_of(name) for name in (*field_fit.names, *image_errors)},
         chi2=field_fit.chi2,
-        findings=field_fit.findings,
+        findings=with_shared_error(field_fit.findings, defocus),
         summary=f"chi2 {field_fit.chi2:.3g} per degree of freedom",
         flux=star.flux[0],
         background=star.background[0],

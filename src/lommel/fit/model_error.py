@@ -38,6 +38,11 @@ MAX_MISSED = 0.3
 """Part of the light above which a model that misses it does not describe the images at all."""
 MAX_PHASE_ERROR = 0.5
 """Largest step and standard error of a wavefront, radians rms, within which images near focus are linear enough."""
+# A wave rms of coma changes the light of a star, W waves out of focus, by 17 / W rms: relative to the radius, it
+# moves rays by its gradient over 2 W, and the light by its Laplacian, sqrt(8) 24 rho cos(theta), over 2 W.
+_LIGHT_OF_COMA = 17.0
+_MIN_WAVES = 1.5  # least defocus of a star for which this holds, waves between centre and edge
+_BETWEEN = "errors hold between exposures of this set-up"
 _FEW = 0.01  # part of the light below which light that is missed where images are faint is told in electrons
 _MOST_COVERED = 0.03  # part of the light up to which errors that include the model error are reliable
 _MIN_PIXELS = 10.0  # smallest number of pixels for each parameter
@@ -102,7 +107,7 @@ def with_errors_of_model(
         numbers["faint"] = math.sqrt(max(faint, 0.0) / float((1.0 / noise**2).sum()))
         if missed < _FEW:
             text = f"the model misses light where images are faint, {numbers['faint']:.2g} electrons per pixel rms"
-    text = "; ".join(filter(None, (text, "errors hold between exposures of this set-up", causes)))
+    text = "; ".join(filter(None, (text, _BETWEEN, causes)))
     others = [finding for finding in findings if finding.code not in ("misfit", "rare_chi2")]
     return [Finding("missed_light", "doubt", text, numbers), *others]
 
@@ -113,6 +118,28 @@ def covered(findings: Sequence[Finding]) -> list[Finding]:
     is_covered = numbers["missed"] < _MOST_COVERED and "faint" not in numbers
     codes = ("missed_light", "other_explanation") if is_covered else ()
     return [replace(one, severity="note") if one.code in codes else one for one in findings]
+
+
+def shared_error(missed: float, waves: float) -> float:
+    """Return the error of an aberration, waves rms, if light that is missed of a star out of focus is due to it."""
+    return missed * waves / _LIGHT_OF_COMA
+
+
+def with_shared_error(findings: Sequence[Finding], defoci: Array) -> Findings:
+    """Return findings in which the doubt on missed light of stars out of focus states what it may move in all.
+
+    `defoci` are the known C_d, radians.
+    """
+    waves, found = float(np.abs(defoci).max()) / math.pi, list[Finding]()
+    for one in findings:
+        if one.code == "missed_light" and one.severity == "doubt" and waves >= _MIN_WAVES:
+            radians = 2.0 * math.pi * shared_error(one.numbers["missed"], waves)
+            words = f"{_BETWEEN}; what all of them share may move each term by up to {radians:.2g} rad rms"
+            numbers = {**one.numbers, "shared": radians}
+            found.append(replace(one, text=one.text.replace(_BETWEEN, words), numbers=numbers))
+        else:
+            found.append(one)
+    return Findings(found)
 
 
 def is_correlated(residual: Array, variance: Array, light: Array) -> bool:

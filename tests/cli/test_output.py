@@ -45,3 +45,14 @@ def test_what_an_earlier_call_did_counts_as_done_and_not_as_quick(monkeypatch):
 
 def test_a_time_is_in_hours_minutes_and_seconds():
     assert (output._in_time(None), output._in_time(90.4)) == ("-:--:--", "0:01:30")
+
+
+def test_without_a_terminal_the_time_that_is_left_is_printed_once_of_long_steps(monkeypatch, capsys):
+    clock = [0.0, 0.0]
+    monkeypatch.setattr(output.Steps, "_clock", staticmethod(lambda: tuple(clock)))
+    steps = output.Steps(None, "reading", None)
+    steps("fitting")
+    for seconds in range(30):  # one of a hundred steps in a second
+        clock[:] = seconds, seconds
+        steps("chi2 2", 0.01 * seconds)
+    assert capsys.readouterr().err == "chi2 2: about 0:01:29 left.\n"

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 _RECENT = 5.0  # seconds over which the share of the processor is measured
 _LEAST_SHARE = 0.05  # of the processor, from which remaining time is in proportion to processor time
+# Seconds of a step after which its remaining time is printed once where there is no bar, if it is longer than this.
+_FIRST_TIME, _LONG = 10.0, 30.0
 _FIRST_FRACTION, _MOST_LEFT = 0.02, 1e6  # fraction from which the remaining time is told; the longest time, seconds
 
 
@@ -36,6 +38,7 @@ class Steps:
         self._bar, self._total = bar, total
         self._count, self._fraction, self._begun = 0, 0.0, -1.0  # begun: where the current step begins, if known
         self._start, self._recent, self._load = self._clock(), self._clock(), 1.0
+        self._is_told = False
         self._task = None if bar is None else bar.add_task(description, total=total, left=_in_time(None))
 
     @staticmethod
@@ -73,6 +76,10 @@ class Steps:
         left = None
         if fraction is not None and fraction - max(self._begun, 0.0) > _FIRST_FRACTION:
             left = self.left(fraction)
+        elapsed = self._clock()[0] - self._start[0]
+        if self._bar is None and not self._is_told and left is not None and left > _LONG and elapsed > _FIRST_TIME:
+            self._is_told = True
+            self.tell(f"{name}: about {_in_time(left)} left.")
         if self._bar is not None and self._task is not None:
             done = None if fraction is None else self._fraction
             self._bar.update(self._task, description=name, total=1.0, completed=done, left=_in_time(left))
@@ -93,7 +100,7 @@ def _in_time(seconds: float | None) -> str:
 
 @contextmanager
 def progress(description: str, total: int | None = None, *, endless: bool = False) -> Iterator[Steps]:
-    """Yield a function that reports steps on a bar, if standard error is a terminal.
+    """Yield a function that reports steps on a bar, if standard error is a terminal, else one line of a long job.
 
     With `endless`, for video, no fraction is known, and the bar is omitted.
     """
@@ -101,7 +108,7 @@ def progress(description: str, total: int | None = None, *, endless: bool = Fals
 
     console = Console(stderr=True)
     if not console.is_terminal:
-        # Nothing else may be written: even a disabled bar may leave an end of line.
+        # Even a disabled bar may leave an end of line.
         yield Steps(None, description, total)
         return
     from rich import progress as bars

@@ -283,6 +283,19 @@ def test_exchanged_foci_agree_as_well_and_the_result_says_so():
     assert FOCI not in fixed.message
 
 
+def test_defoci_in_another_order_than_the_images_are_named():
+    transfers = [Telescope().transfer(((8, -0.3), (11, 0.2)), defocus=2 * defocus) for defocus in (-4.0, 0.0, 5.0)]
+    images = NOISE.record(np.array([1e5 * transfer.image(25, 0.5, 12, 12) + 5.0 for transfer in transfers]), seed=1)
+    options = {"terms": ["noll 4", "noll 8", "noll 11"], "integrate": True, **ASKED}
+    found = searches.retrieve(images, lm.Pupil(), defocus=[0.0, -4.0, 5.0], **options)
+    assert found.findings.codes[0] == "exchanged"
+    assert found.message.count("with the defocus of images 1 and 2 exchanged, chi2 is ") == 1
+    assert found.findings.get("exchanged").numbers["chi2"] < 1.2
+    right = searches.retrieve(images, lm.Pupil(), defocus=[-4.0, 0.0, 5.0], **options)
+    assert right.findings.get("exchanged") is None
+    assert right.chi2 < 1.2
+
+
 def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
     known = lm.retrieve(
         stars(TRUE, defocus=1.0), lm.Pupil(), terms=["noll 5", "noll 8", "noll 11"], defocus=1.0, **ASKED

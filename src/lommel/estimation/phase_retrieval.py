@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
@@ -71,6 +72,8 @@ _MIN_SIGNIFICANCE = 5.0  # smallest (flux) / (standard error of the flux) of a v
 _MIN_DISTANCE_RATIO = 2.0  # smallest ratio of the twins' distances from the initial wavefront that decides the sign
 _MAX_SUM_ERROR = 0.05  # images whose sums differ from 1 by less count as normalized
 _REFIT_STEPS = 30  # maximum number of steps of a refit that estimates another effect
+_MOST_EXCHANGED = 4  # images: pairs of more take too long
+_MOST_EXCESS = 0.5  # part of chi2 - 1 below which exchanged defoci explain a misfit
 _GROSS_CHI2 = 100.0  # chi2 from which no effect is small
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
@@ -112,7 +115,8 @@ class Retrieval(FitReport):
         "errors_change" (a standard error changes by more than an eighth within one standard deviation);
         "other_explanation"; "pattern" (residuals have stripes, or offsets of rows or columns); "hot_pixels" (a pixel
         explains most of a large chi2); "missed_light" (the model misses a part of the light: errors hold between
-        exposures of the same instrument); "too_quiet" (the images are less noisy than `noise` states). Notes:
+        exposures of the same instrument); "exchanged" (of up to four images that do not fit, those with two defoci
+        exchanged fit better); "too_quiet" (the images are less noisy than `noise` states). Notes:
         "undetermined", pixels left out or perhaps saturated. "rare_chi2" is a doubt if noise alone causes so large a
         chi2 in fewer than one of 1000 fits, otherwise a note.
     summary : str
@@ -389,7 +393,49 @@ def fit_stars(
     options: RetrieveOptions,
     effort: Effort = EFFORT,
 ) -> Retrieval:
-    """Return the wavefront of a lens from star images, see :func:`lommel.retrieve`."""
+    """Return the wavefront of a lens from star images, see :func:`lommel.retrieve`.
+
+    Where the model does not fit, two defoci after the others are exchanged.
+    """
+
+    def fitted(options: RetrieveOptions, effort: Effort) -> Retrieval:
+        return _fit_in_order(images, pupil, pixel=pixel, noise=noise, options=options, effort=effort)
+
+    result = fitted(options, effort)
+    if not options.checks or result.reliable or (result.converged and "missed_light" not in result.findings.codes):
+        return result
+    excess, found = _MOST_EXCESS * (result.chi2 - 1.0), list[Finding]()
+    for i, j, defoci in _exchanges(options.defocus, result.coefficients):
+        with suppress(Declined, ToleranceError):
+            given = replace(options, defocus=defoci, checks=False, progress=None)
+            chi2 = fitted(given, effort._replace(starts=1)).chi2
+            if chi2 - 1.0 < excess:
+                text = (
+                    f"with the defocus of images {i + 1} and {j + 1} exchanged, chi2 is {chi2:.3g} instead of "
+                    f"{result.chi2:.3g}: state the defocus in the order of the images; terms are wrong"
+                )
+                excess, found = chi2 - 1.0, [Finding("exchanged", "doubt", text, {"chi2": chi2, "images": [i, j]})]
+    return replace(result, findings=Findings([*found, *result.findings])) if found else result
+
+
+def _exchanges(defoci: tuple[float, ...], names: Iterable[Name]) -> Iterator[tuple[int, int, tuple[float, ...]]]:
+    """Yield two images and the defoci with theirs exchanged, unless that is a common change of sign.
+
+    If `names` have the common defocus, it makes up for a difference.
+    """
+    is_free = any(name == "defocus" or term_of(name) == (2, 0) for name in names)
+    for i, j in itertools.combinations(range(len(defoci)), 2) if len(defoci) <= _MOST_EXCHANGED else ():
+        changed = list(defoci)
+        changed[i], changed[j] = changed[j], changed[i]
+        sums = np.add(defoci, changed)
+        if defoci[i] != defoci[j] and np.any(sums != (sums[0] if is_free else 0.0)):
+            yield i, j, tuple(changed)
+
+
+def _fit_in_order(
+    images: Any, pupil: Pupil, *, pixel: float, noise: Noise | None, options: RetrieveOptions, effort: Effort
+) -> Retrieval:
+    """Return the wavefront from star images with the defoci in the order that is stated."""
     unknowns = Unknowns(options.terms, options.also)
     counts = checked_images(images, noise)
     noise = counts.known_noise()

@@ -15,7 +15,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.cli import collimate_command
-from lommel.cli.collimate_command import Telescope, _hour, _pictures, _read, _vector
+from lommel.cli.collimate_command import Telescope, _change, _hour, _pictures, _read, _vector
 from lommel.cli.instruments import Sensor
 from lommel.estimation import collimation
 from lommel.estimation.collimation import Vector
@@ -204,3 +204,15 @@ def test_orders_of_rows_are_mixed_and_the_last_picture_of_a_session_counts(tmp_p
     assert report.facts["coma"]["degrees"] == pytest.approx(63.435)
     picture, star, angle, _ = drawn[-1]
     assert (picture[0, 0], star.row, np.degrees(angle)) == pytest.approx((values[-1, 0], 19.0, 63.435))
+
+
+def test_a_change_of_coma_tells_how_often_to_repeat_it():
+    change = _change(0.3 + 0.1j, 0.2 + 0.1j, 0.01)
+    assert change == {
+        "waves": pytest.approx(0.1),
+        "degrees": pytest.approx(180.0),
+        "times": pytest.approx(2.0),
+        "left": pytest.approx(0.1),
+    }
+    assert _change(0.3 + 0.0j, 0.4 + 0.0j, 0.01)["times"] == pytest.approx(-4.0)
+    assert _change(0.3 + 0.0j, 0.32 + 0.0j, 0.01) is None

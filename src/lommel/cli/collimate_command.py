@@ -131,7 +131,8 @@ def collimate(
         Pictures were taken outside focus (sensor too far from the telescope); by default inside. Only the sign of
         spherical aberration depends on it.
     watch
-        Measure the pictures of one folder, and each new one as it is written, until Ctrl-C.
+        Measure the pictures of one folder, and each new one as it is written, until Ctrl-C. Between turns of the
+        screws it prints by how much coma moved, and how often to repeat the turn.
     encoding
         Encoding of the values of PNG, TIFF and JPEG files, if not as stated above: srgb, linear, or a number, as 2.2
         for light = value ** 2.2.
@@ -173,6 +174,9 @@ def collimate(
                 errors.append(one.coma.error if one.fit.converged else None)
                 steady.append(one.steady)
                 components.append(one.components.conjugate() if down else one.components)
+                recent = [e**2 - s**2 for e, s in zip(errors[-2:], steady[-2:], strict=True) if e is not None]
+                if watch and len(recent) == 2:
+                    record["change"] = _change(components[-2], components[-1], math.sqrt(max(sum(recent), 0.0)))
             records.append(record)
             if watch:
                 status.tell(f"{path.name}: {_in_words(record)}")
@@ -334,6 +338,18 @@ def _facts(one: Collimation, *, down: bool, unstated: bool, notes: Sequence[str]
     }
 
 
+def _change(before: complex, after: complex, error: float) -> Facts | None:
+    """Return by how much coma changed, and how often that change is to be repeated; None if it is not significant."""
+    from lommel.estimation.collimation import Vector
+
+    change = Vector.of(after - before, error)
+    if change.angle is None:
+        return None
+    times = -(after * (after - before).conjugate()).real / change.size**2
+    left = abs(after + times * (after - before))
+    return {"waves": change.size, "degrees": math.degrees(change.angle) % 360.0, "times": times, "left": left}
+
+
 def _hour(degrees: float) -> int:
     """Return the hour of a clock in the direction of an angle, counterclockwise from the right."""
     return round((90.0 - degrees) / 30.0) % 12 or 12
@@ -363,6 +379,12 @@ def _in_words(record: Facts) -> str:
     texts.append(f"{abs(record['defocus']):.1f} waves {'in' if record['defocus'] > 0.0 else 'out'}side focus")
     if (drift := record["drift"]) is not None:
         texts.append(f"the star drifted by {drift['pixels']:.0f} pixels along {drift['degrees']:.0f} degrees")
+    if (change := record.get("change")) is not None:
+        moved = f"coma moved by {change['waves']:.3f} waves towards {_hour(change['degrees'])} o'clock"
+        if record["coma"]["degrees"] is not None:
+            way = "more" if change["times"] > 0.0 else "back"
+            moved += f", {abs(change['times']):.2g} times that turn {way} leaves {change['left']:.3f} waves"
+        texts.append(moved)
     return "; ".join([*texts, *notes] if record["reliable"] else [*texts, *message.split("; ")[:2], *notes])
 
 

@@ -412,7 +412,7 @@ def fit_stars(
             if chi2 - 1.0 < excess:
                 text = (
                     f"with the defocus of images {i + 1} and {j + 1} exchanged, chi2 is {chi2:.3g} instead of "
-                    f"{result.chi2:.3g}: state the defocus in the order of the images; terms are wrong"
+                    f"{result.chi2:.3g}: state the defocus in the order of the images, as all terms are wrong"
                 )
                 excess, found = chi2 - 1.0, [Finding("exchanged", "doubt", text, {"chi2": chi2, "images": [i, j]})]
     return replace(result, findings=Findings([*found, *result.findings])) if found else result

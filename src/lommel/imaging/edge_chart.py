@@ -45,7 +45,7 @@ _FALL, _RISE = 0.2, 0.25  # fractions of the gradient at which the edge ends, an
 _MIDDLE_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG and mosaics are looked for
 _CENTRE, _LEAST_CENTRE = 0.5, 3  # of the field in which both directions are compared, and edges of each
 _APART, _UNLIKE = 4.5, 0.02  # standard errors, and logarithm of the ratio, from which both directions differ
-_LARGEST_CROP = 256  # pixels of a side of a picture of one edge, of which all pixels are used
+_LARGEST_CROP = 512  # pixels of a side of a picture of one edge, of which all pixels are used
 
 
 class _Candidate(NamedTuple):

@@ -599,10 +599,11 @@ def test_what_the_readme_says_of_ffts_pairs_of_frames_and_fits_is_that_of_the_pa
             "f/8, 11.6 µm (2.6 λN), 0.1 waves rms, obscuration 0.3, 4 vanes, 50 PSFs",
             "f/8, 11.6 µm (2.6 λN), 0.1 waves rms, obscuration 0.3, 4 vanes, D / r0 = 12, 1 PSF")  # fmt: skip
     assert {work for work, speed in speeds.items() if speed < 1.0} == set(ends)
+    one, other, jwst, vanes, seeing = (1.0 / speeds[end] for end in ends)
     assert (
-        "Slower than one of 128×128 (its time over lommel's): one PSF {:.2f} to {:.2f}, of JWST {:.2f}, "
-        "vanes and pixels of 2.6 λN {:.2f}, with seeing {:.1g}"
-    ).format(*(speeds[end] for end in ends)) in readme
+        f"lommel takes {jwst:.2f} times its time for a PSF of JWST, {min(one, other):.2g} to "
+        f"{max(one, other):.2g} for one PSF, {vanes:.2g} behind vanes with pixels of 2.6 λN, {seeing:.0f} with seeing"
+    ) in readme
     # Pairs a second in the table of three lenses, the sharp image included.
     rows = re.findall(r"^\| \d+ mm f/[\d.]+ \| \d+ rad \|(?:[^|]+\|){3} (\d+) \|", pages["live-depth"], re.MULTILINE)
     assert len(rows) == 3
@@ -618,7 +619,7 @@ def test_what_the_readme_says_of_ffts_pairs_of_frames_and_fits_is_that_of_the_pa
     first = f"{results} results of {len(runs)} worlds: {good} called good, {wrong} of them wrong ("
     assert f"\n{first}" in pages["trust"]
     called = f"{wrong} of {good} [results called good](docs/trust.md) were off by over four standard errors"
-    assert f"{called}; the output of {named} names" in readme
+    assert f"{called}; the output of {named} lists" in readme
 
 
 def test_the_page_of_benchmarks_is_that_of_the_results():

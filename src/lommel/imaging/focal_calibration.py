@@ -782,10 +782,14 @@ class FocalCalibration(FitReport):
         foci = dict.fromkeys(lens.focus_distance for lens in self.lenses)
         names = ("focus",) if len(foci) == 1 else ("focus, first photo", "focus, second photo")
         rows += [(name, focus, self.focus_error * focus**2, " m") for name, focus in zip(names, foci, strict=True)]
-        rows += [("origin before the lens", self.origin, self.origin_error, " m")]
+        if self.origin_error:
+            rows += [("origin before the lens", self.origin, self.origin_error, " m")]
         planes = [plane for plane in self.planes if plane.error < math.inf]
         rows += [(f"plane at {plane.distance:.4g} m", plane.found, plane.error, " m") for plane in planes]
         lines = [f"{name:<25}{' +- '.join(with_error(value, error))}{unit}" for name, value, error, unit in rows]
+        if not self.origin_error:
+            stated = f"{self.origin:.4g} m, as stated (taken as right within {format_length(_PUPIL)})"
+            lines.insert(1 + len(names), f"{'origin before the lens':<25}{stated}")
         return "\n".join(lines if len(lines) <= 12 else [*lines[:11], f"and {len(lines) - 11} planes more"])
 
     def save(self, path: str | PathLike[str], lens_file: str | PathLike[str]) -> None:

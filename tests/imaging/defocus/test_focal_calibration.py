@@ -204,6 +204,8 @@ def test_an_origin_that_is_not_stated_is_estimated_with_an_error_below_2_cm(pair
     assert (errors > 2.0 * np.sqrt(np.diag(exact.covariance))).all()
     assert 0.01 < held.origin_error < 0.02
     assert exact.origin_error == 0.0
+    assert f"origin before the lens   {held.origin:.2f}" in str(held)
+    assert "origin before the lens   0 m, as stated (taken as right within 1 mm)\n" in str(exact)
     assert "the origin of distances (+- 1" in held.findings.get("stated").text
 
 

@@ -1,4 +1,4 @@
-// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: 7b5e775b8174d36e31a4f112da167be23e26e8c6235e96770816630f762ff916
+// Made by `make page` with ziglang==0.17.0; SHA-256 of the sources: fd27adb3df362e4315a783e86dda9e1d2682cb2ef568e01e9fd9a2e8ef515e29
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 const common = () => {

@@ -105,6 +105,25 @@ def test_right_pictures_have_no_findings(seed):
         assert {*found.findings.codes} <= {"untested"}  # what one crop shows of sharpening
 
 
+@pytest.mark.parametrize(
+    ("black", "white", "status"),
+    [(0.15, 2.0, "doubtful"), (0.105, 2.0, "doubtful"), (0.05, 2.0, "converged"), (0.0, 0.903, "doubtful")],
+)
+def test_noise_that_ends_at_one_value_is_clipped(black, white, status):
+    # Levels 0.1 and 0.9 with noise of 0.01: a black level above the dark side, within its noise, and a white level.
+    light = np.random.default_rng(2).normal(picture(5.0, 0.6, (80, 80), 8), 0.01)
+    stored = np.rint(30000.0 * np.clip(light - black, 0.0, white)).astype(np.uint16)
+    found = lm.sfr(stored, encoding="linear")
+    assert found.status == status
+    assert ("clipped" in found.findings.codes) == (status == "doubtful")
+
+
+def test_clipped_noise_moves_a_side_by_the_stated_amount():
+    light = np.random.default_rng(2).normal(picture(5.0, 0.6, (80, 80), 8), 0.05)
+    (clipped,) = [f for f in lm.sfr(np.maximum(light - 0.1, 0.0)).findings if f.code == "clipped"]
+    assert clipped.numbers["moved"] == pytest.approx(0.05 / np.sqrt(2.0 * np.pi) / 0.8, rel=0.1)
+
+
 def test_the_size_of_the_values_moves_no_finding():
     light = np.random.default_rng(0).normal(picture(5.0, 0.6, (80, 80), 8), 0.01)
     for encoded in (light, light**2):  # in light, and a likely sRGB

@@ -19,6 +19,7 @@ CODES: Mapping[str, str] = {
     "blur_compared": "other blurs were compared with the stated one",
     "blur_doubtful": "the images agree better with a smaller blur than the stated one, or with motion",
     "blur_shape": "the most likely shape of the blur",
+    "clipped": "noise or light of a side of an edge ends at one value",
     "compressed": "the images are compressed (JPEG), which changes their blur and noise",
     "contradiction": "values that were stated contradict each other, or what the images show",
     "correlated_noise": "noise of neighbours is correlated, or uneven, as of denoised or resized pictures",

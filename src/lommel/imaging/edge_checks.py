@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import numpy as np
+from scipy.special import ndtri
 
 from lommel.base.arrays import Array
 from lommel.base.encoding import Encoding, named
@@ -13,6 +14,7 @@ from lommel.fit.findings import Finding, Severity
 from lommel.imaging.edge_profile import MIN_TREND, SIGMA, Edge, Mask, Transform, halo_share
 from lommel.imaging.pair_noise import is_compressed
 
+_SLIGHT = 0.005  # change of the response by noise that is clipped from which it is a doubt
 _EFFECT = 0.02  # change of the response from which a fault is a doubt
 _CURVATURE = 0.15  # least that is told, pixels
 _MANY = 0.01  # fraction of outliers from which they are a doubt
@@ -27,6 +29,9 @@ _OF_ENCODING = 1.75  # least power that names it
 CURVE = 0.5
 """Strength of a tone curve of cameras, from none to 3 v^2 - 2 v^3."""
 _FLAT = 0.9  # fraction of equal pixels of a bright side that is clipped, beside a dark one with noise
+# Of the last value of a side that many pixels have: least ratio of their number to that of the next value, least
+# fraction of pixels beyond both, and largest fraction at which the light is estimated.
+_PILED, _WIDE, _HIDDEN = 1.5, 0.02, 0.9
 _PHASES = 0.02  # least relative difference of the pixels of a mosaic
 _ALIKE = 1.15  # largest ratio of the noise of alike pixels: that of balanced colours is larger
 _UNLIKE = 3.0  # ratio of the differences of green pixels by the stated order and by the other one
@@ -137,7 +142,39 @@ def edge_findings(
         text = f"the edge is curved, by {edge.curvature:.2g} pixels (distortion): a polynomial was fitted"
         findings.append(Finding("curved_edge", "note", text, {"curvature": edge.curvature}))
     asymmetric, evidence = _of_symmetry(edge, stored, encoding, transform, found)
-    return findings + asymmetric, evidence
+    return [*findings, *asymmetric, *_clipped(edge, stored)], evidence
+
+
+def _clipped(edge: Edge, stored: Array) -> list[Finding]:
+    """Return a finding if the noise of the dark or bright side ends at a value that many pixels have, as a list.
+
+    The number of pixels falls towards the last values of noise that is not clipped.
+    """
+    far = _far(edge)
+    for name, pixels, sign in (("dark", far[0], 1.0), ("bright", far[1], -1.0)):
+        side, light = stored[pixels], edge.light[pixels]
+        values, numbers = np.unique(sign * side, return_counts=True)
+        share, value = float(numbers[0] / side.size), f"{sign * values[0]:.6g}"
+        if name == "dark" and share > _FLAT and values[0] <= 0.0 and np.ptp(stored[far[1]]) > 0.0:
+            text = f"the dark side has one value, {value}: darker light is clipped, which may change the response"
+            return [Finding("clipped", "doubt", text, {"share": share})]
+        beyond = float(numbers[2:].sum() / side.size)
+        first, second = (float(n) for n in (*numbers[:2], 0, 0)[:2])
+        if beyond < _WIDE or first < _PILED * second + SIGMA * math.sqrt(first + second):
+            continue
+        # By which the mean of normal noise moves if this share of it is clipped, relative to the mean of the rest.
+        quantile = float(ndtri(min(share, _HIDDEN)))
+        density = math.exp(-0.5 * quantile**2) / math.sqrt(2.0 * math.pi)
+        rest = density - quantile * (1.0 - share)
+        clipped = float(np.median(light[side == sign * values[0]]))
+        moved = (density + quantile * share) / rest * abs(float(light.mean()) - clipped) / edge.step
+        text = (
+            f"{100 * share:.0f} % of the {name} side have its last value, {value}: noise is clipped there, which "
+            f"moves the side by {100 * moved:.1g} % of the step, and the response by up to twice as much"
+        )
+        severity: Severity = "doubt" if 2.0 * moved > _SLIGHT else "note"
+        return [Finding("clipped", severity, text, {"share": share, "moved": moved})]
+    return []
 
 
 def _of_symmetry(
@@ -245,16 +282,17 @@ def unless_brighter(finding: Finding, top: float, *, processed: bool) -> list[Fi
     return [] if processed else [Finding("asymmetric", "doubt", text, finding.numbers)]
 
 
+def _far(edge: Edge) -> list[Mask]:
+    """Return the pixels of the dark and of the bright side, far from the edge."""
+    far = edge.used & (np.abs(edge.distance) > 0.5 * edge.reach)
+    sign = math.copysign(1.0, edge.levels[1] - edge.levels[0])
+    return [far & (side * sign * edge.distance > 0.0) for side in (-1.0, 1.0)]
+
+
 def _equal(edge: Edge, stored: Array) -> list[tuple[float, float]]:
     """Return the fractions of pixels of the dark and of the bright side that have its median value, and the value."""
-    far = edge.used & (np.abs(edge.distance) > 0.5 * edge.reach)
-    sides = [stored[far & (edge.distance * sign > 0.0)] for sign in (-1.0, 1.0)]
-    values = [float(np.median(part)) if part.size else 0.0 for part in sides]
-    equal = [
-        (float(np.mean(part == value)) if part.size else 0.0, value)
-        for part, value in zip(sides, values, strict=True)
-    ]
-    return equal if edge.levels[1] > edge.levels[0] else equal[::-1]
+    parts = [stored[pixels] for pixels in _far(edge)]
+    return [(float(np.mean(part == (value := float(np.median(part))))), value) for part in parts]
 
 
 def _noise_ratios(edge: Edge) -> tuple[bool, bool]:

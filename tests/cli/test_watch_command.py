@@ -21,6 +21,7 @@ from unittest.mock import Mock
 import numpy as np
 import pytest
 from PIL import Image
+from scipy import ndimage
 
 pytest.importorskip("av", reason="video needs PyAV: pip install av")
 
@@ -598,8 +599,9 @@ def test_the_noise_of_video_is_estimated_from_its_first_pair_and_told(linear, fo
 
 def test_sharpness_is_that_of_the_edge_in_the_middle_and_the_sharpest_frame_is_named(tmp_path, call_lommel):
     sigmas = [1.6, 1.1, 0.7, 1.0]
-    frames = [(255.0 * picture(6.0, sigma, (80, 96), 4)).round().astype(np.uint8) for sigma in sigmas]
-    write_video(tmp_path / "edge.mkv", frames)
+    rng = np.random.default_rng(3)
+    frames = [25.0 + 200.0 * picture(6.0, sigma, (80, 96), 4) + rng.normal(0.0, 1.5, (80, 96)) for sigma in sigmas]
+    write_video(tmp_path / "edge.mkv", [frame.round().astype(np.uint8) for frame in frames])
     result = call_lommel(
         "watch", "--sharpness", "--source", "edge.mkv", "--encoding", "linear", "--pixel", "4um", "--table", "f.csv",
         "--json", folder=tmp_path,
@@ -610,10 +612,53 @@ def test_sharpness_is_that_of_the_edge_in_the_middle_and_the_sharpest_frame_is_n
     assert facts["sharpest_at"] == pytest.approx(2 / 25, abs=1e-3)
     f = np.linspace(0.05, 0.5, 200)
     halves = [np.interp(0.5, gaussian(f, np.radians(6.0), sigma)[::-1], f[::-1]) for sigma in sigmas]
-    rows = np.loadtxt(tmp_path / "f.csv", delimiter=",", skiprows=1)
+    rows = np.loadtxt(tmp_path / "f.csv", delimiter=",", skiprows=1, usecols=(0, 1, 2))
     np.testing.assert_allclose(rows[:, 1], halves, rtol=0.03)
     assert facts["mtf50"] == pytest.approx(rows[2, 1] / 4e-6, rel=1e-4)
     assert "MTF50" in result.stderr
+
+
+def test_sharpness_in_doubt_is_in_the_table_and_the_exit_status_and_not_the_best(tmp_path, call_lommel):
+    # Without noise the response is in doubt, as that of a denoised picture.
+    frames = [25.0 + 200.0 * picture(6.0, sigma, (80, 96), 4) for sigma in (1.6, 1.1, 0.7)]
+    frames[0] += np.random.default_rng(3).normal(0.0, 1.5, frames[0].shape)
+    write_video(tmp_path / "edge.mkv", [frame.round().astype(np.uint8) for frame in frames])
+    result = call_lommel(
+        "watch", "--sharpness", "--source", "edge.mkv", "--encoding", "linear", "--table", "f.csv", "--json",
+        folder=tmp_path,
+    )  # fmt: skip
+    facts = json.loads(result.stdout)
+    assert (result.returncode, facts["reliable"], facts["sharpest_at"]) == (4, False, 0.0), result.stdout
+    (doubt,) = (finding for finding in facts["findings"] if finding["severity"] == "doubt")
+    assert (doubt["code"], doubt["numbers"]["frames"], doubt["numbers"]["of"]) == ("too_quiet", 2, 3)
+    codes = [line.split(",")[3] for line in (tmp_path / "f.csv").read_text().splitlines()[1:]]
+    assert ["too_quiet" in each for each in codes] == [False, True, True]
+
+
+def test_sharpness_is_in_doubt_if_each_frame_is_for_another_cause(tmp_path, call_lommel):
+    quiet, noisy = (25.0 + 200.0 * picture(6.0, sigma, (80, 96), 4) for sigma in (1.6, 0.9))
+    noisy += np.random.default_rng(3).normal(0.0, 1.5, noisy.shape)
+    sharpened = (3.0 * noisy - 2.0 * ndimage.gaussian_filter(noisy, 1.0)).clip(0.0, 250.0)
+    write_video(tmp_path / "edge.mkv", [frame.round().astype(np.uint8) for frame in (quiet, sharpened)])
+    result = call_lommel(
+        "watch", "--sharpness", "--source", "edge.mkv", "--encoding", "linear", "--json", folder=tmp_path
+    )
+    facts = json.loads(result.stdout)
+    assert (result.returncode, facts["findings"][0]["severity"]) == (4, "doubt"), result.stdout
+
+
+def test_sharpness_above_nyquist_is_the_best_and_its_limit_is_listed(tmp_path, call_lommel):
+    rng = np.random.default_rng(4)
+    frames = [
+        25.0 + 200.0 * picture(6.0, sigma, (80, 96), 4) + rng.normal(0.0, 1.5, (80, 96)) for sigma in (0.9, 0.2)
+    ]
+    write_video(tmp_path / "edge.mkv", [frame.round().astype(np.uint8) for frame in frames])
+    result = call_lommel(
+        "watch", "--sharpness", "--source", "edge.mkv", "--encoding", "linear", "--json", folder=tmp_path
+    )
+    facts = json.loads(result.stdout)
+    assert (facts["mtf50_px"], facts["mtf50_px_above"], facts["last_px_above"]) == (None, 0.5, 0.5), result.stdout
+    assert facts["sharpest_at"] == pytest.approx(1 / 25, abs=1e-3)
 
 
 @pytest.mark.parametrize(

@@ -46,7 +46,7 @@ from lommel.fit.findings import Findings
 from lommel.imaging import LiveDepth, LiveSharpen
 from lommel.imaging.blur import warn_of_depths
 from lommel.imaging.defocus_verdict import MIN_BLOCKS, DefocusVerdict, noise_finding
-from lommel.imaging.edge_chart import middle_edge
+from lommel.imaging.edge_chart import middle_edge, shared_findings
 from lommel.imaging.focal_engine import BLOCK, MAX_KNOWN_ERROR
 from lommel.imaging.live import LiveDepthMap
 from lommel.imaging.pair_noise import without_rounding
@@ -272,10 +272,36 @@ def watch(
         )
 
 
+class _Sharpness(NamedTuple):
+    """MTF50 of the edge of a frame and its standard error, cycles per pixel; infinity above the Nyquist frequency."""
+
+    time: float
+    mtf50: float
+    error: float
+    nyquist: float
+    findings: Findings
+
+    @property
+    def rank(self) -> tuple[bool, float]:
+        """Order of sharpness: any MTF50 without a doubt is above those with one."""
+        return self.findings.reliable, self.mtf50
+
+    @property
+    def above(self) -> float:
+        """The Nyquist frequency if MTF50 is above it, else NaN."""
+        return math.nan if math.isfinite(self.mtf50) else self.nyquist
+
+    @property
+    def text(self) -> str:
+        """MTF50 as text, such as "> 0.5"."""
+        return f"{self.mtf50:.3g}" if math.isfinite(self.mtf50) else f"> {self.nyquist:.4g}"
+
+
 def _watch_sharpness(source: str, encoding: Encoding | None, pixel: float | None, table: Path | None) -> Report:
     """Say the MTF50 of the edge nearest to the middle of each frame, and report the sharpest frame."""
     require_file(table, ".csv", "--table")
-    rows: list[tuple[float, float, float]] = []
+    rows: list[_Sharpness] = []
+    best: _Sharpness | None = None
     count, said = 0, -math.inf
     with Stop().signals() as stop, progress("opening the source", endless=True) as status, ExitStack() as stack:
         frames = stack.enter_context(videos.video_frames(source, tell=status.tell))
@@ -289,27 +315,33 @@ def _watch_sharpness(source: str, encoding: Encoding | None, pixel: float | None
             except ValueError as error:
                 status(f"frame {count}: {with_options(str(error))}")
                 continue
-            rows.append((frame.time - first, *found.mtf50))
-            best = max((row[1] for row in rows if math.isfinite(row[1])), default=math.inf)
-            value, error_text = with_error(*found.mtf50) if math.isfinite(found.mtf50[0]) else ("> 0.5", "-")
+            row = _Sharpness(frame.time - first, *found.mtf50, float(found.frequencies[-1]), found.findings)
+            rows.append(row)
+            best = row if best is None or row.rank > best.rank else best
+            value = " +- ".join(with_error(row.mtf50, row.error)) if math.isfinite(row.mtf50) else row.text
             doubt = "" if found.reliable else f"; {found.findings.printed[0].text}"
-            text = f"MTF50 {value} +- {error_text} cycles/pixel, best {best:.3g}{doubt}"
+            text = f"MTF50 {value} cycles/pixel, best {best.text}{doubt}"
             status(text)
             if frame.time - said >= _SAID_EVERY:
                 said = frame.time
                 status.tell(f"{frame.time - first:.1f} s: {text}")
         lost = "interrupted" if stop.requested else frames.lost
-    if not rows:
+    if best is None:
         raise ValueError(f"no frame has a slanted edge that can be measured, of {count}")
-    scale = 1.0 if pixel is None else 1.0 / pixel
-    sharpest = max(rows, key=lambda row: row[1] if math.isfinite(row[1]) else math.inf)
     if table is not None:
-        lines = ["time (s),MTF50 (cycles/pixel),error", *(",".join(f"{value:.6g}" for value in row) for row in rows)]
-        atomic.write(table, "\n".join([*lines, ""]).encode())
-    facts: Facts = {"frames": count, "measured": len(rows), "sharpest_at": sharpest[0]}
-    facts |= plain({"mtf50_px": sharpest[1], "mtf50_px_error": sharpest[2], "last_px": rows[-1][1]})
-    facts |= {} if pixel is None else plain({"mtf50": scale * sharpest[1]})
-    return told(facts | {"ended": lost or "the end"}, succeeded=frames.lost is None) + written([table])
+        lines = [f"{r.time:.6g},{r.mtf50:.6g},{r.error:.6g},{' '.join(r.findings.codes)}" for r in rows]
+        atomic.write(table, "\n".join(["time (s),MTF50 (cycles/pixel),error,findings", *lines, ""]).encode())
+    facts: Facts = {"frames": count, "measured": len(rows), "sharpest_at": best.time}
+    facts |= plain({"mtf50_px": best.mtf50, "mtf50_px_error": best.error, "mtf50_px_above": best.above})
+    facts |= plain({"last_px": rows[-1].mtf50, "last_px_above": rows[-1].above})
+    facts |= {} if pixel is None else plain({"mtf50": best.mtf50 / pixel})
+    findings = Findings(shared_findings([row.findings for row in rows], "frames"))
+    if findings.reliable and not best.findings.reliable:  # all frames are in doubt, each few for another cause
+        findings = best.findings
+    verdict = {"reliable": findings.reliable, "findings": plain(findings)}
+    notes = [Wrapped(with_options(finding.text)) for finding in findings.printed]
+    report = told(facts | {"ended": lost or "the end"}, succeeded=frames.lost is None)
+    return report + Report(verdict, notes, findings.converged) + written([table])
 
 
 def _require_two(sources: tuple[str, ...], *, alternating: bool) -> None:

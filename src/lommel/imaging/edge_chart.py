@@ -282,19 +282,25 @@ def _findings(counts: Counts, edges: list[ChartEdge], compression: list[Finding]
     """Return findings on a picture: those of its edges, by the number that have them, and compression."""
     findings = [Finding("saturation_assumed", "note", counts.assumed)] if counts.assumed else []
     findings += compression
+    done = ("left_out", *(found.code for found in findings))
     every = [[*(edge.response.channels or {"": edge.response}).values()] for edge in edges]
-    firsts = {found.code: found for responses in every for one in responses for found in one.findings}
-    for code, first in firsts.items():
-        several = [r for r in every if any(found.code == code for one in r for found in one.findings)]
-        if code != "left_out" and code not in [found.code for found in findings]:
-            worst = [found for r in several for one in r for found in one.findings if found.code == code]
-            bad: list[Severity] = [f.severity for f in worst if f.severity != "note"]
-            severity: Severity = "note" if 2 * len(bad) <= len(edges) else "error" if "error" in bad else "doubt"
-            several_named = len(edges) > 1 and code != "untested"
-            text = f"{len(several)} of {len(edges)} edges: {first.text}" if several_named else first.text
-            numbers = {**first.numbers, "edges": len(several), "of": len(edges)}
-            findings.append(Finding(code, severity, text, numbers))
-    return Findings(findings)
+    parts = [[found for one in each for found in one.findings if found.code not in done] for each in every]
+    return Findings([*findings, *shared_findings(parts, "edges")])
+
+
+def shared_findings(parts: Sequence[Sequence[Finding]], name: str) -> list[Finding]:
+    """Return the findings of edges or frames by the number that have each, as notes unless most are in doubt."""
+    findings = []
+    for code in dict.fromkeys(found.code for part in parts for found in part):
+        each = [Findings(found for found in part if found.code == code) for part in parts]
+        worst = [several[0] for several in each if several]
+        bad = [found for found in worst if found.severity != "note"]
+        first = Findings(worst)[0]
+        severity: Severity = first.severity if 2 * len(bad) > len(parts) else "note"
+        several_named = len(parts) > 1 and code != "untested"
+        text = f"{len(worst)} of {len(parts)} {name}: {first.text}" if several_named else first.text
+        findings.append(Finding(code, severity, text, {**first.numbers, name: len(worst), "of": len(parts)}))
+    return findings
 
 
 def _refusals(refused: Sequence[tuple[float, float, str]], measured: int) -> list[Finding]:

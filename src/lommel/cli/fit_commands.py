@@ -490,11 +490,15 @@ def beads(
     diameter
         Diameter of the beads, such as 0.1um.
     depth
-        Depth of the centre of the beads below the cover glass; by default their radius: on the glass.
+        Depth of the centre of the beads below the cover glass, with a standard error of 20 nm; by default their
+        radius: on the glass.
     terms
         Number of Zernike terms from Noll 5 on, or names, such as "noll 5, noll 6".
     apodization
         Number of terms of the pupil amplitude to estimate, 0 to 4: radial Zernike terms of its logarithm.
+    joint
+        Largest number of beads that determine terms and constants together, evenly chosen from all beads. Of further
+        beads, this fit estimates only position, flux and background; --report also fits each bead alone.
     window
         Side in pixels of the windows around beads, if a file shows a field of them.
     output

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.ndimage import convolve1d
 
 import lommel as lm
 from slanted_edges import TURN, across, gaussian, picture, squares
@@ -33,6 +34,20 @@ def test_the_edges_of_squares_are_found_where_they_are():
         assert np.hypot(edge.x - x, edge.y - y) < 2.0
         assert edge.direction == direction
         assert edge.response(f) == pytest.approx(truth(f), abs=0.03)
+
+
+def test_coma_is_no_other_encoding():
+    """A tail along the rows makes edges across the rows asymmetric, and those along the rows remain as they are."""
+    tail = convolve1d(CHART, np.exp(-np.arange(9) / 2.0) / np.exp(-np.arange(9) / 2.0).sum(), axis=1, origin=-4)
+    image = np.random.default_rng(1).poisson(tail * 10000) / 10000
+    (asymmetric,) = [f for f in lm.imaging.sfr_chart(image).findings if f.code == "asymmetric"]
+    assert asymmetric.severity == "doubt"
+    assert asymmetric.numbers["edges"] == 4
+    assert "coma" in asymmetric.text
+    assert "encoding" not in asymmetric.numbers
+    found = lm.imaging.sfr_chart(np.random.default_rng(1).poisson(CHART * 10000) / 10000, encoding="srgb")
+    (wrong,) = [f for f in found.findings if f.code == "asymmetric"]
+    assert wrong.numbers["encoding"] == "linear"
 
 
 def test_areas_are_as_wide_as_a_wide_blur_asks_for():

@@ -289,14 +289,14 @@ def _findings(counts: Counts, edges: list[ChartEdge], compression: list[Finding]
 
 
 def shared_findings(parts: Sequence[Sequence[Finding]], name: str) -> list[Finding]:
-    """Return the findings of edges or frames by the number that have each, as notes unless most are in doubt."""
+    """Return the findings of edges or frames by the number that have each, as notes unless half are in doubt."""
     findings = []
     for code in dict.fromkeys(found.code for part in parts for found in part):
         each = [Findings(found for found in part if found.code == code) for part in parts]
         worst = [several[0] for several in each if several]
         bad = [found for found in worst if found.severity != "note"]
         first = Findings(worst)[0]
-        severity: Severity = first.severity if 2 * len(bad) > len(parts) else "note"
+        severity: Severity = first.severity if 2 * len(bad) >= len(parts) else "note"
         several_named = len(parts) > 1 and code != "untested"
         text = f"{len(worst)} of {len(parts)} {name}: {first.text}" if several_named else first.text
         findings.append(Finding(code, severity, text, {**first.numbers, name: len(worst), "of": len(parts)}))

@@ -282,6 +282,18 @@ def unless_brighter(finding: Finding, top: float, *, processed: bool) -> list[Fi
     return [] if processed else [Finding("asymmetric", "doubt", text, finding.numbers)]
 
 
+def of_coma(finding: Finding) -> Finding:
+    """Return the finding, of which another encoding is no cause, since others of the picture are symmetric."""
+    if finding.code != "asymmetric" or "encoding" not in finding.numbers:
+        return finding
+    numbers = {name: value for name, value in finding.numbers.items() if name != "encoding"}
+    text = (
+        "the profile is not symmetric, which other edges of the picture are: the lens has coma, or the picture was "
+        f"sharpened at edges or clipped; by symmetry, the response would change by {numbers['change']:.2g}"
+    )
+    return Finding(finding.code, finding.severity, text, numbers)
+
+
 def _far(edge: Edge) -> list[Mask]:
     """Return the pixels of the dark and of the bright side, far from the edge."""
     far = edge.used & (np.abs(edge.distance) > 0.5 * edge.reach)

@@ -17,8 +17,10 @@ from lommel.base.encoding import Encoding, checked, to_light
 from lommel.base.units import per_mm
 from lommel.fit.findings import Finding, Findings, Judged
 from lommel.imaging.edge_checks import (
+    UNTESTED,
     compression_findings,
     edge_findings,
+    of_coma,
     require_one_colour,
     require_order,
     unless_brighter,
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
 
 _MAX_FULL = 0.01  # largest fraction of saturated pixels
 _LEAST_SIDE = 20  # pixels
+_SYMMETRIC = 0.2  # fraction of edges that are symmetric from which the encoding may be right
 _LARGEST_PIXEL = 0.1  # metres
 _PITCHES = {"R": 2.0, "G": math.sqrt(2.0), "B": 2.0}  # pixels, of the colours of a mosaic
 _COLOURS = {"R": "red", "G": "green", "B": "blue"}
@@ -285,12 +288,17 @@ def with_processing(
     edges: Sequence[tuple[EdgeResponse, dict[str, Evidence]]], *, compressed: bool = False
 ) -> list[EdgeResponse]:
     """Return the responses of the edges of a picture with the findings on sharpening and denoising of all of them."""
-    found, tops = {}, {}
+    found, tops, symmetric = {}, {}, {}
     compressed = compressed or any(finding.code == "compressed" for one, _ in edges for finding in one.findings)
     for name in edges[0][1]:
         evidence = [parts[name] for _, parts in edges]
         found[name] = processing_findings(evidence, compressed=compressed)
         tops[name] = max(one.top for one in evidence)
+        # Another encoding makes all edges asymmetric, coma those of one direction.
+        parts = [one.channels.get(name, one).findings.codes for one, _ in edges]
+        gains = [one.encoding[0] for one, codes in zip(evidence, parts, strict=True) if "asymmetric" not in codes]
+        many = len(gains) >= _SYMMETRIC * len(edges)
+        symmetric[name] = many and sum(gain for gain in gains if gain < math.inf) > UNTESTED
 
     def joined(one: EdgeResponse, name: str) -> EdgeResponse:
         processed = [part for part in found[name] if part.code in ("sharpened", "correlated_noise")]
@@ -303,6 +311,8 @@ def with_processing(
             if finding.code != "asymmetric" or not (overshoots or (sharpened and "encoding" not in finding.numbers))
             for kept in unless_brighter(finding, tops[name], processed=compressed or bool(processed))
         ]
+        if symmetric[name]:
+            others = [of_coma(finding) for finding in others]
         return replace(one, findings=Findings([*others, *found[name]]))
 
     responses = []

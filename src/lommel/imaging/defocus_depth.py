@@ -314,11 +314,16 @@ def depth_from_defocus(
             excess = residual_variance(misfit[blocks], aliases)
             images /= np.float32(excess)
             white, mean, read = white / excess, mean / excess, read / math.sqrt(excess)
-    noise, rounding = Noise(white=float(white.mean()), read=read) if noise is None else None, 0.0
+    noise, rounding, mean_light = (
+        Noise(white=float(white.mean()), read=read) if noise is None else None,
+        0.0,
+        math.nan,
+    )
     if noise is not None:
         levels = np.iinfo(scene.dtype).max + 1 if scene.dtype.kind == "u" else 0
         light = (images[:, 0] / white[:, None, None])[:, valid][:, ::8]
         noise, rounding = without_rounding(noise, light, levels, encoding)
+        mean_light = float(light.mean())
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
     limit = engine.known / step
@@ -337,7 +342,9 @@ def depth_from_defocus(
     maps = images, valid, step * index_errors, misfit, estimate
     form = encoding, scene.shape, scene.dtype
     sharpen = partial(_sharpened, engine, images, valid, (float(vergence[0]), step), white, stated, form)
-    judge = partial(judge_frames, engine, *maps, lens_errors, noise, excess=excess, rounding=rounding)
+    judge = partial(
+        judge_frames, engine, *maps, lens_errors, noise, excess=excess, rounding=rounding, light=mean_light
+    )
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
 
 

@@ -142,6 +142,7 @@ class DefocusVerdict(FitReport):
         noise: Noise | None = None,
         excess: float = 1.0,
         rounding: float = 0.0,
+        light: float = math.nan,
         exchanged: bool = False,
         compressed: bool = False,
         shift: Sequence[float] = (),
@@ -166,6 +167,8 @@ class DefocusVerdict(FitReport):
             Variance of the estimated noise relative to that of the finest details.
         rounding
             Fraction of the variance that is of rounding to integers, as of ``pair_noise.without_rounding``.
+        light
+            Mean light of the frames, relative to white; NaN if white is not known.
         exchanged
             Whether the frames agree with their lenses exchanged.
         compressed
@@ -202,7 +205,7 @@ class DefocusVerdict(FitReport):
                 "or blocks left out as stated beside",
             )
         elif len(magnifications) and (noise is not None or misfit > _DOUBTFUL_MISFIT):
-            findings.extend([noise_finding(noise, rounding)] if noise else [])
+            findings.extend([noise_finding(noise, rounding, light)] if noise else [])
             times = ", ".join(f"{scale:.4f} +- {error:.4f}" for scale, error in magnifications[1:])
             less = (
                 "" if math.isnan(undone) else f", which explains the misfit ({misfit:.3g}; {undone:.3g} without it)"
@@ -215,7 +218,7 @@ class DefocusVerdict(FitReport):
             facts = {"magnifications": relative, "errors": of_relative, "misfit": misfit}
             add("misfit", "error", text, facts | ({} if math.isnan(undone) else {"undone": undone}))
         elif noise is not None:
-            findings.append(noise_finding(noise, rounding))
+            findings.append(noise_finding(noise, rounding, light))
             wrong = _WRONG_EXCESS_OF_JPEG if compressed else _WRONG_EXCESS
             total = excess * misfit
             if len(shift):
@@ -343,15 +346,25 @@ class DefocusVerdict(FitReport):
         return self.reliable
 
 
-def noise_finding(noise: Noise, rounding: float = 0.0) -> Finding:
-    """Return the note on a noise that is estimated, without rounding, which is a fraction of the variance."""
+def noise_finding(noise: Noise, rounding: float = 0.0, light: float = math.nan) -> Finding:
+    """Return the note on a noise that is estimated, without rounding, which is a fraction of the variance.
+
+    Where light varies little, photon and read noise cannot be told apart: their sum is given at `light`, the mean
+    relative to white, unless this is NaN.
+    """
     more = f", and rounding ({percent(rounding)} of the variance)" if rounding > _TOLD_ROUNDING else ""
     white = f"white {'at least ' if rounding > MOSTLY_ROUNDING else ''}{noise.white:.4g}"
+    numbers, total = noise.to_dict() | ({"rounding": rounding} if rounding else {}), ""
+    if not math.isnan(light):
+        electrons = float(np.mean(noise.white or 1.0))
+        rms = math.sqrt(light * electrons + float(np.mean(np.square(noise.read)))) / electrons
+        numbers |= {"light": light, "rms": rms}
+        total = f", which are {rms:.2g} of white rms at the mean light, {light:.2g}, and are less certain each alone"
     text = (
-        f"noise estimated from the images: {white}, read noise {noise.read:.3g} electrons{more}; registration and "
-        "noise are not tested"
+        f"noise estimated from the images: {white}, read noise {noise.read:.3g} electrons{total}{more}; registration "
+        "and noise are not tested"
     )
-    return Finding("estimated_noise", "note", text, noise.to_dict() | ({"rounding": rounding} if rounding else {}))
+    return Finding("estimated_noise", "note", text, numbers)
 
 
 def judge_frames(
@@ -366,6 +379,7 @@ def judge_frames(
     *,
     excess: float = 1.0,
     rounding: float = 0.0,
+    light: float = math.nan,
     included: bool = True,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
@@ -374,7 +388,7 @@ def judge_frames(
     and `errors` are its standard errors in 1 / m, inf if depth is unknown. `lens_errors`
     are those stated of f-number and foci, `included` in standard errors or not, and `noise` is the noise estimated
     from the images, if none was stated, with `excess` times the variance of the finest details; `rounding` is
-    the fraction of rounding in it.
+    the fraction of rounding in it, and `light` the mean light relative to white.
     """
     known = np.isfinite(errors)
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
@@ -421,6 +435,7 @@ def judge_frames(
         noise=noise,
         excess=excess,
         rounding=rounding,
+        light=light,
         shift=frame_shift(images[brightest], valid, engine.task.blur) if noise else (),
         magnifications=certain,
         undone=undone,

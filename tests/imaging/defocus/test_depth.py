@@ -402,6 +402,11 @@ def test_the_noise_of_8_bit_photographs_is_estimated_and_errors_are_those_made(w
     assert 0.7 < robust(z) < 1.3
     variance = np.mean(light / white + (read / white) ** 2)
     assert electrons(found, light.mean()) == pytest.approx(light.mean() ** 2 / variance, rel=0.15)
+    numbers = found.verdict.findings.get("estimated_noise").numbers
+    assert numbers["light"] == pytest.approx(light.mean(), rel=0.02)
+    assert numbers["rms"] == pytest.approx(np.sqrt(variance), rel=0.075)
+    text = f"{numbers['rms']:.2g} of white rms at the mean light, {numbers['light']:.2g}"
+    assert text in found.verdict.findings.get("estimated_noise").text
     codes = {finding.code for finding in found.verdict.findings}
     assert (
         {"estimated_noise", "untested"}

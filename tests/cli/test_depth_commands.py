@@ -10,6 +10,7 @@ import pytest
 import tifffile
 
 import lommel as lm
+from lommel.cli import photo_commands
 from lommel.fit.findings import Finding, Findings
 from planes import PAIR, PIXEL, shoot, texture
 
@@ -103,6 +104,16 @@ def test_masks_leave_pixels_out_and_json_is_that_of_python(folder, call_lommel):
     assert told.items() >= found.to_dict().items()
     depth = lm.imaging.read_depth(folder / "depth.tif")
     assert np.array_equal(depth, found.depth.astype(np.float32), equal_nan=True)
+
+
+@pytest.mark.parametrize(("largest", "dtype", "told"), [
+    (4095, np.uint16, "the largest is 4095, but white (--white) is 65535"), (40000, np.uint16, ""),
+    (90, np.uint8, "the largest is 90, but white (--white) is 255"), (0.01, np.float32, ""),
+])  # fmt: skip
+def test_integers_of_less_than_half_of_their_type_are_told_with_what_is_white(largest, dtype, told):
+    text = photo_commands._white_of([np.full((4, 4), level, dtype) for level in (largest, 0)])
+    assert told in text
+    assert bool(text) == bool(told)
 
 
 def test_precision_is_a_table_and_a_picture(folder, call_lommel):

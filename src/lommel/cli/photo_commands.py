@@ -597,6 +597,18 @@ def _read_as(photograph: imaging.Photograph) -> str:
     return read_as(dtype, 8 * dtype.itemsize, photograph.encoding, photograph.stated)
 
 
+def _white_of(photos: Sequence[Values]) -> str:
+    """Return which value is white, for integers of at most half of their type, as 12 bits in 16; else ""."""
+    if photos[0].dtype.kind != "u":
+        return ""
+    largest, white = max(int(photo.max()) for photo in photos), int(np.iinfo(photos[0].dtype).max)
+    if 2 * largest > white:
+        return ""
+    return (
+        f"; the largest is {largest}, but white (--white) is {white}: no smaller value is taken as saturated (--mask)"
+    )
+
+
 def output_type(photograph: imaging.Photograph, output: Path) -> tuple[np.dtype[np.generic], Encoding]:
     """Return the type and the encoding of the output, as in the photo if the format can store them."""
     kind, suffix = photograph.values.dtype, output.suffix.lower()
@@ -793,7 +805,7 @@ def depth(
             imaging.write_photo(sharp, image, encoding=stored_as, dtype=dtype)
         save_figure(estimate.plot, figure)
     facts = estimate.to_dict() | lens_facts(lenses) | {"seconds": seconds, "pixel": instrument.side}
-    facts["read"] = _read_as(pictures[0])
+    facts["read"] = _read_as(pictures[0]) + _white_of([picture.values for picture in pictures])
     return told(facts) + verdict_report(estimate.verdict) + written([*outputs, sharp, figure])
 
 

@@ -1,9 +1,10 @@
 """Jobs larger than memory on two workers of a cluster: CPU time per frame or voxel at two sizes, memory, and bits.
 
 `python -m benchmarks.scale` writes a movie of 10^5 frames of 64 x 64 and a stack of 100 x 1024 x 1024, by chunks,
-to Zarr in a temporary folder, localises molecules and deconvolves in 3 steps, on two workers of 700 MB each; before
-that, movie and stack of a hundredth of the size. `--small` measures only those, and compares them with one process.
-`--only` movie or stack measures one of both. Memory is the most that a process ever had.
+to Zarr in a temporary folder, localises molecules and deconvolves in 3 steps, and blurs 24 photographs of 1632 x 1224
+pixels with their depth maps, on two workers of 700 MB each; before that, movie and stack of a hundredth of the size
+and 4 photographs. `--small` measures only those, and compares them with one process. `--only` movie, stack or
+pictures measures one of them. Memory is the most that a process ever had.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ import lommel as lm
 from benchmarks.deconvolution import OIL, PIXEL, WAVE, most
 
 CAMERA, LIMIT, SIDE, EACH = lm.Noise(white=0.46, read=1.6, offset=100.0), "700MB", 64, 3
+PHOTOS, PHOTO = (4, 24), (1224, 1632)
 FRAMES, STACK, CHUNK = (1_000, 100_000), ((25, 164, 256), (100, 1024, 1024)), 1000
 
 
@@ -95,6 +97,35 @@ def deconvolved(path: Path, client: Any) -> str:
     return digest.hexdigest()
 
 
+def write_photos(path: Path, count: int) -> None:
+    """Write photographs of a random texture in colour, each with a depth map of a ground from 1 m to 10 m."""
+    from PIL import Image
+
+    ground = 1.0 / np.linspace(0.1, 1.0, PHOTO[0])[:, None] + np.zeros(PHOTO)
+    for name in ("sharp", "far"):
+        (path / name).mkdir(parents=True)
+    for number in range(count):
+        texture = np.random.default_rng(number).integers(0, 256, (PHOTO[0] // 8, PHOTO[1] // 8, 3), dtype=np.uint8)
+        Image.fromarray(texture).resize(PHOTO[::-1]).save(path / "sharp" / f"{number}.png")
+        np.save(path / "far" / f"{number}.npy", ground.astype(np.float32))
+
+
+def rendered(path: Path, client: Any) -> str:
+    """Return a checksum of the files of a data set, without a client of as many processes as processors."""
+    lenses = lm.imaging.LensRanges(
+        focal_length=(24e-3, 50e-3), f_number=(1.8, 8.0), focus_distance=(1.0, np.inf), pixel=10e-6
+    )
+    out = path / ("here" if client is None else "there")
+    photos = sorted((path / "sharp").iterdir(), key=lambda file: int(file.stem))
+    depths = [path / "far" / f"{photo.stem}.npy" for photo in photos]
+    options = lm.imaging.DatasetOptions(
+        noise=lm.Noise(white=5000, read=3.0), client=client, workers=(os.cpu_count() or 1) if client is None else 1
+    )
+    list(lm.imaging.render_dataset(photos, depths, out, lenses, seed=1, options=options))
+    # The facts of a picture have the checksums of its files.
+    return hashlib.sha256(b"".join(facts.read_bytes() for facts in sorted(out.glob("0*.json")))).hexdigest()
+
+
 def measured(job: Callable[[Path, Any], str], path: Path) -> dict[str, Any]:
     """Return checksum, CPU seconds of client and workers, and megabytes of the client and the larger worker."""
     import distributed
@@ -126,11 +157,12 @@ def main() -> None:
     """Measure, and print as JSON."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--small", action="store_true", help="a hundredth of the sizes, beside one process")
-    parser.add_argument("--only", choices=("movie", "stack"), help="one of both")
+    parser.add_argument("--only", choices=("movie", "stack", "pictures"), help="one of them")
     options = parser.parse_args()
     jobs: dict[str, tuple[Any, ...]] = {
         "movie": (write_movie, localised, FRAMES, [float(count) for count in FRAMES]),
         "stack": (write_stack, deconvolved, STACK, [float(np.prod(shape)) for shape in STACK]),
+        "pictures": (write_photos, rendered, PHOTOS, [float(count) for count in PHOTOS]),
     }
     found: dict[str, Any] = {}
     for name in [options.only] if options.only else list(jobs):

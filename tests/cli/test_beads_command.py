@@ -11,6 +11,8 @@ import tifffile
 
 import lommel as lm
 from command_lines import lommel
+from lommel.estimation import beads
+from lommel.report.bead_page import read_csv
 from objectives import OIL, OIL_FILE
 
 Z = (np.arange(9) - 4) * 200e-9
@@ -275,3 +277,52 @@ def test_a_folder_without_stacks_or_of_another_table_is_refused(folder, words, t
     found = run(*words)
     assert found.returncode == 2
     assert told in " ".join(found.stderr.split())
+
+
+def test_what_fails_for_one_file_is_named_and_the_rest_of_the_report_is_written(folder, monkeypatch):
+    (folder / "day").mkdir()
+    bead = tifffile.imread("bead.tif")
+    for name in ("2026-11-29", "2026-11-30"):
+        tifffile.imwrite(f"day/{name}.tif", bead, photometric="minisblack")
+    wide = np.zeros((9, 19, 22))  # two beads, 310 nm apart
+    wide[..., 3:] += bead - 110.0
+    wide[..., :-3] += bead - 110.0
+    pair = wide[..., 2:-1].clip(-20.0) + 110.0
+    tifffile.imwrite("day/2026-12-01.tif", pair.round().astype(np.uint16), photometric="minisblack")
+    dark = np.random.default_rng(1).normal(110.0, 3.0, (9, 64, 90)).round().astype(np.uint16)
+    tifffile.imwrite("day/2026-12-02.tif", dark, photometric="minisblack")
+    found = run("day", *ASKED, "--window", "19", "--report", "psf")
+    assert found.returncode == 4, found.stderr
+    for stream in (found.stdout, found.stderr):
+        told = " ".join(stream.split())
+        assert "2026-12-01.tif, 2026-12-01: stacks must show single beads" in told
+        assert "2026-12-02.tif: no isolated bead" in told
+    assert "wrote psf/report.html" in found.stdout
+    assert found.stdout.startswith("converged, but in doubt: refused: 2026-12-0")
+    rows = read_csv(folder / "psf" / "table.csv")
+    assert [(row["file"], row["verdict"]) for row in rows] == [
+        ("2026-11-29.tif", "converged"), ("2026-11-30.tif", "converged"),
+        ("2026-12-02.tif", "refused"), ("2026-12-01.tif", "refused"),
+    ]  # fmt: skip
+    assert "no isolated bead" in (folder / "psf" / "report.html").read_text(encoding="utf-8")
+    # Where nothing is measured, nothing is written.
+    nothing = run("day/2026-12-01.tif", "day/2026-12-02.tif", *ASKED, "--window", "19", "--report", "none")
+    assert nothing.returncode == 2
+    assert not (folder / "none" / "table.csv").exists()
+
+
+def test_a_bead_that_shows_two_in_its_own_fit_is_left_out_of_the_report(folder, monkeypatch):
+    fit = beads.fit_beads
+
+    def failing(stacks, *args, **options):
+        if len(stacks.values) == 1 and stacks.values[0].max() == largest:
+            raise ValueError("stacks must show single beads, and all 1 show two that touch")
+        return fit(stacks, *args, **options)
+
+    largest = tifffile.imread("field.tif")[:, 6:25, 11:30].max()
+    monkeypatch.setattr(beads, "fit_beads", failing)
+    found = run("field.tif", *ASKED, "--window", "19", "--report", "psf", "--json")
+    assert found.returncode == 4, found.stderr
+    verdicts = [row["verdict"] for row in json.loads(found.stdout)["report"]["table"]]
+    assert sorted(verdicts) == ["converged", "left out"]
+    assert re.search(r"field\.tif \[\d\], left out, though part .* two that touch", " ".join(found.stderr.split()))

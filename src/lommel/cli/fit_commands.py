@@ -555,6 +555,7 @@ def beads(
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
         windows, contradicted, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
+        missing = list[tuple[str, float, ValueError]]()
         z = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step
         waves = [_emission(stack, wavelength, microscope) for stack in read]
         devices = {wave: _in_light(microscope, wave) for wave in waves}
@@ -588,12 +589,18 @@ def beads(
                 status.tell(f"{text}.")
             values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
             counts = Counts.of(values, noise=noise, saturation=saturation)
-            windows += _beads((file, channel, wave), values, counts, window, notes)
+            try:
+                windows += _beads((file, channel, wave), values, counts, window, notes)
+            except ValueError as failure:
+                missing.append((file, wave, failure))
+        if not windows:
+            raise missing[0][2]
         told_early(list(contradicted.values()))
         status("fitting")
         columns = 12 + (options.terms if isinstance(options.terms, int) else len(options.terms))
         dates = {} if folder is None else {path.name: _date(path) for path in stacks}
         groups, rows, table = dict[tuple[str, float], list[_Bead]](), list[Facts](), dict[str, Any]()
+        refused, refusals = list[Facts](), list[Finding]()
         for bead in windows:
             groups.setdefault((dates.get(bead.file, ""), bead.wavelength), []).append(bead)
         done, several, days = 0, len(devices) > 1, sorted({day for day, _ in groups})
@@ -608,7 +615,8 @@ def beads(
         ) -> BeadFit:
             nonlocal done
             before, part = done, min(len(beads), options.joint)
-            found = fit_beads(
+            done += part
+            return fit_beads(
                 counts_of("stacks", beads, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
                 model,
                 z=factor * z,
@@ -618,47 +626,89 @@ def beads(
                     **known,
                 ),
             )
-            done = before + part
-            return found
 
-        if len(days) > 1:
-            notes.append(f"Each date has its own fit, of which that of {days[-1]} is told.")
-        if several:
-            notes.append(f"Each channel has its own fit, of which that of {_nanometres(min(devices))} is told.")
+        def named(day: str, wave: float) -> str:
+            return ", ".join([day] * (len(days) > 1) + [_nanometres(wave)] * several)
+
+        def refuse(names: Iterable[str], file: str, wave: float, error: ValueError) -> None:
+            """Say what fails, of one file and channel, and keep its rows of the report: the others are fitted."""
+            of = ", ".join(filter(None, (file, named(dates.get(file, ""), wave))))
+            text = str(error) if str(error).startswith(line(file)) else f"{line(of)}: {error}"
+            refusals.append(Finding("left_out", "doubt", f"refused: {text}"))
+            status.tell(f"{refusals[-1].text}.")
+            known = {"file": file, "date": dates.get(file, ""), "wavelength": wave}
+            refused.extend({"bead": one, **known, "verdict": "refused", "reason": str(error)} for one in names)
+
+        def of_each(result: BeadFit, windows: list[_Bead], device: Microscope) -> Iterable[BeadFit]:
+            """Yield the fit of each bead alone; one that shows two beads, or has none, is left out of the report."""
+            # The constants of all beads are nearer to the truth than the stated ones.
+            alone, factor = device.fitted(result), float(result.coefficients.get("step", 1.0))
+            for k, (window, bead) in enumerate(zip(windows, result.beads, strict=True), 1):
+                of_bead = replace(result, beads=(bead,))
+                if bead.used:
+                    name = f"bead {k} of {len(windows)}, "
+                    try:
+                        of_bead = fitted([window.window], alone, factor, name, diameter=result.diameter)
+                    except ValueError as error:
+                        of = ", ".join(filter(None, (window.name, named(dates[window.file], window.wavelength))))
+                        text = f"{line(of)}, left out, though part of the fit of all beads: {error}"
+                        refusals.append(Finding("left_out", "doubt", text))
+                        status.tell(f"{text}.")
+                        left_out = replace(bead, used=False)
+                        of_bead = replace(result, beads=(left_out,), findings=Findings(refusals[-1:]))
+                yield of_bead
+
+        for file, wave, why in missing:
+            refuse([file], file, wave, why)
+        last = days[-1], min(devices), windows
         told: dict[float, BeadFit] = {}
         # Microscopes change between days; the shortest wavelength of the newest day is the last.
-        for (day, wave), windows in sorted(groups.items(), key=lambda one: (one[0][0], -one[0][1])):
-            cut_out, device = [bead.window for bead in windows], devices[wave]
-            result = fitted(cut_out, device)
-            if day == days[-1]:
-                told[wave] = result
-            files_of = [bead.file for bead in windows]
-            relative = heights(result.z_covariance, np.array([bead.z for bead in result.beads]), files_of)
+        for (day, wave), group in sorted(groups.items(), key=lambda one: (one[0][0], -one[0][1])):
+            try:
+                found = fitted([bead.window for bead in group], devices[wave])
+            except ValueError as failure:
+                if len(groups) == 1:
+                    raise
+                for file in dict.fromkeys(bead.file for bead in group):
+                    refuse([bead.name for bead in group if bead.file == file], file, wave, failure)
+                continue
+            if told and day != last[0]:
+                told.clear()
+            last, told[wave] = (day, wave, group), found
+            files_of = [bead.file for bead in group]
+            relative = heights(found.z_covariance, np.array([bead.z for bead in found.beads]), files_of)
             if folder is None:
                 continue
-            report = _BeadReport(lens.stem, device, result, windows, relative, noise, used_step)
-            if not result.reliable:
-                of = [day] * (len(days) > 1) + [_nanometres(wave)] * several
-                status.tell(f"{', '.join(of)}{': ' if of else ''}{result.message}.")
+            report = _BeadReport(lens.stem, devices[wave], found, group, relative, noise, used_step)
+            if not found.reliable:
+                status.tell(f"{named(day, wave)}{': ' if named(day, wave) else ''}{found.message}.")
             # Bad constants are bad for each bead: fits of single beads would find that again.
-            if not result.converged or len(cut_out) == 1:
-                each: Iterable[BeadFit] = (replace(result, beads=(bead,)) for bead in result.beads)
+            if not found.converged or len(group) == 1:
+                each: Iterable[BeadFit] = (replace(found, beads=(bead,)) for bead in found.beads)
             else:
-                # The constants of all beads are nearer to the truth than the stated ones.
-                alone, factor = device.fitted(result), float(result.coefficients.get("step", 1.0))
-                each = [
-                    fitted([window.window], alone, factor, f"bead {k} of {len(windows)}, ", diameter=result.diameter)
-                    if bead.used else replace(result, beads=(bead,))
-                    for k, (window, bead) in enumerate(zip(windows, result.beads, strict=True), 1)
-                ]  # fmt: skip
-            table = report.write(folder, each, _earlier(folder), dates)
+                each = of_each(found, group, devices[wave])
+            table = report.write(folder, report.rows(each, dates), _earlier(folder))
             rows += table["table"]
+        if not told:
+            raise ValueError("; ".join(one.text for one in refusals))
+        day, wave, windows = last
+        result = told[wave]
+        if refused and folder is not None:
+            rows += report.write(folder, refused, _earlier(folder))["table"]
+        if len(days) > 1:
+            notes.append(f"Each date has its own fit, of which that of {day} is told.")
+        if several:
+            notes.append(f"Each channel has its own fit, of which that of {_nanometres(wave)} is told.")
     others = [
-        replace(one, text=f"{_nanometres(wave)}: {one.text}")
-        for wave, found in told.items() if found is not result
+        replace(one, text=f"{named(day, light)}: {one.text}")
+        for light, found in told.items() if found is not result
         for one in found.findings if one.severity != "note"
     ]  # fmt: skip
-    result = replace(result, findings=Findings([*contradicted.values(), *findings, *result.findings, *others]))
+    if of := named(day, wave):
+        own = [replace(one, text=f"{of}: {one.text}") for one in result.findings]
+        result = replace(result, findings=Findings(own), summary=f"{of}: {result.summary}")
+    found_all = [*contradicted.values(), *findings, *result.findings, *others, *refusals]
+    result = replace(result, findings=Findings(found_all))
     outputs, figures = ({_of_channel(path, wave, several): wave for wave in told} for path in (output, figure))
     for path, one in outputs.items():
         if path is not None:
@@ -844,28 +894,37 @@ class _BeadReport(NamedTuple):
     noise: Noise
     step: float
 
-    def write(
-        self, folder: Path, fits: Iterable[BeadFit], earlier: list[dict[str, Any]], dates: dict[str, str],
-    ) -> dict[str, Any]:  # fmt: skip
-        """Write table and page, with the rows of earlier runs but those of the same files; return their numbers."""
-        from lommel.estimation.bead_table import focal_surface, middle_of, place_of, row_of, with_shared
-        from lommel.report.bead_page import page, write_csv
+    def rows(self, fits: Iterable[BeadFit], dates: dict[str, str]) -> list[Facts]:
+        """Return the rows of the beads, by the fit of each of them alone."""
+        from lommel.estimation.bead_table import codes_of, place_of, row_of, with_shared
 
-        result, microscope, rows = self.result, self.microscope, list[dict[str, Any]]()
-        # The stated pixel, the same for all beads and channels: errors of estimates would shift beads far from row 0.
-        pixel, name = microscope.pixel / microscope.objective.magnification, microscope.name or self.lens
+        result, microscope, rows = self.result, self.microscope, list[Facts]()
         depth = float(np.median([bead.depth for bead in result.beads if bead.used] or [result.beads[0].depth]))
         for k, (bead, window, fit) in enumerate(zip(result.beads, self.windows, fits, strict=True)):
-            row = row_of(fit, self.noise, self.step, pixel, window.corner)
+            row = row_of(fit, self.noise, self.step, self.pixel, window.corner)
             heights = [None if math.isnan(part[k]) else float(part[k]) for part in self.heights]
             rows.append(
                 {"bead": window.name, "file": window.file, "date": dates[window.file]}
                 | {"wavelength": microscope.wavelength}
-                | (with_shared(row, result, depth) if fit.converged and bead.used else row)
-                | place_of(bead, result, pixel, window.corner)
+                | (with_shared(row, result, depth) if fit.converged and fit.beads[0].used else row)
+                | place_of(bead, result, self.pixel, window.corner)
                 | {"height": heights[0], "height_error": heights[1], "flux": float(bead.flux.sum())}
-                | {"joint_fit": result.message}
+                | {"joint_fit": result.message, "joint_codes": codes_of(result.findings)}
             )
+        return rows
+
+    @property
+    def pixel(self) -> float:
+        """Stated pixel, the same for all beads and channels: errors of estimates would shift beads far from row 0."""
+        return self.microscope.pixel / self.microscope.objective.magnification
+
+    def write(self, folder: Path, rows: list[Facts], earlier: list[dict[str, Any]]) -> dict[str, Any]:
+        """Write table and page, with the rows of earlier runs but those of the same files; return their numbers."""
+        from lommel.estimation.bead_table import focal_surface, middle_of
+        from lommel.report.bead_page import page, write_csv
+
+        result, microscope = self.result, self.microscope
+        pixel, name = self.pixel, microscope.name or self.lens
         same = {(row["file"], row["wavelength"], row["date"]) for row in rows}
         kept = [row for row in earlier if (row["file"], row["wavelength"], row["date"]) not in same]
         waves = sorted({row["wavelength"] for row in (*kept, *rows)})

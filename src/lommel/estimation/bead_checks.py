@@ -484,6 +484,7 @@ def estimates_of(first: Round, last: Round, stated: Setup) -> list[Finding]:
             column, known = keys.index(key), stated.value(key) if key in CONSTANTS and key != "jump" else 0.0
             shown = f"{name}, {key}" if name == _POLARIZED else name
             estimates.append(Estimate(shown, float(values[column]), float(errors[column]), known, unit, factor))
+    estimates.sort(key=lambda one: -abs(one.value - one.stated) / one.error)
     count = len(before.state.waves)
     moves = np.abs(fit.state.waves[:count] - before.state.waves) / first_errors[:count]
     return estimated_findings(estimates, dict(zip(keys, moves.tolist(), strict=False)))

@@ -18,6 +18,7 @@ import scipy
 from lommel.base.arrays import Array
 from lommel.estimation.beads import BeadFit, FittedBead
 from lommel.estimation.star_images import label
+from lommel.fit.findings import Findings
 from lommel.fit.goodness_of_fit import largest_plausible_chi2
 from lommel.recorded.noise import Noise
 
@@ -195,7 +196,7 @@ def common_error(covariance: Array) -> float:
 
 def middle_of(rows: Sequence[Row]) -> tuple[float, float]:
     """Return the mean of x and of y of beads, metres; 0 if none is known."""
-    known = [(row["x"], row["y"]) for row in rows if None not in (row["x"], row["y"])]
+    known = [(row["x"], row["y"]) for row in rows if None not in (row.get("x"), row.get("y"))]
     x, y = np.mean(known, axis=0).tolist() if known else (0.0, 0.0)
     return x, y
 
@@ -207,7 +208,7 @@ def focal_surface(rows: Sequence[Row], middle: tuple[float, float]) -> dict[str,
     are larger by the root of chi2 where heights scatter more than their errors: beads that lie at several heights.
     None for too few beads.
     """
-    known = [row for row in rows if None not in (row.get("height"), row["x"], row["y"])]
+    known = [row for row in counted(rows) if None not in map(row.get, ("height", "x", "y"))]
     files = Counter(row["file"] for row in known)
     x, y = (np.array([row[key] for row in known]) - origin for key, origin in zip("xy", middle, strict=True))
     reach = max(float(np.hypot(x, y).max(initial=0.0)), 1e-9)
@@ -272,7 +273,13 @@ def row_of(fit: BeadFit, noise: Noise, step: float, pixel: float, corner: tuple[
         row |= {name: float(value) if known else None, f"{name}_error": float(error) if known else None}
     reasons = "; ".join(str(finding) for finding in fit.findings if finding.severity != "note")
     verdict = fit.status if bead.used else "left out"
-    return row | {"chi2": bead.chi2, "verdict": verdict, "reason": reasons or None}
+    return row | {"chi2": bead.chi2, "verdict": verdict, "reason": reasons or None, "codes": codes_of(fit.findings)}
+
+
+def codes_of(findings: Findings) -> str | None:
+    """Return what errors and doubts are, in a few words: their codes; None without one."""
+    codes = dict.fromkeys(one.code.replace("_", " ") for one in findings if one.severity != "note")
+    return ", ".join(codes) or None
 
 
 def with_shared(row: Row, fit: BeadFit, depth: float) -> Row:
@@ -289,6 +296,18 @@ def with_shared(row: Row, fit: BeadFit, depth: float) -> Row:
             for name, error in errors.items() if row[name] is not None and math.isfinite(error)
         }  # fmt: skip
     return row | shared
+
+
+def counted(rows: Sequence[Row]) -> list[Row]:
+    """Return the beads that count in means: not left out nor refused, and with a fitted PSF, if any of their fit has.
+
+    Gaussian widths and those of the PSF are then of the same beads. Beads of one fit have a date and a wavelength.
+    """
+    kept = [row for row in rows if row.get("verdict") not in ("left out", "refused")]
+    fitted = {(row.get("date"), row.get("wavelength")) for row in kept if row.get("fwhm_x") is not None}
+    return [
+        row for row in kept if row.get("fwhm_x") is not None or (row.get("date"), row.get("wavelength")) not in fitted
+    ]
 
 
 def summary(rows: Sequence[Row], names: Sequence[str]) -> list[Row]:
@@ -320,7 +339,7 @@ def chromatic_shifts(rows: Sequence[Row]) -> list[Row]:
     "shift_x". The latter have no standard errors: with aberrations they move with the place of a bead in its pixel
     and plane by more than noise does.
     """
-    rows = [row for row in rows if None not in (row["x"], row["y"])]
+    rows = [row for row in counted(rows) if None not in (row.get("x"), row.get("y"))]
     waves, found = sorted({row["wavelength"] for row in rows}), list[Row]()
     for row in rows:
         if row["wavelength"] != waves[0]:

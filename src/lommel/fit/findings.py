@@ -90,7 +90,7 @@ _DATA = ("flat_top", "multiples", "no_counts", "unit_sum")
 # Findings that name what is wrong: they are printed before the statistics that show that something is.
 _CAUSES = (
     "contradiction", "pixel_pitch", "reversed_z", "exchanged", "opposite_astigmatism", "excess_noise",
-    "gain", "other_explanation", "hot_pixels", "pattern", "lens_scale", "one_focus",
+    "gain", "other_explanation", "hot_pixels", "pattern", "lens_scale", "one_focus", "left_out",
 )  # fmt: skip
 _MOST_CHARACTERS = 800  # of the texts of findings that are printed: ten lines
 _MOST_LINES = 12  # of a result
@@ -180,10 +180,14 @@ class Findings(tuple[Finding, ...]):
 
     @property
     def printed(self) -> Findings:
-        """The findings in the order in which they are printed: named causes first, what is not tested last."""
-        return tuple.__new__(
-            Findings, sorted(self, key=lambda finding: place_of(finding.code, finding.severity, self.reliable))
-        )
+        """The findings in the order in which they are printed: named causes first, what is not tested last.
+
+        A note on what was estimated is no reason of a doubt, which comes before it.
+        """
+        found = sorted(self, key=lambda finding: place_of(finding.code, finding.severity, self.reliable))
+        if self.status == "doubtful" and (found[0].code, found[0].severity) == ("estimated", "note"):
+            found.sort(key=lambda finding: finding is not next(one for one in found if one.severity != "note"))
+        return tuple.__new__(Findings, found)
 
     @property
     def text(self) -> str:
@@ -265,8 +269,10 @@ class Judged:
     def _message(self, summary: str) -> str:
         """Return status, named causes, summary and the texts of the other findings."""
         status_text = {"doubtful": "converged, but in doubt"}.get(self.status, self.status.replace("_", " "))
-        texts = [(finding.code, finding.text) for finding in self.findings.printed]
-        causes = sum(place_of(finding.code, finding.severity, self.reliable) < 0 for finding in self.findings)
+        printed = self.findings.printed
+        texts = [(finding.code, finding.text) for finding in printed]
+        places = [place_of(finding.code, finding.severity, self.reliable) for finding in printed]
+        causes = max((k for k, place in enumerate(places, 1) if place < 0), default=0)
         texts.insert(causes, ("", summary))
         return f"{status_text}: {'; '.join(shortened(texts))}"
 

@@ -17,11 +17,22 @@ import numpy as np
 from lommel.base import atomic
 from lommel.base.arrays import Array
 from lommel.base.units import number, with_error
-from lommel.estimation.bead_table import MEASURES, Row, chromatic_shifts, focal_surface, middle_of, summary
+from lommel.estimation.bead_table import (
+    MEASURES,
+    Row,
+    chromatic_shifts,
+    counted,
+    focal_surface,
+    middle_of,
+    summary,
+)
 from lommel.show import drawing, estimates
 
 _TEXTS = "bead", "file", "date", "verdict"
-_WORDS = "joint_fit", "reason"  # verdict of the joint fit of a run; errors and doubts of the fit of a bead
+# Verdict of the joint fit of a run; errors and doubts of the fit of a bead; both in a few words.
+_WORDS = "joint_fit", "reason", "joint_codes", "codes"
+_SHORT = {"converged": "good", "doubtful": "in doubt", "left out": "left out", "refused": "refused"}
+_MARKS = {"good": "\N{CHECK MARK}", "in doubt": "?"}
 _IN_TABLE = (
     "gauss_x", "gauss_y", "gauss_z", "fwhm_x", "fwhm_y", "fwhm_z", "asymmetry", "strehl", "rms", "z", "height",
     "focus",
@@ -68,12 +79,14 @@ td:first-child, .text td:last-child { overflow-wrap: anywhere; } .date { white-s
 .text td { vertical-align: top; }
 tr:nth-child(even) td { background: var(--mark); }
 tr:nth-child(even) td:first-child { background: linear-gradient(var(--mark), var(--mark)), Canvas; }
+details p { font-size: .86rem; overflow-wrap: anywhere; } summary { cursor: pointer; }
 @media (max-width: 45rem) { .text thead { display: none; } .text tr, .text td { display: block; }
   .text td { border: 0; } .text tr { border-bottom: 1px solid var(--line); } }
 @media print { @page { size: A4 landscape; margin: 12mm; } :root { color-scheme: light; }
   body { max-width: none; padding: 0; font-size: 9pt; } table { font-size: 7pt; } th, td { padding: .1rem .3rem; }
   figure, tr { break-inside: avoid; } h2 { break-after: avoid; }
   figure, .table { overflow: visible; background: none; }
+  details::details-content { content-visibility: visible; display: block; } details p { font-size: 7pt; }
   svg { max-width: 100%; } th:first-child, td:first-child { position: static; } }
 """
 
@@ -140,6 +153,12 @@ def _value(row: Mapping[str, Any], name: str, factor: float, sign: str = " ± ")
     return drawing.true_minus(sign.join(pair))
 
 
+def _mean(one: Mapping[str, Any], factor: float, beads: int) -> str:
+    """Return a mean, with the number of its values where it is not that of the `beads` of the line."""
+    count = one.get("beads", beads)
+    return _value(one, "mean", factor) + (f" ({count} beads)" if count != beads else "")
+
+
 def _table(head: Iterable[str], rows: Iterable[Iterable[str]], kind: str = "") -> str:
     cells = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
     cells = _DATE.sub(r'<span class="date">\1</span><wbr>', cells)  # lines break after it, not at its hyphens
@@ -181,7 +200,7 @@ def _summaries(rows: Sequence[Row]) -> list[str]:
     parts = []
     for channel, beads in _channels(rows).items():
         lines = []
-        for one in summary(beads, _IN_SUMMARY):
+        for one in summary(counted(beads), _IN_SUMMARY):
             factor = MEASURES[one["name"]][2]
             mean = _value(one, "mean", factor)
             spread = "–" if one["spread"] is None else f"{factor * one['spread']:.2g}"
@@ -192,7 +211,7 @@ def _summaries(rows: Sequence[Row]) -> list[str]:
 
 
 def _drawn(rows: Sequence[Row]) -> list[str]:
-    parts = []
+    parts, rows = list[str](), counted(rows)
     for channel, beads in _channels(rows).items():
         x, y = _array(beads, "x"), _array(beads, "y")
         maps = [(_words(n, False), MEASURES[n][2] * _array(beads, n), MEASURES[n][1]) for n in _IN_MAPS]
@@ -254,21 +273,52 @@ def _counts(beads: Sequence[Row]) -> str:
     for row in beads:
         if (reason := row.get("reason")) and reason not in (row.get(_WORDS[0]) or ""):
             number_of = row["bead"].removeprefix(row["file"]).strip()
-            reasons.setdefault(reason, []).append(f"{number_of} (chi2 {row['chi2']:.3f})")
+            chi2 = "" if row.get("chi2") is None else f" (chi2 {row['chi2']:.3f})"
+            reasons.setdefault(reason, []).append(f"{number_of}{chi2}".strip() or "all")
     texts = [f"{', '.join(names)}: {reason}" for reason, names in reasons.items()]
     return "; ".join([", ".join(f"{count} {verdict}" for verdict, count in found.most_common()), *texts])
 
 
+def _short(verdict: str) -> str:
+    """Return a verdict on a bead in a word or two."""
+    return _SHORT.get(verdict, f"wrong, {verdict.replace('_', ' ')}")
+
+
+def _marked(word: str, reasons: str = "") -> str:
+    mark = _MARKS.get(word, "" if word in _SHORT.values() else "\N{MULTIPLICATION SIGN}")
+    return f"{mark} {word}{': ' if reasons else ''}{reasons}".strip()
+
+
+def _at_a_glance(beads: Sequence[Row]) -> tuple[str, str]:
+    """Return the verdicts in a few words: on the fits of single beads, and on that of all."""
+    texts = []
+    for word, count in Counter(_short(row["verdict"]) for row in beads).most_common():
+        some = [row for row in beads if _short(row["verdict"]) == word and word == "in doubt"]
+        codes = Counter(code for row in some for code in (row.get("codes") or "").split(", ") if code)
+        reasons = ", ".join(f"{code} {number_of}" for code, number_of in codes.most_common())
+        texts.append(f"{_marked(word)} {count}" + (f": {reasons}" if reasons else ""))
+    said = beads[0].get(_WORDS[0]) or ""
+    status, _, rest = said.partition(": ")
+    if not rest:
+        return "; ".join(texts), "–"
+    known = {"converged": "good", "converged, but in doubt": "in doubt"}
+    word = known.get(status, f"wrong, {status}")
+    return "; ".join(texts), _marked(word, (beads[0].get("joint_codes") or "") if word == "in doubt" else "")
+
+
 def _verdicts(rows: Sequence[Row]) -> str:
-    """Return the table of the verdicts on files: of the fits of single beads, and of the joint fit."""
+    """Return the verdicts on files at a glance, of the fits of single beads and of the joint fit, and in full."""
     files = dict[tuple[str, float], list[Row]]()
     for row in rows:
         files.setdefault((row["file"], row["wavelength"]), []).append(row)
-    lines = []
+    lines, full = [], list[str]()
     for (file, wave), beads in files.items():
-        lines.append([file, _nanometres(wave), _counts(beads), beads[0].get(_WORDS[0]) or "–"])
+        lines.append([file, _nanometres(wave), *_at_a_glance(beads)])
+        both = f"{_counts(beads)}. All beads: {beads[0].get(_WORDS[0]) or '–'}."
+        full.append(f"<p><strong>{escape(file)}, {_nanometres(wave)}</strong>: {escape(both)}</p>")
     head = "file", "channel", "fit of each bead alone", "fit of one wavefront to all beads"
-    return _table(head, lines, " text")
+    details = f"<details><summary>Verdicts in full</summary>{''.join(full)}</details>"
+    return _table(head, lines, " text") + details
 
 
 def _chromatic(rows: Sequence[Row]) -> list[str]:
@@ -288,7 +338,7 @@ def _chromatic(rows: Sequence[Row]) -> list[str]:
         cells = []
         for axis in axes:
             (one,) = summary(group, [f"shift_{axis}"]) or [{"mean": None}]
-            cells.append(_value(one, "mean", 1e9))
+            cells.append(_mean(one, 1e9, len(group)))
         means.append([f"mean of {len(group)}", " − ".join(map(_nanometres, waves[::-1])), *cells])
     return ["<h2>Chromatic shifts</h2>", _table(head, [*means, *lines])]
 
@@ -297,27 +347,28 @@ def _trend(rows: Sequence[Row]) -> list[str]:
     dates = sorted({row["date"] for row in rows})
     if len(dates) < 2:
         return []
-    names = "gauss_x", "gauss_y", "gauss_z", "fwhm_z", "strehl"
+    names = "gauss_x", "gauss_y", "gauss_z", "fwhm_x", "fwhm_y", "fwhm_z", "strehl"
     lines, series = [], {name: dict[str, Any]() for name in names}
     for channel, beads in _channels(rows).items():
         for date in dates:
-            found = {one["name"]: one for one in summary([row for row in beads if row["date"] == date], names)}
+            of_date = counted([row for row in beads if row["date"] == date])
+            found = {one["name"]: one for one in summary(of_date, names)}
             for name, one in found.items():
                 part = series[name].setdefault(channel, ([], [], []))
                 for values, value in zip(part, (date, one["mean"], one["mean_error"]), strict=True):
                     values.append(value if isinstance(value, str) else MEASURES[name][2] * (value or 0.0))
-            cells = [
-                _value(found[n], "mean", MEASURES[n][2])
-                if n in found else "–" for n in names
-            ]  # fmt: skip
+            most = max((one["beads"] for one in found.values()), default=0)
+            cells = [_mean(found[n], MEASURES[n][2], most) if n in found else "–" for n in names]
             if found:
-                lines.append([date, channel, str(max(one["beads"] for one in found.values())), *cells])
+                lines.append([date, channel, str(most), *cells])
     curves = [
         (_words(n, False), "", MEASURES[n][1], series[n]) for n in ("gauss_x", "gauss_z", "strehl") if series[n]
     ]
     head = ["date", "channel", "beads", *map(_words, names)]
     return [
-        "<h2>Trend</h2>", "<p>Means over the beads of a day ± standard errors, with what these beads share.</p>",
+        "<h2>Trend</h2>",
+        "<p>Means over the beads of a day ± standard errors, with what these beads share. Beads left out do "
+        "not count.</p>",
         _figure(estimates.bead_curves(curves)), _table(head, lines),
     ]  # fmt: skip
 
@@ -339,8 +390,8 @@ def page(
     parts += ["<h2>Over the field</h2>", *_drawn(shown), *_surfaces(shown)]
     parts += _chromatic(shown) + _trend(rows) + ["<h2>Beads</h2>"]
     names = [(row["bead"], _nanometres(row["wavelength"])) for row in shown]
-    places = [[_value({k: row[k]}, k, 1e6) for k in "xy"] for row in shown]
-    ends = [[number(row["chi2"]), row["verdict"]] for row in shown]
+    places = [[_value({k: row.get(k)}, k, 1e6) for k in "xy"] for row in shown]
+    ends = [["–" if row.get("chi2") is None else number(row["chi2"]), _short(row["verdict"])] for row in shown]
     # Two tables, each as wide as a sheet of paper.
     for columns, first, last in ((_IN_TABLE[:7], places, None), (_IN_TABLE[7:], None, ends)):
         head = ["bead", "channel", *(["x (µm)", "y (µm)"] if first else []), *map(_words, columns)]

@@ -115,3 +115,49 @@ def test_distances_count_from_the_middle_of_all_channels(monkeypatch):
     series = seen[0][3]
     np.testing.assert_allclose(series["x, 520 nm"][0], away[:5])
     np.testing.assert_allclose(series["x, 610 nm"][0], away[5:])
+
+
+def test_means_and_trend_are_of_the_same_beads_for_both_kinds_without_those_left_out(monkeypatch):
+    monkeypatch.setattr(bead_page, "_figure", lambda _: "")
+    beads = [row | {"fwhm_x": 2.0e-7, "fwhm_x_error": 2e-9, "fwhm_y": 2.1e-7, "fwhm_z": 7e-7} for row in rows()]
+    touching = {"verdict": "left out", "fwhm_x": None, "fwhm_y": None, "fwhm_z": None, "gauss_x": 5e-7}
+    unfit = {"verdict": "misfit", "fwhm_x": None, "fwhm_y": None, "fwhm_z": None, "gauss_x": 6e-7}
+    day = [*beads, rows()[0] | touching, rows()[1] | unfit]
+    alone, text = (page("Beads", [], [*rows("2026-11-01"), *some], []) for some in (beads, day))
+    for heading in ("Widths, Strehl ratio, wavefront", "Trend"):
+        first, second = (one.split(f"<h2>{heading}</h2>")[1].split("<h2>")[0] for one in (alone, text))
+        assert first == second
+    trend = text.split("<h2>Trend</h2>")[1].split("<h2>")[0]
+    assert "<th>FWHM x, PSF (nm)</th><th>FWHM y, PSF (nm)</th>" in trend
+    assert "<td>200.00 ± 0.89</td>" in trend
+    # Where no fit converged, Gaussians are those of all beads that were not left out.
+    unknown = page("Beads", [], [rows()[0] | touching, *rows()], [])
+    assert "<td>FWHM x, Gaussian (nm)</td><td>265.2" in unknown
+
+
+def test_each_mean_has_the_number_of_its_values(monkeypatch):
+    monkeypatch.setattr(bead_page, "_figure", lambda _: "")
+    red = [row | ({"x_psf": None} if k < 2 else {}) for k, row in enumerate(rows(wave=6.1e-7))]
+    text = page("Beads", [], [*rows(), *red], [])
+    assert re.search(r"<td>mean of 5</td><td>610 nm − 520 nm</td><td>[^<]*\(3 beads\)</td>", text)
+    assert text.count(" beads)</td>") == 1
+
+
+def test_verdicts_are_a_few_words_and_their_texts_are_below(monkeypatch):
+    monkeypatch.setattr(bead_page, "_figure", lambda _: "")
+    reason = "the model misses 2 % of the light; errors hold between exposures"
+    joint = {"joint_fit": f"converged, but in doubt: {reason}", "joint_codes": "missed light, pattern"}
+    doubtful = {"verdict": "doubtful", "reason": f"{reason} of this set-up", "codes": "missed light"}
+    refused = {"bead": "other.tif", "file": "other.tif", "date": "2026-12-01", "wavelength": 5.2e-7}
+    beads = [row | joint | (doubtful if k > 2 else {}) for k, row in enumerate(rows())]
+    beads += [rows()[0] | joint | {"verdict": "left out"}, refused | {"verdict": "refused", "reason": "no bead"}]
+    beads += [row | {"file": "bad.tif", "joint_fit": "misfit: chi2 30", "verdict": "misfit"} for row in rows()]
+    text = page("Beads", [], beads, [])
+    table, full = text.split("<h2>Verdicts</h2>")[1].split("<h2>")[0].split("<details>")
+    cells = re.findall(r"<td>([^<]*)</td>", table)
+    assert "✓ good 3; ? in doubt 2: missed light 2; left out 1" in cells
+    assert "? in doubt: missed light, pattern" in cells
+    assert cells[-2:] == ["× wrong, misfit 5", "× wrong, misfit"]
+    assert max(map(len, cells)) < 80
+    assert reason in full
+    assert "refused; all: no bead" in full.replace("1 refused", "refused")

@@ -162,12 +162,13 @@ def test_a_star_is_seen_by_five_standard_errors_of_its_flux(lowest, expected):
     assert told(phase_retrieval._light_findings(np.array([40.0, 2.0 * lowest]), np.array([4.0, 2.0]))) == expected
 
 
-@pytest.mark.parametrize(("rms", "image", "expected"), [
-    (0.219, 1.99e-3, []), (0.221, 1e-9, [("too_dim", "doubt")]), (0.1, 2e-3, [("model_error", "doubt")]),
-    (0.1, math.inf, [("model_error", "doubt")]),
+@pytest.mark.parametrize(("rms", "image", "moved", "expected"), [
+    (0.219, 1.99e-3, 0.0, []), (0.221, 1e-9, 0.0, [("too_dim", "doubt")]),
+    (0.1, 2e-3, 1.01, [("model_error", "doubt")]), (0.1, 2e-3, 0.99, [("model_error", "note")]),
+    (0.1, math.inf, math.inf, [("model_error", "doubt")]),
 ])  # fmt: skip
-def test_beads_are_too_dim_where_images_are_not_linear(rms, image, expected):
-    found = beads._error_findings(np.diag([0.5, 0.5]) * rms**2, image)
+def test_beads_are_too_dim_where_images_are_not_linear(rms, image, moved, expected):
+    found = beads._error_findings(np.diag([0.5, 0.5]) * rms**2, image, ("NA", moved))
     assert told(found) == expected
     assert [one.text.startswith("aberrations are too strong") for one in found] == [math.isinf(image)] * len(found)
 

@@ -647,16 +647,47 @@ def model_error(model: BeadModel, state: State) -> float:
 
     Both are images of a point. The result is inf if the aberrations are too strong for :func:`lommel.psf`.
     """
+    planes = len(model.stacks[0].z)
+    # Compare the middle plane, and the first and the last, in which defocus is largest.
+    pair = _point_images(model, state, np.unique([0, planes // 2, planes - 1]))
+    return math.inf if pair is None else float(np.abs(pair[0] - pair[1]).max() / pair[1].max())
+
+
+def moved_by_model_error(model: BeadModel, fit: Evaluation) -> tuple[str, float]:
+    """Return the estimate that the error of the images of the search moves most, and by how many standard errors.
+
+    It is one step of Fisher scoring from images that differ by that error. That of the first bead stands for others.
+    """
+    pair = _point_images(model, fit.state, np.arange(len(model.stacks[0].z)))
+    if pair is None:
+        return "estimates", math.inf
+    error, stacks = (pair[1] - pair[0]).reshape(len(pair[0]), -1), list[Stack]()
+    for stack, light in zip(model.stacks, fit.state.light, strict=True):
+        data = stack.pixel_data.copy()
+        data[0] += light[0][:, None] * error
+        stacks.append(replace(stack, pixel_data=data))
+    gradient = replace(model, stacks=tuple(stacks)).normal_equations(fit.state, fit.values)[2]
+    spread = covariance(fit.scores.information[0])
+    moves = np.abs(spread @ (gradient - fit.scores.slope[0])) / np.sqrt(np.diag(spread))
+    names = [name if isinstance(name, str) else label(name) for name in model.names]
+    names += [
+        f"{'z' if name == 'focus' else name} of bead {k}"
+        for k in range(len(stacks))
+        for name in model.bead_parameters
+    ]
+    return names[int(moves.argmax())], float(moves.max())
+
+
+def _point_images(model: BeadModel, state: State, plane_indices: Array) -> tuple[Array, Array] | None:
+    """Return images of a point in planes by the search and by :func:`lommel.psf`; None if that declines them."""
     setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0, jump=0.0), state.places[0], model.stacks[0]
     wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
-    # Compare the middle plane, and the first and the last, in which defocus is largest.
-    plane_indices = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
     pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[plane_indices], "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
     try:
         proven = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
     except ValueError:  # the aberrations are too strong
-        return math.inf
+        return None
     planes = Stack(stack.pixel_data[:, plane_indices], stack.shape, stack.z[plane_indices])
     search_images = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), planes)
-    return float(np.abs(search_images - proven.values).max() / proven.values.max())
+    return search_images, proven.values

@@ -50,7 +50,7 @@ from lommel.estimation.favoured_effects import Round
 from lommel.estimation.options import BeadOptions
 from lommel.estimation.star_images import MAX_LINEAR_ERROR, checked_terms, label, too_dim_findings
 from lommel.fit import goodness_of_fit
-from lommel.fit.findings import Finding, Findings, FitReport
+from lommel.fit.findings import Finding, Findings, FitReport, Severity
 from lommel.fit.model_error import MAX_MISSED, larger, noise_findings, part_missed, with_errors_of_model
 from lommel.fit.score_tests import ScoreTest, causes_of_misfit
 from lommel.fit.scoring import Progress
@@ -920,7 +920,8 @@ def _build_bead_fit(
     contradicted = Findings(findings).get("contradiction")
     # Errors of a misfit, by the jackknife, are not due to little light.
     of_light = full_covariance if "missed_light" in Findings(findings).codes else covariance
-    findings += _error_findings(of_light[: len(state.waves), : len(state.waves)], image_error)
+    moved = bead_checks.moved_by_model_error(model, fit) if image_error >= _MAX_IMAGE_ERROR else ("", 0.0)
+    findings += _error_findings(of_light[: len(state.waves), : len(state.waves)], image_error, moved)
     if pairs:
         text = "; ".join(f"bead {k}, {text}" for k, text in pairs.items())
         findings.append(Finding("left_out", "note", f"two beads that touch: {text}"))
@@ -1048,14 +1049,21 @@ def _add_shift(state: State, model: BeadModel, shift: Array) -> State:
     return replace(state, waves=state.waves + shift[:count], setup=setup)
 
 
-def _error_findings(covariance: Array, image_error: float) -> list[Finding]:
-    """Return findings on large standard errors of the terms, and on a large error of the images in the search."""
+def _error_findings(covariance: Array, image_error: float, moved: tuple[str, float]) -> list[Finding]:
+    """Return findings on large standard errors of the terms, and on a large error of the images in the search.
+
+    That error is a doubt if it has `moved` an estimate (name, standard errors) by a standard error.
+    """
     findings = too_dim_findings(math.sqrt(float(np.trace(covariance))))
     if image_error >= _MAX_IMAGE_ERROR:
-        text = f"images of the search differ from images with a proven error bound by {image_error:.2g} of the peak"
+        text = (
+            f"images of the search differ from images with a proven error bound by {image_error:.2g} of the peak, "
+            f"which moves {moved[0]} by {moved[1]:.2g} standard errors, and others by less"
+        )
         if not math.isfinite(image_error):
             text = "aberrations are too strong to compute images with a proven error bound"
-        findings.append(Finding("model_error", "doubt", text, {"error": image_error}))
+        severity: Severity = "doubt" if moved[1] > 1.0 else "note"
+        findings.append(Finding("model_error", severity, text, {"error": image_error, "moved": moved[1]}))
     return findings
 
 

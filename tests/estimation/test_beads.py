@@ -742,3 +742,27 @@ def test_a_prior_that_the_beads_contradict_is_named():
     (told,) = found(-3.6)
     assert (told.code, told.severity) == ("other_explanation", "doubt")
     assert re.search(r"the data favour sample = 1\.\d+ \+- 0\.001\d*, stated 1\.33 .*, against its prior$", told.text)
+
+
+@pytest.mark.parametrize(("sigmas", "severity"), [(0.5, "note"), (2.0, "doubt")])
+def test_an_error_of_the_images_of_the_search_is_told_by_the_estimate_that_it_moves(monkeypatch, sigmas, severity):
+    """Images whose error is that of coma: the fit is off by it, and the constants are held."""
+    image, _ = recorded(4, waves(4))
+    given = GIVEN | {"terms": TERMS, "priors": {}}
+    exact = fitted(image, OIL, **given)
+    assert "model_error" not in exact.findings.codes
+    step = sigmas * exact.errors[3, 1] * (np.array(TERMS) == (3, 1)).all(axis=1)
+
+    def images(model, state, planes):
+        made = (
+            model.images.values(state.setup, waves_of, state.places[0], model.stacks[0])[[*planes]]
+            for waves_of in (state.waves, state.waves + step)
+        )
+        return tuple(made)
+
+    monkeypatch.setattr(bead_checks, "_point_images", images)
+    monkeypatch.setattr(beads, "_MAX_IMAGE_ERROR", 0.0)
+    finding = fitted(image, OIL, **given).findings.get("model_error")
+    assert finding.severity == severity
+    assert finding.numbers["moved"] == pytest.approx(sigmas, rel=0.05)
+    assert "which moves noll 8 coma x by" in finding.text

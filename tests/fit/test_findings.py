@@ -64,6 +64,12 @@ def test_a_named_cause_is_printed_before_chi2_and_what_is_not_tested_last():
     assert message(harmless) == f"converged: chi2 3; {harmless.text}"
 
 
+def test_the_reason_of_a_doubt_is_printed_before_what_was_estimated_besides():
+    estimated = Finding("estimated", "note", "estimated besides: coma")
+    said = f"converged, but in doubt: {DOUBT.text}; {estimated.text}; chi2 3; {NOTE.text}"
+    assert message(NOTE, estimated, DOUBT) == said
+
+
 def test_a_message_has_twelve_lines_at_most():
     long = [Finding("pattern", "doubt", f"{k} " + "word " * 60) for k in range(9)]
     said = message(*long, ERROR)

@@ -649,7 +649,7 @@ def model_error(model: BeadModel, state: State) -> float:
     """
     planes = len(model.stacks[0].z)
     # Compare the middle plane, and the first and the last, in which defocus is largest.
-    pair = _point_images(model, state, np.unique([0, planes // 2, planes - 1]))
+    pair = _point_images(model, state, sorted({0, planes // 2, planes - 1}))
     return math.inf if pair is None else float(np.abs(pair[0] - pair[1]).max() / pair[1].max())
 
 
@@ -658,7 +658,7 @@ def moved_by_model_error(model: BeadModel, fit: Evaluation) -> tuple[str, float]
 
     It is one step of Fisher scoring from images that differ by that error. That of the first bead stands for others.
     """
-    pair = _point_images(model, fit.state, np.arange(len(model.stacks[0].z)))
+    pair = _point_images(model, fit.state, range(len(model.stacks[0].z)))
     if pair is None:
         return "estimates", math.inf
     error, stacks = (pair[1] - pair[0]).reshape(len(pair[0]), -1), list[Stack]()
@@ -678,16 +678,17 @@ def moved_by_model_error(model: BeadModel, fit: Evaluation) -> tuple[str, float]
     return names[int(moves.argmax())], float(moves.max())
 
 
-def _point_images(model: BeadModel, state: State, plane_indices: Array) -> tuple[Array, Array] | None:
+def _point_images(model: BeadModel, state: State, planes: Sequence[int]) -> tuple[Array, Array] | None:
     """Return images of a point in planes by the search and by :func:`lommel.psf`; None if that declines them."""
+    index = np.array(planes)
     setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0, jump=0.0), state.places[0], model.stacks[0]
     wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
-    pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[plane_indices], "coverslip")
+    pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[index], "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
     try:
         proven = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
     except ValueError:  # the aberrations are too strong
         return None
-    planes = Stack(stack.pixel_data[:, plane_indices], stack.shape, stack.z[plane_indices])
-    search_images = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), planes)
+    shown = Stack(stack.pixel_data[:, index], stack.shape, stack.z[index])
+    search_images = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), shown)
     return search_images, proven.values

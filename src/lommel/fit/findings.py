@@ -186,7 +186,8 @@ class Findings(tuple[Finding, ...]):
         """
         found = sorted(self, key=lambda finding: place_of(finding.code, finding.severity, self.reliable))
         if self.status == "doubtful" and (found[0].code, found[0].severity) == ("estimated", "note"):
-            found.sort(key=lambda finding: finding is not next(one for one in found if one.severity != "note"))
+            reason = next(one for one in found if one.severity != "note")
+            found.sort(key=lambda finding: finding is not reason)
         return tuple.__new__(Findings, found)
 
     @property

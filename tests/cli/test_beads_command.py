@@ -245,6 +245,7 @@ def test_a_misfit_of_another_channel_is_in_the_verdict(folder):
     found = run("pair.ome.tif", *ASKED, "--wavelength", "600nm", "--wavelength", "680nm")
     assert found.returncode == 3
     assert "680 nm: the light of all planes is within the noise" in " ".join(found.stdout.split())
+    assert " ".join(found.stdout.split()).startswith("no light: 600 nm: chi2 ")
 
 
 def test_clipped_pixels_are_named_at_once_and_left_out(folder):

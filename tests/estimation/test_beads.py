@@ -766,3 +766,16 @@ def test_an_error_of_the_images_of_the_search_is_told_by_the_estimate_that_it_mo
     assert finding.severity == severity
     assert finding.numbers["moved"] == pytest.approx(sigmas, rel=0.05)
     assert "which moves noll 8 coma x by" in finding.text
+
+
+def test_the_effect_that_is_most_significant_is_the_first_of_those_estimated_besides():
+    places = [SimpleNamespace(gradient_row=row, gradient_column=column) for row, column in ((0.11, 0.3), (0.9, -0.2))]
+    state = SimpleNamespace(waves=np.zeros(1), setup=SimpleNamespace(value=lambda _: 0.0), places=places)
+    fit = SimpleNamespace(state=state, scores=SimpleNamespace(information=np.eye(5)[None] / 0.1**2))
+    model = SimpleNamespace(
+        names=[(3, 1)], priors={}, bead_parameters=["gradient_row", "gradient_column"],
+        depths=[Prior(5e-8, 0.0)] * 2, columns=lambda bead, count: range(count + 2 * bead, count + 2 * bead + 2),
+    )  # fmt: skip
+    both = SimpleNamespace(fit=(model, fit), names=(bead_checks._GRADIENT,))
+    (finding,) = bead_checks.estimates_of(both, both, state.setup)
+    assert finding.text.startswith("estimated besides: gradient_row of bead 1 0.90 +- 0.10")

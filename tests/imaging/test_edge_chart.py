@@ -10,6 +10,7 @@ import lommel as lm
 from slanted_edges import TURN, across, gaussian, picture, squares
 
 PLACES = [(-80.0, 0.0), (80.0, 0.0)]
+NINE = [(right, down) for right in (-100.0, 0.0, 100.0) for down in (-100.0, 0.0, 100.0)]
 CHART = squares((160, 320), PLACES, 70.0, 0.8)
 
 
@@ -110,15 +111,46 @@ def test_edges_that_are_found_and_not_measured_are_counted_by_cause():
 @pytest.mark.parametrize("length", [0.0, 1.5])
 def test_motion_shows_in_the_centre_of_the_field(length):
     # Squares around the centre, and a motion along the rows by a mean of shifted pictures.
-    places = [(right, down) for right in (-100.0, 0.0, 100.0) for down in (-100.0, 0.0, 100.0)]
     shifts = np.linspace(-0.5, 0.5, 5) * length
-    light = np.mean([squares((310, 310), [(x + s, y) for x, y in places], 60.0, 0.8) for s in shifts], axis=0)
+    light = np.mean([squares((310, 310), [(x + s, y) for x, y in NINE], 60.0, 0.8) for s in shifts], axis=0)
     found = lm.imaging.sfr_chart(np.random.default_rng(0).poisson(light * 20000) / 20000)
     assert ("unlike_directions" in found.findings.codes) == (length > 0.0)
     if length:
         finding = found.findings.get("unlike_directions")
         assert 0.75 < finding.numbers["ratio"] < 0.97
         assert "motion, or astigmatism" in finding.text
+
+
+def blurred(right, down, seed):
+    """Return a noisy chart whose blur grows with the distance from the middle, and to the right or down."""
+    y, x = np.mgrid[-1.0:1.0:310j, -1.0:1.0:310j]
+    light = squares((310, 310), NINE, 60.0, 0.7 + 0.15 * (x**2 + y**2) + right * x + down * y)
+    return lm.imaging.sfr_chart(np.random.default_rng(seed).poisson(light * 20000) / 20000)
+
+
+@pytest.mark.parametrize(
+    ("right", "down", "worse", "key"),
+    [(0.15, 0.0, "right", "right_to_left"), (0.0, -0.15, "top", "bottom_to_top")],
+)
+def test_a_side_that_is_less_sharp_than_the_other_is_told(right, down, worse, key):
+    found = blurred(right, down, 0)
+    finding = found.findings.get("unlike_sides")
+    assert found.reliable
+    assert finding.severity == "note"
+    assert finding.text.startswith(f"MTF50 at the {worse} is 0.8")
+    assert finding.text.count(" is 0.") == 1
+    # MTF50 of both blurs and the pixel, at the mean distance of edges from the middle line.
+    widths = [0.7 + 0.15 * 0.8 + sign * 0.15 * 0.62 for sign in (1.0, -1.0)]
+    mtf50 = [np.sqrt(np.log(2.0) / (2.0 * np.pi**2 * (width**2 + 1.0 / 12.0))) for width in widths]
+    expected = (mtf50[0] / mtf50[1]) ** np.sign(right + down)
+    assert finding.numbers[key] == pytest.approx(expected, abs=0.05)
+    assert 0.003 < finding.numbers[f"{key}_error"] < 0.03
+    other = {"right_to_left", "bottom_to_top"} - {key}
+    assert finding.numbers[other.pop()] == pytest.approx(1.0, abs=0.03)
+
+
+def test_sides_that_are_alike_are_not_told():
+    assert not [seed for seed in range(3) if "unlike_sides" in blurred(0.0, 0.0, seed).findings.codes]
 
 
 def test_the_border_of_a_picture_that_was_turned_is_no_edge():

@@ -79,6 +79,7 @@ CODES: Mapping[str, str] = {
     "uneven_light": "the light on both sides of an edge changes across the picture",
     "unit_sum": "the images sum to 1, as PSFs do and electrons do not",
     "unlike_directions": "the sharpness in the centre differs between two directions: motion or astigmatism",
+    "unlike_sides": "the sharpness differs between left and right, or top and bottom: a tilted lens or chart",
     "untested": "values or effects that these images do not test",
     "z_range": "many fits end at a limit of the range of z",
 }

@@ -45,6 +45,8 @@ _FALL, _RISE = 0.2, 0.25  # fractions of the gradient at which the edge ends, an
 _MIDDLE_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG and mosaics are looked for
 _CENTRE, _LEAST_CENTRE = 0.5, 3  # of the field in which both directions are compared, and edges of each
 _APART, _UNLIKE = 4.5, 0.02  # standard errors, and logarithm of the ratio, from which both directions differ
+_LEAST_SIDE, _LEAST_FREE, _LEAST_SHARE = 6, 12, 0.3  # edges of a side, degrees of freedom, share no other explains
+_UNLIKE_SIDES, _BETWEEN = 0.05, 0.2  # logarithm of the ratio of both sides, and share of the field between them
 _LARGEST_CROP = 512  # pixels of a side of a picture of one edge, of which all pixels are used
 
 
@@ -253,7 +255,9 @@ def sfr_chart(
         edges=tuple(edges),
         refused=tuple(refused),
         shape=(counts.shape[0], counts.shape[1]),
-        findings=Findings([*_findings(counts, edges, compression), *_refusals(refused, len(edges)), *_motion(edges)]),
+        findings=Findings(
+            [*_findings(counts, edges, compression), *_refusals(refused, len(edges)), *_motion(edges), *_sides(edges)]
+        ),
     )
 
 
@@ -343,6 +347,53 @@ def _motion(edges: list[ChartEdge]) -> list[Finding]:
         "of a decentred lens"
     )
     return [Finding("unlike_directions", "note", text, {"ratio": ratio})]
+
+
+def _sides(edges: list[ChartEdge]) -> list[Finding]:
+    """Return a finding if MTF50 differs between left and right, or top and bottom, as a list.
+
+    Steps between the sides are fitted to the logarithm of MTF50, beside functions of the distance from the middle and
+    of the direction of edges, which lenses of rotational symmetry and motion have on both sides.
+    """
+    known = [edge for edge in edges if math.isfinite(edge.response.mtf50[0])]
+    if not known:
+        return []
+    x, y, turn, mtf50, errors = np.array([(e.x, e.y, e.response.angle, *e.response.mtf50) for e in known]).T
+    far = (x**2 + y**2) / max(float(np.max(x**2 + y**2)), 1e-30)
+    radial = far * np.cos(2.0 * (turn - np.arctan2(y, x)))
+    alike = [np.ones(x.size), far, far**2, radial, far * radial, np.cos(2.0 * turn), np.sin(2.0 * turn)]
+    steps = [np.sign(place) * (np.abs(place) > _BETWEEN * np.max(np.abs(place))) for place in (x, y)]
+    functions, values = np.array([*alike, *steps]).T, np.log(mtf50)
+    fitted, _, rank, _ = np.linalg.lstsq(functions, values)
+    free = x.size - int(rank)
+    if free < _LEAST_FREE:
+        return []
+    # The larger of the standard errors and of the scatter, which has what the functions do not follow.
+    scatter = float(np.sum(np.square(values - functions @ fitted))) / free
+    spread = max(float(np.mean(np.square(errors / mtf50))), scatter)
+    texts: list[str] = []
+    numbers: dict[str, float] = {}
+    for step, names, others in zip(
+        steps, (("right", "left"), ("bottom", "top")), ([*alike, steps[1]], [*alike, steps[0]]), strict=True
+    ):
+        rest = step - np.array(others).T @ np.linalg.lstsq(np.array(others).T, step)[0]
+        size = float(rest @ rest)
+        if min((step > 0.0).sum(), (step < 0.0).sum()) < _LEAST_SIDE or size < _LEAST_SHARE * float(step @ step):
+            continue
+        difference, error = 2.0 * float(rest @ values) / size, 2.0 * math.sqrt(spread / size)
+        ratio = math.exp(difference)
+        numbers |= {f"{names[0]}_to_{names[1]}": ratio, f"{names[0]}_to_{names[1]}_error": ratio * error}
+        if abs(difference) > max(_APART * error, _UNLIKE_SIDES):
+            worse, better = names if difference < 0.0 else names[::-1]
+            least = math.exp(-abs(difference))
+            texts.append(f"at the {worse} is {least:.2f}+-{max(least * error, 0.01):.1g} of that at the {better}")
+    if not texts:
+        return []
+    text = (
+        f"MTF50 {' and '.join(texts)}: a tilted or decentred lens, a chart that is not parallel to the sensor, or a "
+        "crop beside the middle of the picture"
+    )
+    return [Finding("unlike_sides", "note", text, numbers)]
 
 
 def _measure(

@@ -58,6 +58,21 @@ def test_a_chart_is_told_and_written(folder, call_lommel):
         assert record["mtf50"] == pytest.approx(record["mtf50_px"] / 4e-6)
         assert record["direction"] == "T"
     assert data["zones"][0]["edges"] == 4
+    assert "lw ph: line widths per picture height, 120 pixels as shown" in lines
+    assert "> is the Nyquist frequency" not in result.stdout
+
+
+def test_tables_that_are_wider_than_the_console_continue_below(folder, call_lommel, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    words = ["chart.png", "--lens", "lens.toml", "--frequency", 0.1, 0.2, 0.3, 0.4, 0.5]
+    result = call_lommel("sfr", *words, folder=folder)
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    assert "\u2026" not in result.stdout
+    heads = [line for line in result.stdout.splitlines() if line.startswith("zone ")]
+    assert len(heads) > 1
+    for f in words[4:]:
+        for name in ("at", "lens", "z"):
+            assert sum(f"  {name} {f}" in line for line in heads) == 1
 
 
 def test_edges_that_are_sharper_than_the_nyquist_frequency_count_above_all_others():
@@ -137,6 +152,7 @@ def diffracted(f_number, degrees=6.0):
         ("--f-number 16 --frequency 0.1 0.25", "at 0.25 cycles/pixel (and at 0.1) the response is "),
         ("--f-number 16", "the f-number is not 16, or the picture was sharpened"),
         ("--f-number 4", "the picture is defocused, the f-number is not 4, or"),
+        ("--pixel 1.4um", "the pixel is not 1.4 um, as given, but 4 um, as in the lens file; the f-number is not 8"),
         ("--object-distance 1.5m", "the lens has the object at 1.5 m and the focus at 2 m: give --object-distance"),
     ],
 )

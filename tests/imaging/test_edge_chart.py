@@ -71,6 +71,10 @@ def test_records_have_the_units_that_are_read():
     data = found.to_dict()
     assert data["converged"]
     assert len(data["edges"]) == 24
+    assert [axes.get_title() for axes in found.plot().axes[:2]] == [
+        "MTF50, sagittal, green",
+        "MTF50, tangential, green",
+    ]
 
 
 def test_one_crop_is_a_chart_of_one_edge():

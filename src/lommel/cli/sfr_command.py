@@ -30,7 +30,7 @@ from lommel.imaging.focal_engine import UNMEASURED
 from lommel.imaging.slanted_edge import frequency_unit
 from lommel.measures.transfer import mtf
 from lommel.report import Facts, Parts, Report, Wrapped
-from lommel.report.table import records_of
+from lommel.report.table import Continued, known_keys
 from lommel.show import estimates
 
 if TYPE_CHECKING:
@@ -42,6 +42,7 @@ if TYPE_CHECKING:
 _NYQUIST = 0.5  # cycles per pixel
 _MOST_ROWS = 12  # of the table of edges; more are in files only
 _ZONES = (("centre", 0.0, 0.35), ("middle", 0.35, 0.7), ("corner", 0.7, np.inf))  # of half the diagonal
+_PLACES = ("row", "column", "x", "y", "zone", "direction", "channel")
 _CURVES = 4  # edges in a figure: nearest to and farthest from the centre, in both directions
 _TOL = 1e-4  # of computed MTFs
 _APART, _LEAST = 4.0, 0.01  # errors, and difference, from which mean responses are not those of a lens
@@ -130,9 +131,9 @@ def sfr(
         start = time.process_time()
         chart = imaging.sfr_chart(photo.values, pixel, encoding=photo.encoding, mosaic=mosaic)
         rows = chart.rows(frequencies)
-        if instrument is not None:
+        if lens is not None and instrument is not None:
             status("computing the MTF of the lens")
-            misfit = _compare(chart, rows, instrument, frequencies)
+            misfit = _compare(chart, rows, instrument, frequencies, instrument_of(lens).pixel)
             chart = replace(chart, findings=Findings([*misfit, *chart.findings]))
         seconds = time.process_time() - start
     facts = chart.to_dict() | {"edges": rows, "zones": _zones(chart, rows), "pixel": pixel, "notes": []}
@@ -147,17 +148,27 @@ def sfr(
             save_figure(chart.plot, path)
     save_figure(lambda: _curves(chart), figure)
     parts: Parts = [Wrapped(facts["read"]), Wrapped(chart.message.partition("; ")[0], "bold"), ""]
-    parts += [records_of("medians", _limits(facts["zones"], chart, pixel)), ""]
-    if any(row["mtf50_px_above"] is not None for row in rows):
+    edges = rows if len(rows) <= _MOST_ROWS else []
+    parts += [_table("medians", _limits(facts["zones"], chart, pixel)), ""]
+    if edges:
+        hidden = ("findings", "edge", "mtf50_px_above", *(() if pixel is None else ("row", "column")))
+        keys = [key for key in rows[0] if key not in hidden and not key.startswith("error_lens")]
+        parts += [_table("edges", _limits(rows, chart, pixel), keys), ""]
+    parts += [Wrapped(f"lw ph: line widths per picture height, {chart.shape[0]} pixels as shown")]
+    if any(record["mtf50_px_above"] is not None for record in (*facts["zones"], *edges)):
         text = (
             "> is the Nyquist frequency of the pixels, or of those of one colour: the response is above 0.5 up to it."
         )
-        parts += [Wrapped(text), ""]
-    if len(rows) <= _MOST_ROWS:
-        hidden = ("findings", "edge", "mtf50_px_above", *(() if pixel is None else ("row", "column")))
-        keys = [key for key in rows[0] if key not in hidden]
-        parts += [records_of("edges", _limits(rows, chart, pixel), keys), ""]
+        parts.append(Wrapped(text))
+    parts.append("")
     return report_findings(facts, *parts, headed=False) + written([*outputs, figure])
+
+
+def _table(name: str, records: Sequence[Facts], keys: Sequence[str] = ()) -> Continued:
+    """Return the table of records, in which places, directions and colours begin each line again."""
+    keys = keys or known_keys(records)
+    first = [key for key in keys if key in _PLACES]
+    return Continued(name, records, first, [key for key in keys if key not in first])
 
 
 def _csv(rows: Sequence[Facts]) -> str:
@@ -216,7 +227,11 @@ def _zones(chart: EdgeChart, rows: Sequence[Facts]) -> list[Facts]:
 
 
 def _compare(
-    chart: EdgeChart, rows: list[Facts], instrument: Instrument, frequencies: Sequence[float]
+    chart: EdgeChart,
+    rows: list[Facts],
+    instrument: Instrument,
+    frequencies: Sequence[float],
+    in_file: float | tuple[float, float],
 ) -> list[Finding]:
     """Add the computed MTF with pixel, and the difference in errors of both, to records of green or grey edges.
 
@@ -240,13 +255,20 @@ def _compare(
             computed, other = np.multiply(pixel, mtf(pupil, f * cosine, f * sine, tol=_TOL)).tolist()
             of_lens = math.hypot(computed - other, _TOL)
             row |= zip(keys, (computed, of_lens, (measured - computed) / math.hypot(error, of_lens)), strict=True)
-    return _misfit(chart, rows, instrument, frequencies)
+    return _misfit(chart, rows, instrument, frequencies, in_file)
 
 
 def _misfit(
-    chart: EdgeChart, rows: Sequence[Facts], instrument: Instrument, frequencies: Sequence[float]
+    chart: EdgeChart,
+    rows: Sequence[Facts],
+    instrument: Instrument,
+    frequencies: Sequence[float],
+    in_file: float | tuple[float, float],
 ) -> list[Finding]:
-    """Return a finding if the mean response of edges, of all or of a zone, is not that of the lens, as a list."""
+    """Return a finding if the mean response of edges, of all or of a zone, is not that of the lens, as a list.
+
+    The pixel pitch of the lens file, which an option may override, is a cause if it is not the one in use.
+    """
     found: dict[float, tuple[float, float, str]] = {}
     for one in frequencies:
         for zone in ("", *(name for name, _, _ in _ZONES)):
@@ -275,6 +297,11 @@ def _misfit(
     else:
         places = f"{format_length(distance)} and the focus at {format_length(lens.focus_distance)}"
         cause = f"the lens has the object at {places}: give --object-distance; or the picture was sharpened"
+    if in_file != instrument.pixel:
+        pitch = " x ".join(map(format_length, in_file)) if isinstance(in_file, tuple) else format_length(in_file)
+        cause = (
+            f"the pixel is not {format_length(instrument.side)}, as given, but {pitch}, as in the lens file; {cause}"
+        )
     text = (
         f"at {worst:g} cycles/pixel{others} the response{place} is {abs(mean):.2g} "
         f"{'above' if mean > 0.0 else 'below'} that of the lens, {abs(z):.0f} errors of both: {cause}"

@@ -164,7 +164,8 @@ class EdgeChart(Judged):
         found = [(edge, edge.response.channels.get(channel, edge.response)) for edge in self.edges]
         factor, unit = frequency_unit(found[0][1].pixel)
         table = [(e.column, e.row, factor * one.mtf50[0], e.direction) for e, one in found]
-        return show.estimates.sharpness(table, self.shape, unit, factor * float(found[0][1].frequencies[-1]))
+        name = channel if self.edges[0].response.channels else ""
+        return show.estimates.sharpness(table, self.shape, unit, factor * float(found[0][1].frequencies[-1]), name)
 
     def to_dict(self) -> Json:
         """Return the verdict and the records of all edges as plain data."""

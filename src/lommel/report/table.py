@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from lommel.base.quantities import LENGTHS
@@ -11,6 +13,7 @@ from lommel.base.units import format_length, number, per_mm, percent, with_error
 from lommel.report import Facts, Parts, Report, Wrapped, list_of, table_of
 
 if TYPE_CHECKING:
+    from rich.console import Console, ConsoleOptions, RenderableType
     from rich.table import Table
 
 _FORMS: dict[str, Callable[[float], str]] = {
@@ -182,14 +185,40 @@ def tables(facts: Facts, titles: Mapping[str, str] | None = None, first: str = "
     return parts
 
 
+def known_keys(records: Sequence[Facts]) -> list[str]:
+    """Return the keys of a list of dictionaries that some have a number or a text of."""
+    return [k for k in records[0] if any(_text(k, r.get(k), {}) and not _is_records(r.get(k)) for r in records)]
+
+
 def records_of(name: str, records: Sequence[Facts], keys: Iterable[str] = ()) -> Table:
     """Return the table of a list of dictionaries: by default of all keys that some have a number or a text of."""
-    keys = [*keys] or [
-        k for k in records[0] if any(_text(k, r.get(k), {}) and not _is_records(r.get(k)) for r in records)
-    ]
+    keys = [*keys] or known_keys(records)
     rows = [[_text(key, record.get(key), {}) or "-" for key in keys] for record in records]
     words = [k for k, key in enumerate(keys) if k == 0 or any(isinstance(record.get(key), str) for record in records)]
     return table_of([_label(key) for key in keys], rows, words, name)
+
+
+@dataclass(frozen=True)
+class Continued:
+    """A table of records that continues below, with its first columns again, where it is wider than the console."""
+
+    name: str
+    records: Sequence[Facts]
+    first: Sequence[str]
+    keys: Sequence[str]
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[RenderableType]:
+        name, rest, unlimited = self.name, [*self.keys], options.update(max_width=sys.maxsize)
+        while rest:
+            fitting = 1
+            for count in range(2, len(rest) + 1):
+                table = records_of(name, self.records, [*self.first, *rest[:count]])
+                if console.measure(table, options=unlimited).maximum > options.max_width:
+                    break
+                fitting = count
+            yield from () if name else ("",)
+            yield records_of(name, self.records, [*self.first, *rest[:fitting]])
+            name, rest = "", rest[fitting:]
 
 
 def _estimate(value: float, error: float | None, unit: str) -> tuple[str, str, str]:

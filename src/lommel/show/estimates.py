@@ -422,9 +422,13 @@ _MAX_NUMBERS = 120  # largest number of edges whose values are written into a ma
 
 
 def sharpness(
-    edges: Sequence[tuple[float, float, float, str]], shape: tuple[int, int], unit: str, nyquist: float
+    edges: Sequence[tuple[float, float, float, str]],
+    shape: tuple[int, int],
+    unit: str,
+    nyquist: float,
+    channel: str = "",
 ) -> Figure:
-    """Draw maps of MTF50 (column, row, value, "S" or "T") over a picture of this height and width.
+    """Draw maps of MTF50 (column, row, value, "S" or "T") over a picture of this height and width, of one channel.
 
     Triangles are edges with an infinite value: their MTF50 is above the Nyquist frequency.
     """
@@ -441,7 +445,8 @@ def sharpness(
         for x, y, value in zip(columns, rows, values, strict=True) if len(edges) <= _MAX_NUMBERS else ():
             text = f"{value:.3g}" if math.isfinite(value) else f"> {nyquist:.3g}"
             axes.annotate(text, (x, y), (0, 6), textcoords="offset points", fontsize=6, ha="center")
-        axes.set(xlim=(0, shape[1]), ylim=(shape[0], 0), aspect="equal", title=f"MTF50, {name}", xlabel="column")
+        axes.set(xlim=(0, shape[1]), ylim=(shape[0], 0), aspect="equal", xlabel="column")
+        axes.set_title(", ".join(filter(None, ("MTF50", name, channel))))
     panels[0].set_ylabel("row")
     if any(math.isinf(value) for _, _, value, _ in edges):
         unit += f" (triangles: above Nyquist's, {nyquist:.3g})"

@@ -28,10 +28,8 @@ from lommel.microscopy.psf_scores import PSFScores, Score
 from lommel.microscopy.refinement import NARROWEST, Progress, StackContext, TrialDeconvolution, Work, brightest
 from lommel.recorded.noise import Noise
 
-SIDE = 40
-"""Side, in pixels, of the region in which PSFs are compared."""
-LARGEST_SIDE = 64
-"""Largest side, in pixels, of a stack in which PSFs are compared as a whole, if its background is estimated."""
+SIDE = 64
+"""Side, in pixels, of the region in which PSFs are compared: light beyond a smaller one imitates another index."""
 MAX_VOXELS = 500_000
 """Largest number of voxels of a stack whose background is estimated from held-out photons of the whole stack."""
 _STEPS, _PATIENCE = 150, 6  # largest number of iterations, and of iterations after the best one

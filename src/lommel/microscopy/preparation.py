@@ -14,7 +14,7 @@ from lommel.base.arrays import Values
 from lommel.base.units import with_error
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import DepthModel, GivenPSF
-from lommel.microscopy.held_out import LARGEST_SIDE, MAX_VOXELS, SIDE, HeldOut, held_out_background
+from lommel.microscopy.held_out import MAX_VOXELS, SIDE, HeldOut, held_out_background
 from lommel.microscopy.refinement import Progress, StackContext, estimate_z_direction
 from lommel.recorded.camera_noise import (
     MAX_HOT_FRACTION,
@@ -182,7 +182,7 @@ def compare_held_out(
         return *held_out_background(context, model, margin), None
     # Estimate the background from the whole stack: a part also contains light blurred into it from outside.
     side = max(context.stack.shape[1:])
-    comparison = HeldOut(context, report, side=side if estimate and side <= LARGEST_SIDE else SIDE)
+    comparison = HeldOut(context, report)
     if comparison.is_uniform:
         text = "a flat scene explains the brightest part of the stack: other PSFs were not compared"
         findings.append(Finding("untested", "note", text))
@@ -193,5 +193,5 @@ def compare_held_out(
         findings.append(finding)
     if not estimate:
         return None, comparison.best.steps, comparison
-    whole = comparison if side <= LARGEST_SIDE else HeldOut(context, report, side=side)
+    whole = comparison if side <= SIDE else HeldOut(context, report, side=side)
     return whole.level(), whole.best.steps, comparison

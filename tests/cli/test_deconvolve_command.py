@@ -118,6 +118,12 @@ def test_a_stack_of_beads_is_the_psf(run, files):
     assert "LENS is missing: give the file of the objective, or --psf" in run(*alone).stderr
 
 
+def test_memory_is_in_gigabytes(run):
+    found = run("stack.ome.tif", "lens.toml", "--memory", "300MB", "-o", "restored.ome.tif")
+    assert found.returncode == 2
+    assert found.stderr.endswith("--memory: must be a number of gigabytes, such as 0.3, got '300MB'\n")
+
+
 def test_json_and_zarr(run, files):
     there = files / "restored.ome.zarr"
     words = (files / "stack.ome.tif", files / "lens.toml", *CAMERA, "--direction", "up", "--json", "-o", there)

@@ -85,7 +85,10 @@ def _level_or_text(text: str) -> float | str:
 
 
 def _gigabytes(text: str) -> float:
-    return 1e9 * float(text)
+    try:
+        return 1e9 * float(text)
+    except ValueError:
+        raise ValueError(f"must be a number of gigabytes, such as 0.3, got {text!r}") from None
 
 
 @dataclass(frozen=True, kw_only=True)

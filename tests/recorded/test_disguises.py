@@ -158,15 +158,18 @@ def flat(value: Any, at: str = "") -> Iterator[tuple[str, Any]]:
 def equal(found: Facts, expected: Facts, share: float, least: float = 0.0) -> None:
     """Check that facts are the same, and numbers to a share of themselves or to `least`."""
     one, other = dict(flat(found)), dict(flat(expected))
-    for part in (one, other):  # FITS files are shown with the first row at the bottom, others at the top
-        if (degrees := part.get("/coma/degrees")) is not None:
-            part["/coma/degrees"] = round(180.0 - abs(180.0 - degrees), 9)
     assert one.keys() == other.keys()
     for at, value in other.items():
         if share and isinstance(value, float):
             assert one[at] == pytest.approx(value, rel=share, abs=least, nan_ok=True), at
         else:
             assert one[at] == value or (value != value and one[at] != one[at]), at
+
+
+def upside_down(facts: Facts) -> Facts:
+    """Return facts with the direction of coma in a picture that is shown with its first row at the bottom: FITS."""
+    coma = facts.get("coma")
+    return facts | {"coma": coma | {"degrees": -coma["degrees"] % 360.0}} if coma else facts
 
 
 EXPECTED: dict[str, Facts] = {}
@@ -284,6 +287,8 @@ def test_images_in_any_file_have_the_same_answer_or_a_way_out(command, name, fol
     (folder / "done").rename(folder / "other")
     plain = REFERENCE.get(command, "tiff")
     expected = once(command, lambda: ask(command, plain, folder, call_lommel, caplog))
+    if name.startswith("fits"):
+        expected = upside_down(expected)
     inexact = "float32" in name or name in containers.STATED
     # Frames of float32 are also fitted in single precision.
     equal(answer.facts, expected, (1e-5 if command == "localize" else 1e-6) if inexact else 0.0)

@@ -314,11 +314,8 @@ def depth_from_defocus(
             excess = residual_variance(misfit[blocks], aliases)
             images /= np.float32(excess)
             white, mean, read = white / excess, mean / excess, read / math.sqrt(excess)
-    noise, rounding, mean_light = (
-        Noise(white=float(white.mean()), read=read) if noise is None else None,
-        0.0,
-        math.nan,
-    )
+    noise = Noise(white=float(white.mean()), read=read) if noise is None else None
+    rounding, mean_light = 0.0, math.nan
     if noise is not None:
         levels = np.iinfo(scene.dtype).max + 1 if scene.dtype.kind == "u" else 0
         light = (images[:, 0] / white[:, None, None])[:, valid][:, ::8]

@@ -153,9 +153,11 @@ def _clipped(edge: Edge, stored: Array) -> list[Finding]:
     far = _far(edge)
     for name, pixels, sign in (("dark", far[0], 1.0), ("bright", far[1], -1.0)):
         side, light = stored[pixels], edge.light[pixels]
+        if not side.size:
+            continue
         values, numbers = np.unique(sign * side, return_counts=True)
         share, value = float(numbers[0] / side.size), f"{sign * values[0]:.6g}"
-        if name == "dark" and share > _FLAT and values[0] <= 0.0 and np.ptp(stored[far[1]]) > 0.0:
+        if name == "dark" and share > _FLAT and values[0] <= 0.0 and np.unique(stored[far[1]]).size > 1:
             text = f"the dark side has one value, {value}: darker light is clipped, which may change the response"
             return [Finding("clipped", "doubt", text, {"share": share})]
         beyond = float(numbers[2:].sum() / side.size)
@@ -304,7 +306,11 @@ def _far(edge: Edge) -> list[Mask]:
 def _equal(edge: Edge, stored: Array) -> list[tuple[float, float]]:
     """Return the fractions of pixels of the dark and of the bright side that have its median value, and the value."""
     parts = [stored[pixels] for pixels in _far(edge)]
-    return [(float(np.mean(part == (value := float(np.median(part))))), value) for part in parts]
+    values = [float(np.median(part)) if part.size else 0.0 for part in parts]
+    return [
+        (float(np.mean(part == value)) if part.size else 0.0, value)
+        for part, value in zip(parts, values, strict=True)
+    ]
 
 
 def _noise_ratios(edge: Edge) -> tuple[bool, bool]:

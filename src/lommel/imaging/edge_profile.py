@@ -248,9 +248,14 @@ class Transform:
         The effect of the light beyond the profile is estimated and subtracted; errors contain the noise and half of
         it. With a `tail`, which may be uneven light as well, it is not subtracted, and errors contain all of it.
         """
-        values, noise = self._values(profile, variances, power(self.frequencies), added)
+        power_of = power(self.frequencies)
+        values, derivative = self._values(profile, variances, power_of, added)
+        parts = [derivative * np.sqrt(power_of)[:, None] * np.sqrt(variances)]
+        if np.any(added):
+            parts.append(derivative * np.sqrt(added))
+        noise = np.hstack(parts)
         covariance = product(noise, noise.T)
-        beyond, error = _beyond(self.position, profile, variances + added, self.frequencies, values)
+        beyond, error = self._beyond(profile, variances + added, values)
         covariance += np.outer(error, error)
         of_trend = values * math.hypot(unsure, halo_share(values) if tail < 0.0 else 0.0) * (self.frequencies > 0.0)
         covariance += np.outer(of_trend, of_trend)
@@ -261,18 +266,14 @@ class Transform:
     def values(self, profile: Array, variances: Array, tail: float = 0.0) -> Array:
         """Return the response of a profile with white noise."""
         values, _ = self._values(profile, variances, np.ones_like(self.frequencies), 0.0)
-        return values if tail else values - _beyond(self.position, profile, variances, self.frequencies, values)[0]
+        return values if tail else values - self._beyond(profile, variances, values)[0]
 
     def _values(self, profile: Array, variances: Array, power: Array, added: Array | float) -> tuple[Array, Array]:
-        """Return the response without that of the light beyond, and its change by one standard deviation of noise.
-
-        The change is that by each sample of the profile, and by each of the `added` variances.
-        """
+        """Return the response without that of the light beyond, and its derivatives by the samples of the profile."""
         cosines, sines = self._waves
         real, imaginary = (np.einsum("kn,n->k", part, np.diff(profile)) for part in (cosines, sines))
         size = np.hypot(real, imaginary)
-        # Propagate the noise: the final `derivative` is that of abs(response) / abs(response[0]) with respect to each
-        # sample of the profile.
+        # The final `derivative` is that of abs(response) / abs(response[0]).
         along = np.zeros((size.size, self.position.size + 1))
         along[:, 1:-1] = cosines * (real / size)[:, None]
         along[:, 1:-1] += sines * (imaginary / size)[:, None]
@@ -280,12 +281,55 @@ class Transform:
         values: Array = size / size[0]
         derivative -= np.outer(values, derivative[0])
         derivative /= size[0]
-        parts = [derivative * np.sqrt(power)[:, None] * np.sqrt(variances)]
+        squares = np.square(derivative)
+        of_noise = power * np.einsum("kn,n->k", squares, variances)  # by which squares of responses are larger
         if np.any(added):
-            parts.append(derivative * np.sqrt(added))
-        noise = np.hstack(parts)
-        # By noise, squares are larger.
-        return np.sqrt(np.maximum(np.square(values) - np.einsum("kn,kn->k", noise, noise), 0.0)), noise
+            of_noise += np.einsum("kn,n->k", squares, np.broadcast_to(added, variances.shape))
+        return np.sqrt(np.maximum(np.square(values) - of_noise, 0.0)), derivative
+
+    @cached_property
+    def _lost(self) -> Array:
+        """What the window function hides of 1 / distance^2 on both sides, at each frequency, times the reach / 2."""
+        x = np.linspace(_PLATEAU, 1.0, 65)
+        ends = np.where((x == _PLATEAU) | (x == 1.0), 0.5, 1.0)
+        weight = (1.0 - _window(x)) / np.square(x) * ends * (x[1] - x[0])
+        phase = 2.0 * math.pi * self.reach * self.frequencies
+        return np.asarray(
+            np.cos(np.outer(phase, x)) @ weight + np.cos(phase) - phase * (0.5 * math.pi - sici(phase)[0])
+        )
+
+    def _beyond(self, profile: Array, variances: Array, values: Array) -> tuple[Array, Array]:
+        """Return the change of the response by light that the window function hides, and its error.
+
+        Line spread functions of apertures fall like a / distance^2, and the profile approaches its sides like a /
+        distance; a is fitted to its outer parts.
+        """
+        position, reach = self.position, self.reach
+        step = float(np.median(profile[position > _TAIL * reach]) - np.median(profile[position < -_TAIL * reach]))
+        fits = []
+        for start in (_TAIL, _OUTER):
+            total, square = 0.0, 0.0
+            for sign in (-1.0, 1.0):
+                outer = sign * position > start * reach
+                if outer.sum() < _FEW:
+                    return np.zeros_like(values), np.zeros_like(values)
+                weights = 1.0 / np.maximum(variances[outer], 1e-12 * float(np.ptp(profile)) ** 2)
+                inverse = 1.0 / position[outer]
+                inverse -= weights @ inverse / weights.sum()
+                weight = float(weights @ np.square(inverse))
+                # Opposite on both sides, times the step.
+                total += float(weights @ (inverse * profile[outer])) / weight
+                square += 1.0 / weight
+            fits.append((-0.5 * total / step, 0.5 * math.sqrt(square) / abs(step)))
+        (size, error), (outer_size, outer_error) = fits
+        unsure = _UNSURE
+        if size - outer_size > _STEEP * outer_error:  # the profile falls faster
+            size, error, unsure = outer_size, outer_error, 1.0
+        if size <= 0.0:
+            return np.zeros_like(values), np.zeros_like(values)
+        size *= (likely := size**2 / (size**2 + error**2))
+        change = 2.0 / reach * (values * self._lost[0] - self._lost)
+        return size * change, np.abs(change) * math.hypot(likely * error, unsure * size)
 
 
 def halo_share(values: Array) -> float:
@@ -329,45 +373,6 @@ def half(values: Array, covariance: Array) -> tuple[float, float]:
 def _window(share: Array) -> Array:
     """Return the window function at fractions of the reach of a profile."""
     return np.asarray(np.sin(0.5 * math.pi * np.clip((1.0 - np.abs(share)) / (1.0 - _PLATEAU), 0.0, 1.0)) ** 2)
-
-
-def _beyond(
-    position: Array, profile: Array, variances: Array, frequencies: Array, values: Array
-) -> tuple[Array, Array]:
-    """Return the change of the response by light that the window function hides, and its error.
-
-    Line spread functions of apertures fall like a / distance^2, and the profile approaches its sides like a /
-    distance; a is fitted to its outer parts.
-    """
-    reach = float(np.abs(position).max())
-    step = float(np.median(profile[position > _TAIL * reach]) - np.median(profile[position < -_TAIL * reach]))
-    fits = []
-    for start in (_TAIL, _OUTER):
-        total, square = 0.0, 0.0
-        for sign in (-1.0, 1.0):
-            outer = sign * position > start * reach
-            if outer.sum() < _FEW:
-                return np.zeros_like(values), np.zeros_like(values)
-            weights = 1.0 / np.maximum(variances[outer], 1e-12 * float(np.ptp(profile)) ** 2)
-            inverse = 1.0 / position[outer]
-            inverse -= weights @ inverse / weights.sum()
-            weight = float(weights @ np.square(inverse))
-            total += float(weights @ (inverse * profile[outer])) / weight  # opposite on both sides, times the step
-            square += 1.0 / weight
-        fits.append((-0.5 * total / step, 0.5 * math.sqrt(square) / abs(step)))
-    (size, error), (outer_size, outer_error) = fits
-    unsure = _UNSURE
-    if size - outer_size > _STEEP * outer_error:  # the profile falls faster
-        size, error, unsure = outer_size, outer_error, 1.0
-    if size <= 0.0:
-        return np.zeros_like(values), np.zeros_like(values)
-    size *= (likely := size**2 / (size**2 + error**2))
-    x = np.linspace(_PLATEAU, 1.0, 65)
-    weight = (1.0 - _window(x)) / np.square(x) * np.where((x == _PLATEAU) | (x == 1.0), 0.5, 1.0) * (x[1] - x[0])
-    phase = 2.0 * math.pi * reach * frequencies
-    lost = np.cos(np.outer(phase, x)) @ weight + np.cos(phase) - phase * (0.5 * math.pi - sici(phase)[0])
-    change = 2.0 / reach * (values * lost[0] - lost)
-    return size * change, np.abs(change) * math.hypot(likely * error, unsure * size)
 
 
 def _bin_profile(distance: Array, samples: Array) -> tuple[Array, Array, Array]:

@@ -58,6 +58,16 @@ def test_areas_are_as_wide_as_a_wide_blur_asks_for():
         assert row["at_0.05"] == pytest.approx(truth(0.05, 4.0), abs=2.5e-3)
 
 
+def test_areas_beside_sharp_edges_are_no_wider_in_a_reduced_picture(monkeypatch):
+    """Errors at 0.1 cycles/pixel are those of 24 pixels on both sides: in wider areas there is more noise."""
+    chart = np.random.default_rng(1).poisson(squares((220, 220), [(0.0, 0.0)], 110.0, 0.8) * 10000) / 10000
+    errors = []
+    for factor in (1, 3):
+        monkeypatch.setattr("lommel.imaging.edge_chart._REDUCED", chart.size / factor**2)
+        errors.append(np.mean([row["error_0.1"] for row in lm.imaging.sfr_chart(chart).rows([0.1])]))
+    assert errors[1] == pytest.approx(errors[0], rel=0.1)
+
+
 def test_records_have_the_units_that_are_read():
     found = lm.imaging.sfr_chart(np.stack([CHART] * 3, axis=-1), 4e-6)
     records = found.rows([0.2])

@@ -38,7 +38,7 @@ _REDUCED = 1.5e6  # largest number of pixels of the picture in which edges are f
 _SIGMAS, _CONTRAST = 8.0, 0.06  # least gradient of an edge: standard deviations, and of the largest
 _LEAST_LENGTH, _LEAST_HALF = 24.0, 9.0  # pixels along the edge, and on both sides of it
 _MOST_LENGTH, _MOST_HALF = 64.0, 24.0  # that are used, more if the blur is wide
-_SHARPEST = 2  # pixels of the reduced picture to which the gradient of a sharp edge extends
+_SHARPEST = 2.4  # pixels of the reduced picture to which the gradient of a sharp edge extends
 _DIAGONAL = 25.0  # degrees to rows or columns from which an edge is steep
 _STRAIGHT = 0.15  # largest thickness of the gradient along an edge, of its length
 _FALL, _RISE = 0.2, 0.25  # fractions of the gradient at which the edge ends, and at which another structure begins
@@ -530,7 +530,7 @@ def _fitted(
     values = size[rows, columns]
     profile = np.where(inside, np.sort(values, axis=1)[:, -3], np.inf)
     peak = float(np.median(values[reach - 1 : reach + 2].max(axis=0)))
-    free, blur = [], 1
+    free, blur, extent = [], 1, 0.0
     for side in (profile[reach:], profile[reach::-1]):
         below = np.flatnonzero(side < _FALL * peak)
         if not below.size:
@@ -543,8 +543,10 @@ def _fitted(
             float(end - (1.5 * start + 1.0 if above.size and np.isfinite(side[min(end, side.size - 1)]) else 1))
         )
         blur = max(blur, start)
+        nodes = np.arange(max(start - 1, 0), start + 1)
+        extent += 0.5 * float(np.interp(-_FALL * peak, -side[nodes], nodes))
     half = factor * min(free)
-    wanted = max(_MOST_HALF, 6.0 * factor * math.sqrt(max(blur**2 - _SHARPEST**2, 0)))
+    wanted = max(_MOST_HALF, 6.0 * factor * math.sqrt(max(extent**2 - _SHARPEST**2, 0.0)))
     long = factor * (length - 3.0 * blur - 2.0)
     if half < max(_LEAST_HALF, 1.2 * factor * blur) or long < 0.8 * _LEAST_LENGTH:
         return None

@@ -331,7 +331,7 @@ def test_what_is_held_and_not_tested_is_named(monkeypatch):
     found = fitted(recorded(3, waves(3, 0.1), light=3e3)[0], OIL, **GIVEN, terms=TERMS, priors={})
     told = found.findings.get("untested")
     assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip", "what"])
-    assert "not tested: coverslip (5 um of it changes noll 11 spherical by " in told.text
+    assert "not determined: coverslip (5 um of it changes noll 11 spherical by " in told.text
     monkeypatch.setattr(bead_checks, "missing_tests", lambda *_: ((), None, []))  # bright beads test the cover glass
     bright = [
         fitted(recorded(3, waves(3, 0.1), one, light=1e5)[0], OIL, **GIVEN, terms=TERMS, priors={})

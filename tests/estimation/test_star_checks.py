@@ -265,11 +265,11 @@ def test_blur_that_cannot_be_tested_is_said(monkeypatch):
     assert "blur by a Gaussian besides" not in seen(fit)
 
 
-def test_of_one_focus_the_known_defocus_is_said_not_to_be_tested():
+def test_of_one_focus_the_known_defocus_is_said_not_to_be_determined():
     one = found(recorded(foci=(3.0,)), defocus=[3.0]).findings.get("untested")
     assert one.severity == "note"
     assert one.numbers["known defocus"] == {"noll 4 defocus": pytest.approx(0.03 / 3**0.5)}
-    assert "not tested: known defocus (1 % of it changes noll 4 defocus by 0.017 rad)" in one.text
+    assert "not determined: known defocus (1 % of it changes noll 4 defocus by 0.017 rad)" in one.text
     for images, options in (
         (recorded(), {}),
         (recorded(WAVES[1:], foci=(3.0,)), {"defocus": [3.0], "terms": ["noll 5", "noll 8"]}),

@@ -96,6 +96,11 @@ def test_what_is_not_tested_is_told_in_fifteen_words(items, text):
     assert found.numbers == {"b": {"c": 1.0}, "what": items}
 
 
+def test_what_was_tested_and_is_possible_is_not_called_untested():
+    found = untested_finding(["a (±1)"], {}, "not excluded")
+    assert (found.code, found.text) == ("untested", "not excluded: a (±1)")
+
+
 def test_a_fit_is_plain_data():
     made = Fit(findings=Findings([DOUBT]), summary="chi2 1", coefficients={(2, 0): np.inf, "NA": np.float32(1.5)})
     facts = json.loads(json.dumps(made.to_dict(), allow_nan=False))

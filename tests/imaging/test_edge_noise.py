@@ -109,7 +109,9 @@ def test_a_tone_curve_that_a_picture_does_not_exclude_is_stated_with_its_effect(
     for found in (right, wrong):
         finding = found.findings.get("untested")
         assert 0.7 * change < finding.numbers["curve"] < 2.0 * change
-        assert "tone curve" in finding.text
+        assert finding.text.startswith(f"not excluded: tone curve (MTF ±{finding.numbers['curve']:.1g}), ")
+        assert finding.numbers["encoding"] < 0.02
+        assert "encoding" not in finding.text
     # Raw pictures have none.
     assert "tone curve" not in str(lm.sfr(light).findings.get("untested"))
 

@@ -80,7 +80,7 @@ CODES: Mapping[str, str] = {
     "unit_sum": "the images sum to 1, as PSFs do and electrons do not",
     "unlike_directions": "the sharpness in the centre differs between two directions: motion or astigmatism",
     "unlike_sides": "the sharpness differs between left and right, or top and bottom: a tilted lens or chart",
-    "untested": "values or effects that these images do not test",
+    "untested": "values or effects that these images do not test, exclude or determine",
     "z_range": "many fits end at a limit of the range of z",
 }
 """Codes of findings, and their meanings."""
@@ -235,17 +235,18 @@ def shortened(findings: Sequence[tuple[str, str]]) -> list[str]:
     return [*texts, *([f"and {', '.join(others).replace('_', ' ')}: see findings, --json"] if others else [])]
 
 
-def untested_finding(items: Sequence[str], numbers: Mapping[str, Any]) -> Finding:
-    """Return the note on what the data do not test, in at most 15 words; all `items` are in ``numbers["what"]``.
+def untested_finding(items: Sequence[str], numbers: Mapping[str, Any], state: str = "not tested") -> Finding:
+    """Return the note on effects that may be present, in at most 15 words; all `items` are in ``numbers["what"]``.
 
-    Items are names, the most important first, with explanations in brackets.
+    Items are names, the most important first, with explanations in brackets. `state` is two words: "not tested", "not
+    excluded" (tested, but possible up to the size in brackets) or "not determined" (values that are only stated).
     """
     names, count = [item.partition(" (")[0] for item in items], len(items)
     texts = [", ".join(items), ", ".join(names)]
     texts += [f"{', '.join(names[:k])} and {count - k} more" for k in range(count - 1, 0, -1)]
     first = f"{' '.join(names[0].split()[: _MOST_WORDS - 6])} ..." + f" and {count - 1} more" * (count > 1)
     text = next((text for text in texts if len(text.split()) <= _MOST_WORDS - 2), first)
-    return Finding("untested", "note", f"not tested: {text}", {**numbers, "what": list(items)})
+    return Finding("untested", "note", f"{state}: {text}", {**numbers, "what": list(items)})
 
 
 class Judged:

@@ -286,10 +286,10 @@ def untested_findings(
     """
     items = [f"{name} ({sizes[name]} changes {term} by {by:.2g} rad)" for name, (term, by) in changes.items()]
     if priors:
-        items.append(f"{', '.join(priors)} ({'known by their priors' if len(priors) > 1 else 'known by its prior'})")
+        items.append(f"{', '.join(priors)} ({'only by their priors' if len(priors) > 1 else 'only by its prior'})")
     numbers: dict[str, dict[str, float]] = {name: {term: by} for name, (term, by) in changes.items()}
     numbers |= {name: {} for name in (*priors, *never)}
-    return [untested_finding([*items, *never], numbers)] if numbers else []
+    return [untested_finding([*items, *never], numbers, "not determined")] if numbers else []
 
 
 def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], c: Sequence[int]) -> tuple[Array, Array]:

@@ -189,23 +189,24 @@ def processing_findings(edges: Sequence[Evidence], *, compressed: bool) -> list[
         return [Finding("too_quiet", "doubt", text)]
     change = float(np.median([edge.encoding[1] for edge in edges]))
     if sum(edge.encoding[0] for edge in edges) < UNTESTED and change > _EFFECT and tested.pairs:
-        items.append(f"encoding (±{change:.1g})")
+        items.append(f"encoding (MTF ±{change:.1g})")
     if (curve := float(np.median([edge.encoding[2] for edge in edges]))) > _EFFECT:
         misfits = 0.5 * _tone_misfits(edges)
         likely, none, usual = misfits.argmin(), *(np.abs(_CURVES - size).argmin() for size in (0.0, CURVE))
-        change = curve * abs(float(_CURVES[likely])) / CURVE
-        if misfits[none] - misfits[likely] > _CURVED and change > _EFFECT:
+        moved = curve * abs(float(_CURVES[likely])) / CURVE
+        if misfits[none] - misfits[likely] > _CURVED and moved > _EFFECT:
             text = (
                 "noise of dark and bright areas is that of light behind a tone curve (contrast, a picture style), "
-                f"which changes the response by about {change:.1g}: take a raw picture"
+                f"which changes the response by about {moved:.1g}: take a raw picture"
             )
-            numbers = {"curve": change, "gain": float(misfits[none] - misfits[likely])}
+            numbers = {"curve": moved, "gain": float(misfits[none] - misfits[likely])}
             return [Finding("tone_curve", "doubt", text, numbers)]
         if misfits[usual] - misfits[likely] < _CURVED:
-            items.append(f"tone curve (±{curve:.1g})")
+            items.append(f"tone curve (MTF ±{curve:.1g})")
     if tested.hidden > _EFFECT:
-        items.append(f"sharpening or denoising (±{tested.hidden:.1g})")
-    return [untested_finding(items, {"encoding": change, "curve": curve, "filter": tested.hidden})] if items else []
+        items.append(f"sharpening or denoising (MTF ±{tested.hidden:.1g})")
+    sizes = {"encoding": change, "curve": curve, "filter": tested.hidden}
+    return [untested_finding(items, sizes, "not excluded")] if items else []
 
 
 def _noise_of_light(edge: Edge, stored: Array, encoding: Encoding, *, rounded: bool) -> Array:

@@ -363,7 +363,7 @@ class Checks:
             sizes |= {name: {} for name in not_testable}
             items = [f"{name} ({_format_error(name, by)} moves {of} {q:.2g} se)" for name, (by, of, q) in untested]
             items[1:1] = not_testable
-            yield untested_finding(items, sizes)
+            yield untested_finding(items, sizes, "not excluded")
 
     def _surface(self) -> Iterator[Finding]:
         """Yield the finding that z follows a surface of the second degree over the field, from medians of parts."""

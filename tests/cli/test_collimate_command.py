@@ -15,7 +15,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.cli import collimate_command
-from lommel.cli.collimate_command import Telescope, _change, _hour, _pictures, _read, _vector
+from lommel.cli.collimate_command import Telescope, _advice, _change, _hour, _pictures, _read, _vector
 from lommel.cli.instruments import Sensor
 from lommel.estimation import collimation
 from lommel.estimation.collimation import Vector
@@ -216,3 +216,58 @@ def test_a_change_of_coma_tells_how_often_to_repeat_it():
     }
     assert _change(0.3 + 0.0j, 0.4 + 0.0j, 0.01)["times"] == pytest.approx(-4.0)
     assert _change(0.3 + 0.0j, 0.32 + 0.0j, 0.01) is None
+
+
+def reflected(place: np.ndarray, along: np.ndarray, mirror: tuple[float, float, float, float, float]):
+    """Return where a ray in the meridional plane (across, along the axis) meets a conic mirror, and where it goes.
+
+    The mirror is its vertex on the axis, radius, conic constant, tilt, and the distance from its vertex to the pivot.
+    """
+    vertex, radius, conic, tilt, pivot = mirror
+    turn = np.array([[math.cos(tilt), math.sin(tilt)], [-math.sin(tilt), math.cos(tilt)]])
+    centre, shift = np.array([0.0, vertex + pivot]), np.array([0.0, pivot])
+    (y, z), (l, n) = turn @ (place - centre) + shift, turn @ along
+    # y^2 + k z^2 - 2 R z = 0, at the root nearer to the vertex
+    k = 1.0 + conic
+    a, b, c = l * l + k * n * n, y * l + (k * z - radius) * n, y * y + (k * z - 2.0 * radius) * z
+    root = math.sqrt(b * b - a * c)
+    step = min(-(b + root) / a, (root - b) / a, key=lambda at: abs(z + at * n)) if abs(a) > 1e-12 else -c / (2.0 * b)
+    y, z = y + step * l, z + step * n
+    normal = np.array([y, k * z - radius]) / math.hypot(y, k * z - radius)
+    after = np.array([l, n]) - 2.0 * (l * normal[0] + n * normal[1]) * normal
+    return turn.T @ (np.array([y, z]) - shift) + centre, turn.T @ after
+
+
+def star_and_tail(mirrors, screen: float) -> tuple[float, float]:
+    """Return where the chief ray of a star meets the screen, and the tail: mean marginal ray less chief ray."""
+    at = []
+    for height in (-100.0, 0.0, 100.0):
+        place, along = np.array([height, 1000.0]), np.array([0.0, -1.0])
+        for mirror in mirrors:
+            place, along = reflected(place, along, mirror)
+        at.append(place[0] + (screen - place[1]) * along[0] / along[1])
+    return at[1], 0.5 * (at[0] + at[2]) - at[1]
+
+
+@pytest.mark.parametrize("tilt", [1e-3, -1e-3])
+def test_rays_through_tilted_mirrors_move_the_star_as_the_advice_says(tilt):
+    # 200 mm f/10: primary f/3, secondary 170 mm within its focus; hyperbola, or spheres as in a Schmidt-Cassegrain,
+    # tilted about its vertex or a point 50 mm behind it.
+    prime, inside, times = 600.0, 170.0, 10.0 / 3.0
+    radius, hyperbola = 2.0 / (1.0 / inside - 1.0 / (times * inside)), -(((times + 1.0) / (times - 1.0)) ** 2)
+    for primary, secondary, pivot in ((-1.0, hyperbola, 0.0), (-1.0, hyperbola, 50.0), (0.0, 0.0, 0.0)):
+        mirrors = [
+            (0.0, 2.0 * prime, primary, 0.0, 0.0),
+            (prime - inside, radius, secondary, tilt, pivot),
+        ]
+        star, tail = star_and_tail(mirrors, prime - (1.0 + times) * inside)
+        assert star * tail < 0.0  # the star moves away from the tail that is added, towards the one that is there
+        if not pivot:
+            assert (abs(star), abs(tail)) == (pytest.approx(1.133, abs=1e-3), pytest.approx(0.0106, abs=1e-4))
+    # 200 mm f/4: a tilted parabola
+    star, tail = star_and_tail([(0.0, 1600.0, -1.0, tilt, 0.0)], 800.0)
+    assert star * tail > 0.0  # towards the added tail
+    assert (abs(star), abs(tail)) == (pytest.approx(1.6, abs=1e-3), pytest.approx(0.0094, abs=1e-4))
+    _, cassegrain, newtonian, _ = _advice({"degrees": 90.0, "error": 0.01})  # the tail to cancel is upwards
+    assert "move the star towards 12 o'clock" in cassegrain
+    assert "move the star towards 6 o'clock" in newtonian

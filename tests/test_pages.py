@@ -322,6 +322,10 @@ def test_the_code_of_a_page_runs_from_top_to_bottom(path, folder, capsys, monkey
                 warnings.simplefilter("ignore")  # what they warn of is not ours
             exec(compile(code, where, "exec"), names)
         plt.close("all")
+    if path.stem == "my-microscope":
+        found = names["found"]
+        assert f"found.message  # {found.message}\n" in path.read_text(encoding="utf-8")
+        assert np.isnan(found.errors["sample"])
     if path.stem == "imaging":
         taken = names["photograph"].values
         assert taken.dtype == np.uint8

@@ -49,6 +49,7 @@ def test_a_movie_that_is_as_stated_is_reliable(table, mean):
     found = localize_movie(CAMERA.record(mean, 1), table, noise=CAMERA)
     assert (found.converged, found.reliable, found.status) == (True, True, "converged")
     assert [each.code for each in found.findings] == ["untested"]
+    assert found.findings[0].text.startswith("not excluded: ")
     assert found.summary.startswith(f"{found.kept.sum()} molecules in 20 frames, median discrepancy ")
     told = found.to_dict()
     assert told["converged"] is True

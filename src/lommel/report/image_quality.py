@@ -44,7 +44,7 @@ IN_FOCUS = 2.0
 """Largest diameter, in pixels, of the circle of confusion of objects that count as in focus."""
 
 _LENS_ATTRIBUTES = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
-            "model", "corrected_for")  # fmt: skip
+            "model")  # fmt: skip
 # Diameter, in pixels, above which pixel integration changes a width by less than the last printed digit.
 _MAX_WIDTH = 60.0
 # Largest number of mirror segments for which MTF50 and focus tolerance are computed; more segments take minutes.
@@ -73,6 +73,7 @@ def setup(instrument: Instrument) -> Json:
         "name": instrument.name,
         "source": instrument.source,
         **{name: getattr(lens, name) for name in _LENS_ATTRIBUTES},
+        **({"corrected_for": lens.corrected_for} if lens.model == "aplanatic" else {}),
         "apodization": lens.apodization,
         "focus_distance": lens.focus_distance,
         "sensor_distance": lens.sensor_distance,

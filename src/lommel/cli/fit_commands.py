@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import date
@@ -25,7 +25,7 @@ from lommel.blur.blurs import Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
 from lommel.cli.instruments import CameraNoise, instrument_of, require_microscope
 from lommel.cli.messages import report_findings, verdict_lines
-from lommel.cli.output import progress, require_file, require_folder, save_figure, written
+from lommel.cli.output import Steps, progress, require_file, require_folder, save_figure, written
 from lommel.detection.molecules import smoothed
 from lommel.estimation import EFFORT
 from lommel.estimation.options import BeadOptions, FieldFitOptions, RetrieveOptions
@@ -517,10 +517,7 @@ def beads(
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
       lommel beads 2026-12-01 zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 --report psf
     """
-    from lommel.estimation.bead_images import CONSTANTS
     from lommel.estimation.bead_table import heights
-    from lommel.estimation.beads import fit_beads
-    from lommel.estimation.star_images import label
     from lommel.lensfiles.microscope_files import stage_step
     from lommel.recorded.frames import read_each
     from lommel.recorded.headers import combined_metadata, microscope_facts, microscope_findings, told_early
@@ -555,12 +552,13 @@ def beads(
         recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
         notes += [f"Camera: {camera_text}.", *header]
         windows, contradicted, findings = list[_Bead](), dict[str, Finding](), list[Finding]()
-        missing = list[tuple[str, float, ValueError]]()
+        missing = list[tuple[_Source, ValueError]]()
         z = (np.arange(len(read[0])) - len(read[0]) // 2) * used_step
         waves = [_emission(stack, wavelength, microscope) for stack in read]
         devices = {wave: _in_light(microscope, wave) for wave in waves}
         notes.insert(0, f"Emission at {', '.join(format_length(wave, digits=4) for wave in devices)}.")
         sharpest = {wave: _sharpest(device, z, options) for wave, device in devices.items()}
+        dates = {} if folder is None else {path.name: _date(path) for path in stacks}
         for stack, wave in zip(read, waves, strict=True):
             file = stack.names[0].removesuffix(" [0]")
             if stack.axes[0] == "T":
@@ -589,159 +587,107 @@ def beads(
                 status.tell(f"{text}.")
             values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
             counts = Counts.of(values, noise=noise, saturation=saturation)
+            source = _Source(file, channel, wave, dates.get(file, ""))
             try:
-                windows += _beads((file, channel, wave), values, counts, window, notes)
+                windows += _beads(source, values, counts, window, notes)
             except ValueError as failure:
-                missing.append((file, wave, failure))
+                missing.append((source, failure))
         if not windows:
-            raise missing[0][2]
+            raise missing[0][1]
         told_early(list(contradicted.values()))
         status("fitting")
-        columns = 12 + (options.terms if isinstance(options.terms, int) else len(options.terms))
-        dates = {} if folder is None else {path.name: _date(path) for path in stacks}
-        groups, rows, table = dict[tuple[str, float], list[_Bead]](), list[Facts](), dict[str, Any]()
-        refused, refusals = list[Facts](), list[Finding]()
+        groups = dict[tuple[str, float], list[_Bead]]()
         for bead in windows:
-            groups.setdefault((dates.get(bead.file, ""), bead.wavelength), []).append(bead)
-        done, several, days = 0, len(devices) > 1, sorted({day for day, _ in groups})
+            groups.setdefault((bead.source.date, bead.source.wavelength), []).append(bead)
+        several, several_days = len(devices) > 1, len({day for day, _ in groups}) > 1
+        names = {
+            (day, wave): ", ".join([day] * several_days + [_nanometres(wave)] * several)
+            for day in ("", *dates.values()) for wave in devices
+        }  # fmt: skip
         # Fits of a bead: that of all beads takes as long as those of its beads.
-        fits = sum(min(len(one), options.joint) + (0 if folder is None else len(one)) for one in groups.values())
-        if (expected := _BEAD_SECONDS * windows[0].window.size * columns * fits) > _LONG:
+        total = sum(min(len(one), options.joint) + (0 if folder is None else len(one)) for one in groups.values())
+        columns = 12 + (options.terms if isinstance(options.terms, int) else len(options.terms))
+        if (expected := _BEAD_SECONDS * windows[0].window.size * columns * total) > _LONG:
             fewer = ", fewer with --terms 7" if columns > 12 + 7 else ""
             status.tell(f"Fits of {len(windows)} beads: about {expected / 60.0:.0f} min of a processor{fewer}.")
-
-        def fitted(
-            beads: list[Values], model: Microscope, factor: float = 1.0, name: str = "", **known: Any
-        ) -> BeadFit:
-            nonlocal done
-            before, part = done, min(len(beads), options.joint)
-            done += part
-            return fit_beads(
-                counts_of("stacks", beads, noise, sides=(4,), shape=_SHAPE, saturation=saturation),
-                model,
-                z=factor * z,
-                options=replace(
-                    options,
-                    progress=lambda share, chi2: status(f"{name}chi2 {chi2:.3g}", (before + part * share) / fits),
-                    **known,
-                ),
-            )
-
-        def named(day: str, wave: float) -> str:
-            return ", ".join([day] * (len(days) > 1) + [_nanometres(wave)] * several)
-
-        def refuse(names: Iterable[str], file: str, wave: float, error: ValueError) -> None:
-            """Say what fails, of one file and channel, and keep its rows of the report: the others are fitted."""
-            of = ", ".join(filter(None, (file, named(dates.get(file, ""), wave))))
-            text = str(error) if str(error).startswith(line(file)) else f"{line(of)}: {error}"
-            refusals.append(Finding("left_out", "doubt", f"refused: {text}"))
-            status.tell(f"{refusals[-1].text}.")
-            known = {"file": file, "date": dates.get(file, ""), "wavelength": wave}
-            refused.extend({"bead": one, **known, "verdict": "refused", "reason": str(error)} for one in names)
-
-        def of_each(result: BeadFit, windows: list[_Bead], device: Microscope) -> Iterable[BeadFit]:
-            """Yield the fit of each bead alone; one that shows two beads, or has none, is left out of the report."""
-            # The constants of all beads are nearer to the truth than the stated ones.
-            alone, factor = device.fitted(result), float(result.coefficients.get("step", 1.0))
-            for k, (window, bead) in enumerate(zip(windows, result.beads, strict=True), 1):
-                of_bead = replace(result, beads=(bead,))
-                if bead.used:
-                    name = f"bead {k} of {len(windows)}, "
-                    try:
-                        of_bead = fitted([window.window], alone, factor, name, diameter=result.diameter)
-                    except ValueError as error:
-                        of = ", ".join(filter(None, (window.name, named(dates[window.file], window.wavelength))))
-                        text = f"{line(of)}, left out, though part of the fit of all beads: {error}"
-                        refusals.append(Finding("left_out", "doubt", text))
-                        status.tell(f"{text}.")
-                        left_out = replace(bead, used=False)
-                        of_bead = replace(result, beads=(left_out,), findings=Findings(refusals[-1:]))
-                yield of_bead
-
-        for file, wave, why in missing:
-            refuse([file], file, wave, why)
-        last = days[-1], min(devices), windows
-        told: dict[float, BeadFit] = {}
+        fits, refusals = _Fits(status, options, z, noise, saturation, total), _Refusals(status, names)
+        for source, why in missing:
+            refusals.refuse(source, [source.file], why)
+        rows, table, told = list[Facts](), dict[str, Any](), dict[tuple[str, float], _BeadReport]()
         # Microscopes change between days; the shortest wavelength of the newest day is the last.
         for (day, wave), group in sorted(groups.items(), key=lambda one: (one[0][0], -one[0][1])):
             try:
-                found = fitted([bead.window for bead in group], devices[wave])
+                joint = fits.fit(group, devices[wave])
             except ValueError as failure:
                 if len(groups) == 1:
                     raise
-                for file in dict.fromkeys(bead.file for bead in group):
-                    refuse([bead.name for bead in group if bead.file == file], file, wave, failure)
+                for file, source in {bead.source.file: bead.source for bead in group}.items():
+                    refusals.refuse(source, [bead.name for bead in group if bead.source.file == file], failure)
                 continue
-            if told and day != last[0]:
-                told.clear()
-            last, told[wave] = (day, wave, group), found
-            files_of = [bead.file for bead in group]
-            relative = heights(found.z_covariance, np.array([bead.z for bead in found.beads]), files_of)
-            if folder is None:
-                continue
-            report = _BeadReport(lens.stem, devices[wave], found, group, relative, noise, used_step)
-            if not found.reliable:
-                status.tell(f"{named(day, wave)}{': ' if named(day, wave) else ''}{found.message}.")
-            # Bad constants are bad for each bead: fits of single beads would find that again.
-            if not found.converged or len(group) == 1:
-                each: Iterable[BeadFit] = (replace(found, beads=(bead,)) for bead in found.beads)
-            else:
-                each = of_each(found, group, devices[wave])
-            table = report.write(folder, report.rows(each, dates), _earlier(folder))
-            rows += table["table"]
+            files_of = [bead.source.file for bead in group]
+            relative = heights(joint.z_covariance, np.array([bead.z for bead in joint.beads]), files_of)
+            report = _BeadReport(lens.stem, devices[wave], joint, group, relative, noise, used_step)
+            told = {key: of for key, of in told.items() if key[0] == day} | {(day, wave): report}
+            if folder is not None:
+                if not joint.reliable:
+                    status.tell(f"{': '.join(filter(None, (names[day, wave], joint.message)))}.")
+                table = report.write(folder, report.rows(fits.of_each(report, refusals)), _earlier(folder))
+                rows += table["table"]
         if not told:
-            raise ValueError("; ".join(one.text for one in refusals))
-        day, wave, windows = last
-        result = told[wave]
-        if refused and folder is not None:
-            rows += report.write(folder, refused, _earlier(folder))["table"]
-        if len(days) > 1:
-            notes.append(f"Each date has its own fit, of which that of {day} is told.")
-        if several:
-            notes.append(f"Each channel has its own fit, of which that of {_nanometres(wave)} is told.")
+            raise ValueError("; ".join(one.text for one in refusals.findings))
+        if refusals.rows and folder is not None:
+            rows += report.write(folder, refusals.rows, _earlier(folder))["table"]
+    (day, wave), report = list(told.items())[-1]
+    result = report.result
+    if several_days:
+        notes.append(f"Each date has its own fit, of which that of {day} is told.")
+    if several:
+        notes.append(f"Each channel has its own fit, of which that of {_nanometres(wave)} is told.")
     others = [
-        replace(one, text=f"{named(day, light)}: {one.text}")
-        for light, found in told.items() if found is not result
-        for one in found.findings if one.severity != "note"
+        replace(one, text=f"{names[key]}: {one.text}")
+        for key, of in told.items() if of is not report
+        for one in of.result.findings if one.severity != "note"
     ]  # fmt: skip
-    if of := named(day, wave):
-        own = [replace(one, text=f"{of}: {one.text}") for one in result.findings]
-        result = replace(result, findings=Findings(own), summary=f"{of}: {result.summary}")
-    found_all = [*contradicted.values(), *findings, *result.findings, *others, *refusals]
+    if name := names[day, wave]:
+        own = [replace(one, text=f"{name}: {one.text}") for one in result.findings]
+        result = replace(result, findings=Findings(own), summary=f"{name}: {result.summary}")
+    found_all = [*contradicted.values(), *findings, *result.findings, *others, *refusals.findings]
     result = replace(result, findings=Findings(found_all))
-    outputs, figures = ({_of_channel(path, wave, several): wave for wave in told} for path in (output, figure))
-    for path, one in outputs.items():
+    fitted = {light: of.result for (_, light), of in told.items()}
+    outputs, figures = ({_of_channel(path, light, several): light for light in fitted} for path in (output, figure))
+    saved = fitted | {wave: result}
+    for path, light in outputs.items():
         if path is not None:
-            _fitted(devices[one], result if one == wave else told[one], used_step).save(path)
-    for path, one in figures.items():
-        save_figure((result if one == wave else told[one]).plot, path)
+            _fitted(devices[light], saved[light], used_step).save(path)
+    for path, light in figures.items():
+        save_figure(saved[light].plot, path)
     facts = result.to_dict() | {"wavelength": wave, "noise": recorded, "notes": notes, "fwhm": None}
     if several:
-        names = "status", "message", "coefficients", "errors"
-        facts["channels"] = [
-            {"wavelength": one} | {k: found.to_dict()[k] for k in names} for one, found in sorted(told.items())
-        ]
+        keys = "wavelength", "status", "message", "coefficients", "errors"
+        each = [fitted[light].to_dict() | {"wavelength": light} for light in sorted(fitted)]
+        facts["channels"] = [{key: fit[key] for key in keys} for fit in each]
     if result.converged:
         with suppress(ValueError):  # strong aberrations have no single focus
             widths = np.transpose(result.fwhm(depth=result.beads[0].depth)).tolist()
             facts["fwhm"] = dict(zip("xyz", widths, strict=True))
-    facts["places"] = [
-        fit | {"row": fit["row"] + bead.corner[0], "column": fit["column"] + bead.corner[1]}
-        for fit, bead in zip(facts["beads"], windows, strict=True)
-    ]
-    if np.isfinite(relative[0][[bead.used for bead in result.beads]]).all():
-        for place, height, error in zip(facts["places"], *map(plain, relative), strict=True):
-            place["height"], place["errors"] = height, place["errors"] | {"height": error}
-    facts["beads"] = [window.name for window in windows]
+    facts["places"] = report.places(facts["beads"])
+    facts["beads"] = [bead.name for bead in report.windows]
     if folder is not None:
         facts["report"] = plain(table | {"table": rows})
     pages = [] if folder is None else [folder / _TABLE, folder / _PAGE]
+    doubts = {path: fitted[light].status for path, light in outputs.items() if not fitted[light].converged}
+    doubts = {path: f", of a fit that has not converged: {status}" for path, status in doubts.items()}
+    files = written([*outputs, *figures, *pages], lambda path: doubts.get(path, ""))
+    parts = [Wrapped(f"{_nanometres(light)}: {fitted[light].message}") for light in sorted(fitted) if light != wave]
+    shown = _fitted_tables(facts, result)
+    return report_findings(facts, *verdict_lines(facts, result.summary), *parts, *shown, "") + files
 
-    def status_text(path: Path) -> str:
-        found = told[outputs[path]] if path in outputs else result
-        return "" if path not in outputs or found.converged else f", of a fit that has not converged: {found.status}"
 
-    files = written([*outputs, *figures, *pages], status_text)
+def _fitted_tables(facts: Facts, result: BeadFit) -> Parts:
+    """Return the tables of the coefficients, of the places of beads, and of the FWHM if there is a focus."""
+    from lommel.estimation.bead_images import CONSTANTS
+    from lommel.estimation.star_images import label
+
     keys = dict(zip(facts["coefficients"], result.coefficients, strict=True))
     units = {key: CONSTANTS[name].unit if isinstance(name, str) else "rad" for key, name in keys.items()}
     titles = {key: name if isinstance(name, str) else label(name) for key, name in keys.items()}
@@ -755,8 +701,7 @@ def beads(
         nanometres = [{axis: 1e9 * pair[k] for axis, pair in widths.items()} for k in (0, 1)]
         title = "FWHM at the first bead, without bead and pixel"
         shown += ["", *tables({title: nanometres[0], "errors": nanometres[1], "units": dict.fromkeys("xyz", "nm")})]
-    parts = [Wrapped(f"{_nanometres(one)}: {told[one].message}") for one in sorted(told) if one != wave]
-    return report_findings(facts, *verdict_lines(facts, result.summary), *parts, *shown, "") + files
+    return shown
 
 
 def _nanometres(wavelength: float) -> str:
@@ -838,18 +783,22 @@ def _sharpest(microscope: Microscope, z: Values, options: BeadOptions) -> float:
     return sharpness(psf(pupil, _SHARPNESS_SIDE, microscope.pixel, tol=1e-3, integrate=integrate).values)
 
 
+class _Source(NamedTuple):
+    """A channel of a file: its name in words, its emission, and the date of its fit, "" without a report."""
+
+    file: str
+    channel: str
+    wavelength: float
+    date: str
+
+
 class _Bead(NamedTuple):
-    """A window around a bead, the position (row, column) of its first pixel in the image, and the emission."""
+    """A window around a bead, the position (row, column) of its first pixel in the image, and where it is from."""
 
     name: str
     window: Values
     corner: tuple[int, int]
-    wavelength: float
-
-    @property
-    def file(self) -> str:
-        """Name of the file."""
-        return self.name.rsplit(" [", 1)[0]
+    source: _Source
 
 
 def _bead_files(paths: list[Path]) -> list[Path]:
@@ -894,7 +843,18 @@ class _BeadReport(NamedTuple):
     noise: Noise
     step: float
 
-    def rows(self, fits: Iterable[BeadFit], dates: dict[str, str]) -> list[Facts]:
+    def places(self, fits: list[Facts]) -> list[Facts]:
+        """Return the fits of beads with their places in the image and, if all have one, their relative heights."""
+        places = [
+            fit | {"row": fit["row"] + bead.corner[0], "column": fit["column"] + bead.corner[1]}
+            for fit, bead in zip(fits, self.windows, strict=True)
+        ]
+        if np.isfinite(self.heights[0][[bead.used for bead in self.result.beads]]).all():
+            for place, height, error in zip(places, *map(plain, self.heights), strict=True):
+                place["height"], place["errors"] = height, place["errors"] | {"height": error}
+        return places
+
+    def rows(self, fits: Iterable[BeadFit]) -> list[Facts]:
         """Return the rows of the beads, by the fit of each of them alone."""
         from lommel.estimation.bead_table import codes_of, place_of, row_of, with_shared
 
@@ -904,7 +864,7 @@ class _BeadReport(NamedTuple):
             row = row_of(fit, self.noise, self.step, self.pixel, window.corner)
             heights = [None if math.isnan(part[k]) else float(part[k]) for part in self.heights]
             rows.append(
-                {"bead": window.name, "file": window.file, "date": dates[window.file]}
+                {"bead": window.name, "file": window.source.file, "date": window.source.date}
                 | {"wavelength": microscope.wavelength}
                 | (with_shared(row, result, depth) if fit.converged and fit.beads[0].used else row)
                 | place_of(bead, result, self.pixel, window.corner)
@@ -951,18 +911,88 @@ class _BeadReport(NamedTuple):
         return {"table": rows, "surface": focal_surface(rows, middle_of(rows))}
 
 
-def _beads(
-    source: tuple[str, str, float], planes: Values, counts: Counts, window: int, notes: list[str]
-) -> list[_Bead]:
+class _Refusals:
+    """What cannot be fitted: told at once, as findings, and as rows of the report; the others are fitted."""
+
+    def __init__(self, status: Steps, names: Mapping[tuple[str, float], str]) -> None:
+        self._status, self._names = status, names  # names of groups of beads
+        self.findings, self.rows = list[Finding](), list[Facts]()
+
+    def tell(self, text: str) -> Finding:
+        """Tell what is left out, and return the finding on it."""
+        self.findings.append(Finding("left_out", "doubt", text))
+        self._status.tell(f"{text}.")
+        return self.findings[-1]
+
+    def of(self, name: str, source: _Source) -> str:
+        """Return the name of a file or bead with that of its group."""
+        return line(", ".join(filter(None, (name, self._names[source.date, source.wavelength]))))
+
+    def refuse(self, source: _Source, beads: Iterable[str], error: ValueError) -> None:
+        """Refuse the beads of a file and channel."""
+        is_named = str(error).startswith(line(source.file))
+        self.tell(f"refused: {error}" if is_named else f"refused: {self.of(source.file, source)}: {error}")
+        known = {"file": source.file, "date": source.date, "wavelength": source.wavelength}
+        self.rows += [{"bead": one, **known, "verdict": "refused", "reason": str(error)} for one in beads]
+
+
+@dataclass
+class _Fits:
+    """Fits of beads of one recording, with the progress of all, `total` in number."""
+
+    status: Steps
+    options: BeadOptions
+    z: Values
+    noise: Noise
+    saturation: float | None
+    total: int
+    done: int = 0
+
+    def fit(
+        self, beads: list[_Bead], model: Microscope, factor: float = 1.0, name: str = "", **known: Any
+    ) -> BeadFit:
+        """Return the fit of beads together; the step between planes is `factor` times the stated step."""
+        from lommel.estimation.beads import fit_beads
+
+        before, part, windows = self.done, min(len(beads), self.options.joint), [bead.window for bead in beads]
+        self.done += part
+
+        def show(share: float, chi2: float) -> None:
+            self.status(f"{name}chi2 {chi2:.3g}", (before + part * share) / self.total)
+
+        counts = counts_of("stacks", windows, self.noise, sides=(4,), shape=_SHAPE, saturation=self.saturation)
+        return fit_beads(counts, model, z=factor * self.z, options=replace(self.options, progress=show, **known))
+
+    def of_each(self, report: _BeadReport, refusals: _Refusals) -> Iterator[BeadFit]:
+        """Yield the fit of each bead alone; one that shows two beads, or has none, is left out of the report."""
+        result, beads = report.result, report.windows
+        # Bad constants are bad for each bead: fits of single beads would find that again.
+        if not result.converged or len(beads) == 1:
+            yield from (replace(result, beads=(bead,)) for bead in result.beads)
+            return
+        # The constants of all beads are nearer to the truth than the stated ones.
+        alone, factor = report.microscope.fitted(result), float(result.coefficients.get("step", 1.0))
+        for k, (bead, fitted) in enumerate(zip(beads, result.beads, strict=True), 1):
+            of_bead = replace(result, beads=(fitted,))
+            if fitted.used:
+                name = f"bead {k} of {len(beads)}, "
+                try:
+                    of_bead = self.fit([bead], alone, factor, name, diameter=result.diameter)
+                except ValueError as error:
+                    of = refusals.of(bead.name, bead.source)
+                    found = refusals.tell(f"{of}, left out, though part of the fit of all beads: {error}")
+                    of_bead = replace(result, beads=(replace(fitted, used=False),), findings=Findings([found]))
+            yield of_bead
+
+
+def _beads(source: _Source, planes: Values, counts: Counts, window: int, notes: list[str]) -> list[_Bead]:
     """Return the beads of a stack, and add to `notes` how many were refused.
 
-    `source` are its file, its channel in words, and its emission. A stack that shows a single bead is returned as a
-    whole.
+    A stack that shows a single bead is returned as a whole.
     """
-    file, channel, wavelength = source
+    file, channel, *_ = source
     if max(planes.shape[1:]) <= _FIELD_FACTOR * window:
-        return [_Bead(f"{file} [0]", planes, (0, 0), wavelength)]
-
+        return [_Bead(f"{file} [0]", planes, (0, 0), source)]
     spots = detection.find_spots(counts, window=window)
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "check --offset and --gain"
@@ -971,4 +1001,4 @@ def _beads(
         notes.append(f"{line(file)}{channel}: {spots.message}. Beads need {window} pixels for themselves (--window).")
     corners = (spots.places - [side // 2 for side in spots.windows.shape[-2:]]).tolist()
     numbered = enumerate(zip(spots.windows, corners, strict=True))
-    return [_Bead(f"{file} [{k}]", values, (row, column), wavelength) for k, (values, (row, column)) in numbered]
+    return [_Bead(f"{file} [{k}]", values, (row, column), source) for k, (values, (row, column)) in numbered]

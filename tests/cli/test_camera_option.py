@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 import shutil
 from typing import Any
 
@@ -37,6 +38,17 @@ def test_pixels_are_the_options_then_the_cameras_then_the_files():
     assert instrument_of(lens, camera=wide).pixel == (4e-6, 6e-6)
     with pytest.raises(ValueError, match="must be square"):
         microscope_of(objective, camera=wide)
+
+
+def test_images_at_a_wavelength_that_no_camera_records_are_refused(tmp_path):
+    text = example_files()["phone"].read_text("utf-8")
+    (tmp_path / "far.toml").write_text(re.sub(r'wavelength = ".*"', 'wavelength = "0.55 mm"', text), "utf-8")
+    assert Sensor(camera=ZYLA).instrument(example_files()["phone"], "a.toml").pixel == 6.5e-6
+    with (
+        pytest.warns(UserWarning, match="far infrared"),
+        pytest.raises(ValueError, match=r"a\.toml: wavelength must be"),
+    ):
+        Sensor().instrument(tmp_path / "far.toml", "a.toml")
 
 
 def test_an_object_in_focus_stays_there_and_a_stack_needs_a_step(tmp_path):

@@ -21,7 +21,7 @@ from lommel.base.options import In, Options, Shown
 from lommel.base.units import camera_wavelength, format_length
 from lommel.base.validation import line
 from lommel.cli.command import ENCODING, PLOT, command
-from lommel.cli.instruments import Sensor, instrument_of
+from lommel.cli.instruments import Sensor
 from lommel.cli.interrupts import Stop
 from lommel.cli.messages import with_options
 from lommel.cli.output import progress, save_figure, written
@@ -75,8 +75,7 @@ class Telescope(Options):
         if self.lens is not None:
             if self.obscuration is not None or any(stated.values()):
                 raise ValueError("--telescope must not be combined with --aperture, --focal-length or --obscuration")
-            instrument = instrument_of(self.lens, camera=sensor.camera, pixel=sensor.pixel)
-            camera_wavelength("--telescope: wavelength", instrument.lens.wavelength)
+            instrument = sensor.instrument(self.lens, "--telescope")
             return instrument.lens_at_place, float(np.min(instrument.side))
         found: dict[str, Any] = {name: value or header.get(name) for name, value in stated.items()}
         found["pixel"] = pixel or header.get("sensor_pixel")

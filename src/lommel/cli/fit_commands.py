@@ -18,12 +18,12 @@ from lommel import detection
 from lommel.base import atomic, optional, reading
 from lommel.base.arrays import Array, Values, plain
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import ARCSEC, camera_wavelength, format_length
+from lommel.base.units import ARCSEC, format_length
 from lommel.base.validation import line
 from lommel.base.validation import wavelength as wavelength_of
 from lommel.blur.blurs import Seeing
 from lommel.cli.command import OUTPUT, PLOT, command
-from lommel.cli.instruments import CameraNoise, instrument_of, require_microscope
+from lommel.cli.instruments import CameraNoise, require_microscope
 from lommel.cli.messages import report_findings, verdict_lines
 from lommel.cli.output import Steps, progress, require_file, require_folder, save_figure, written
 from lommel.detection.molecules import smoothed
@@ -121,8 +121,7 @@ def retrieve(
 
     if output is not None:
         zernike_tables.find(output, "--output")
-    instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
-    camera_wavelength(f"{line(lens.name)}: wavelength", instrument.lens.wavelength)
+    instrument = camera.instrument(lens, line(lens.name))
     with progress("reading") as status:
         read = read_images(_files(images))
         sizes = float(np.min(instrument.side)), instrument.lens
@@ -322,8 +321,7 @@ def fit_field(
         )
     if seeing is not None and known_blur is not None:
         raise ValueError("--seeing and --known-blur must not both be given: either is the whole blur")
-    instrument = instrument_of(lens, camera=camera.camera, pixel=camera.pixel)
-    camera_wavelength(f"{line(lens.name)}: wavelength", instrument.lens.wavelength)
+    instrument = camera.instrument(lens, line(lens.name))
     focal_length = instrument.lens.focal_length
     blur: Any = True if known_blur is None else known_blur
     if seeing is not None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.options import In, Options, Shown
-from lommel.base.units import ARCSEC, camera_pixel, format_length
+from lommel.base.units import ARCSEC, camera_pixel, camera_wavelength, format_length
 from lommel.cli.command import is_number, length
 from lommel.cli.messages import flag_of
 from lommel.io.photos import Exif, optics_of
@@ -72,6 +72,12 @@ class Sensor(Options):
     heading: ClassVar[str] = "Camera"
     camera: Annotated[Camera | None, Shown(("--camera",), metavar="NAME|FILE", parse=_camera)] = None
     pixel: Annotated[float | None, Shown(length="um"), camera_pixel] = None
+
+    def instrument(self, lens: Path, name: str) -> Instrument:
+        """Return the instrument of a lens file for recorded images; ValueError, with `name`, for other light."""
+        instrument = instrument_of(lens, camera=self.camera, pixel=self.pixel)
+        camera_wavelength(f"{name}: wavelength", instrument.lens.wavelength)
+        return instrument
 
 
 @dataclass(frozen=True, kw_only=True)

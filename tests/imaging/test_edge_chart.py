@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.ndimage import convolve1d
 
 import lommel as lm
+from lommel.imaging import edge_chart
 from slanted_edges import TURN, across, gaussian, picture, squares
 
 PLACES = [(-80.0, 0.0), (80.0, 0.0)]
@@ -165,6 +168,18 @@ def test_a_side_that_is_less_sharp_than_the_other_is_told(right, down, worse, ke
 
 def test_sides_that_are_alike_are_not_told():
     assert not [seed for seed in range(3) if "unlike_sides" in blurred(0.0, 0.0, seed).findings.codes]
+
+
+@pytest.mark.parametrize("slope", [0.0, 1.0])
+def test_sides_that_the_same_edges_make_are_not_told_apart(slope):
+    places, angles = np.linspace(-1.0, 1.0, 24), np.tile([0.1, 0.1 + np.pi / 2.0], 12)
+    mtf50 = 0.3 * np.exp(0.1 * places)
+    edges = [
+        SimpleNamespace(x=x, y=slope * x, response=SimpleNamespace(angle=angle, mtf50=(value, 0.001)))
+        for x, angle, value in zip(places, angles, mtf50, strict=True)
+    ]
+    found = [set(finding.numbers) for finding in edge_chart._sides(edges)]
+    assert found == ([] if slope else [{"right_to_left", "right_to_left_error"}])
 
 
 def test_the_border_of_a_picture_that_was_turned_is_no_edge():

@@ -365,8 +365,8 @@ def _sides(edges: list[ChartEdge]) -> list[Finding]:
     alike = [np.ones(x.size), far, far**2, radial, far * radial, np.cos(2.0 * turn), np.sin(2.0 * turn)]
     steps = [np.sign(place) * (np.abs(place) > _BETWEEN * np.max(np.abs(place))) for place in (x, y)]
     functions, values = np.array([*alike, *steps]).T, np.log(mtf50)
-    fitted, _, rank, _ = np.linalg.lstsq(functions, values)
-    free = x.size - int(rank)
+    inverse, _, rank, _ = np.linalg.lstsq(functions, np.eye(x.size))
+    fitted, free = inverse @ values, x.size - int(rank)
     if free < _LEAST_FREE:
         return []
     # The larger of the standard errors and of the scatter, which has what the functions do not follow.
@@ -374,14 +374,13 @@ def _sides(edges: list[ChartEdge]) -> list[Finding]:
     spread = max(float(np.mean(np.square(errors / mtf50))), scatter)
     texts: list[str] = []
     numbers: dict[str, float] = {}
-    for step, names, others in zip(
-        steps, (("right", "left"), ("bottom", "top")), ([*alike, steps[1]], [*alike, steps[0]]), strict=True
-    ):
-        rest = step - np.array(others).T @ np.linalg.lstsq(np.array(others).T, step)[0]
-        size = float(rest @ rest)
-        if min((step > 0.0).sum(), (step < 0.0).sum()) < _LEAST_SIDE or size < _LEAST_SHARE * float(step @ step):
+    for k, (step, names) in enumerate(zip(steps, (("right", "left"), ("bottom", "top")), strict=True), len(alike)):
+        variance = float(inverse[k] @ inverse[k])  # of the fitted step, relative to that of a value
+        # This product is 1 unless the other functions follow the step.
+        is_known = float(inverse[k] @ step) > 1.0 - 1e-6 and variance * float(step @ step) <= 1.0 / _LEAST_SHARE
+        if not is_known or min((step > 0.0).sum(), (step < 0.0).sum()) < _LEAST_SIDE:
             continue
-        difference, error = 2.0 * float(rest @ values) / size, 2.0 * math.sqrt(spread / size)
+        difference, error = 2.0 * float(fitted[k]), 2.0 * math.sqrt(spread * variance)
         ratio = math.exp(difference)
         numbers |= {f"{names[0]}_to_{names[1]}": ratio, f"{names[0]}_to_{names[1]}_error": ratio * error}
         if abs(difference) > max(_APART * error, _UNLIKE_SIDES):

@@ -230,7 +230,7 @@ def test_live_frames_are_judged_where_all_are_known_by_the_errors_of_vergence(ma
     )  # fmt: skip
     made._electrons = lambda: LiveDepth._electrons(made)
     LiveDepth.verdict(made, focus_error=0.1)
-    assert given[6:] == [(None, 0.1), "estimated" if masked else None]
+    assert given[6:] == [(None, 0.1), ("estimated", 0.0, pytest.approx(math.nan, nan_ok=True)) if masked else None]
     unknown = {(0, 0), (1, 0), (2, 0), *([(3, 0)] if masked else [])}
     assert {tuple(at) for at in np.argwhere(~given[2]).tolist()} == unknown
     for row, column in ((0, 0), (5, 7), (2 * block, 3 * block - 1), (1, block), (block, 0)):

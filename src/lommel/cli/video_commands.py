@@ -235,13 +235,11 @@ def watch(
                 if stop.requested:
                     raise KeyboardInterrupt
                 raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
-        guess, noise, rounding = coding.guess if stated else "", None if stated else live.noise, 0.0
-        light = math.nan
-        if noise is not None:  # at white, as --white, not in electrons per count
-            noise = Noise(white=estimator.coding_in_use.white, read=noise.read)
-            noise, rounding = without_rounding(noise, estimator.light, coding.levels, coding.encoding)
-            light = float(np.mean(estimator.light))
-            coding.facts.update(white=noise.white, read_noise=noise.read, noise_is_a_guess=False)
+        guess, noise = coding.guess if stated else "", None
+        if not stated and live.noise is not None:
+            at_white = Noise(white=estimator.coding_in_use.white, read=live.noise.read)  # not in electrons per count
+            noise = without_rounding(at_white, estimator.light, coding.levels, coding.encoding)
+            coding.facts.update(white=noise.noise.white, read_noise=noise.noise.read, noise_is_a_guess=False)
         facts = {
             **coding.facts,
             "shape": list(pairs.shape),
@@ -260,14 +258,12 @@ def watch(
         if tally.failed < tally.pairs:
             verdict = live.verdict(f_number_error=o.f_number_error, focus_error=o.focus_error)
             if noise is not None:
-                note = noise_finding(noise, rounding, light)
+                note = noise_finding(noise)
                 findings = Findings(note if each.code == note.code else each for each in verdict.findings)
                 verdict = replace(verdict, findings=findings)
         blocks = (facts["known"] + facts["unfit"]) * math.prod(side // BLOCK for side in pairs.shape)
         if math.isnan(verdict.misfit) and blocks >= MIN_BLOCKS:  # of earlier pairs: the last one has no depth
-            verdict = DefocusVerdict.of(
-                facts["misfit"], noise=noise, rounding=rounding, light=light, stated=o.f_number_error
-            )
+            verdict = DefocusVerdict.of(facts["misfit"], noise=noise, stated=o.f_number_error)
         return (
             told(facts, succeeded=pairs.lost is None)
             + Report({"notes": notes}, [Wrapped(note) for note in notes])

@@ -314,17 +314,15 @@ def depth_from_defocus(
             excess = residual_variance(misfit[blocks], aliases)
             images /= np.float32(excess)
             white, mean, read = white / excess, mean / excess, read / math.sqrt(excess)
-    noise = Noise(white=float(white.mean()), read=read) if noise is None else None
-    rounding, mean_light = 0.0, math.nan
-    if noise is not None:
+    found = None
+    if noise is None:
         levels = np.iinfo(scene.dtype).max + 1 if scene.dtype.kind == "u" else 0
         light = (images[:, 0] / white[:, None, None])[:, valid][:, ::8]
-        noise, rounding = without_rounding(noise, light, levels, encoding)
-        mean_light = float(light.mean())
+        found = without_rounding(Noise(white=float(white.mean()), read=read), light, levels, encoding)
     # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
     limit = engine.known / step
-    if noise and any(map(is_compressed, images[brightest])):
+    if found and any(map(is_compressed, images[brightest])):
         limit *= _MAX_FAINT
     _add_slope_errors(position, index_errors, WINDOW, limit)
     estimate, errors = vergence[0] + step * position.astype(np.float64), step * index_errors
@@ -339,9 +337,7 @@ def depth_from_defocus(
     maps = images, valid, step * index_errors, misfit, estimate
     form = encoding, scene.shape, scene.dtype
     sharpen = partial(_sharpened, engine, images, valid, (float(vergence[0]), step), white, stated, form)
-    judge = partial(
-        judge_frames, engine, *maps, lens_errors, noise, excess=excess, rounding=rounding, light=mean_light
-    )
+    judge = partial(judge_frames, engine, *maps, lens_errors, found, excess=excess)
     return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge, sources)
 
 

@@ -28,9 +28,8 @@ from lommel.fit.findings import Finding, Findings, FitReport, Severity, untested
 from lommel.imaging.focal_engine import BLOCK, UNMEASURED, FocalEngine, Registration
 from lommel.imaging.focal_tables import residual_filters
 from lommel.imaging.frame_phases import frame_magnifications, frame_shift
-from lommel.imaging.pair_noise import MOSTLY_ROUNDING, is_compressed
+from lommel.imaging.pair_noise import MOSTLY_ROUNDING, EstimatedNoise, is_compressed
 from lommel.io.depth_maps import fill_missing
-from lommel.recorded.noise import Noise
 
 # Misfit below which noise is overstated, above which agreement is doubtful, and above which the images disagree.
 _MIN_MISFIT, _DOUBTFUL_MISFIT, _WRONG_MISFIT = 0.7, 1.2, 1.8
@@ -139,10 +138,8 @@ class DefocusVerdict(FitReport):
         stated: float | None = None,
         lens_error: Mapping[str, Sequence[float]] | None = None,
         included: bool = True,
-        noise: Noise | None = None,
+        noise: EstimatedNoise | None = None,
         excess: float = 1.0,
-        rounding: float = 0.0,
-        light: float = math.nan,
         exchanged: bool = False,
         compressed: bool = False,
         shift: Sequence[float] = (),
@@ -165,10 +162,6 @@ class DefocusVerdict(FitReport):
             Noise estimated from these frames, which `misfit` therefore cannot test; None for a stated noise.
         excess
             Variance of the estimated noise relative to that of the finest details.
-        rounding
-            Fraction of the variance that is of rounding to integers, as of ``pair_noise.without_rounding``.
-        light
-            Mean light of the frames, relative to white; NaN if white is not known.
         exchanged
             Whether the frames agree with their lenses exchanged.
         compressed
@@ -205,7 +198,7 @@ class DefocusVerdict(FitReport):
                 "or blocks left out as stated beside",
             )
         elif len(magnifications) and (noise is not None or misfit > _DOUBTFUL_MISFIT):
-            findings.extend([noise_finding(noise, rounding, light)] if noise else [])
+            findings.extend([noise_finding(noise)] if noise else [])
             times = ", ".join(f"{scale:.4f} +- {error:.4f}" for scale, error in magnifications[1:])
             less = (
                 "" if math.isnan(undone) else f", which explains the misfit ({misfit:.3g}; {undone:.3g} without it)"
@@ -218,7 +211,7 @@ class DefocusVerdict(FitReport):
             facts = {"magnifications": relative, "errors": of_relative, "misfit": misfit}
             add("misfit", "error", text, facts | ({} if math.isnan(undone) else {"undone": undone}))
         elif noise is not None:
-            findings.append(noise_finding(noise, rounding, light))
+            findings.append(noise_finding(noise))
             wrong = _WRONG_EXCESS_OF_JPEG if compressed else _WRONG_EXCESS
             total = excess * misfit
             if len(shift):
@@ -346,12 +339,13 @@ class DefocusVerdict(FitReport):
         return self.reliable
 
 
-def noise_finding(noise: Noise, rounding: float = 0.0, light: float = math.nan) -> Finding:
-    """Return the note on a noise that is estimated, without rounding, which is a fraction of the variance.
+def noise_finding(found: EstimatedNoise) -> Finding:
+    """Return the note on a noise that is estimated.
 
-    Where light varies little, photon and read noise cannot be told apart: their sum is given at `light`, the mean
-    relative to white, unless this is NaN.
+    Where light varies little, photon and read noise cannot be told apart: their sum is given at the mean light,
+    unless this is NaN.
     """
+    noise, rounding, light = found
     more = f", and rounding ({percent(rounding)} of the variance)" if rounding > _TOLD_ROUNDING else ""
     white = f"white {'at least ' if rounding > MOSTLY_ROUNDING else ''}{noise.white:.4g}"
     numbers, total = noise.to_dict() | ({"rounding": rounding} if rounding else {}), ""
@@ -375,11 +369,9 @@ def judge_frames(
     misfit: Values,
     vergence: Array,
     lens_errors: tuple[float | None, float | None] = (None, None),
-    noise: Noise | None = None,
+    noise: EstimatedNoise | None = None,
     *,
     excess: float = 1.0,
-    rounding: float = 0.0,
-    light: float = math.nan,
     included: bool = True,
 ) -> DefocusVerdict:
     """Return the verdict on images (channels, frames, height, width), in electrons at the exposure of frame 0.
@@ -387,8 +379,7 @@ def judge_frames(
     The other arrays are maps of shape (height, width): `valid` is True for known pixels, `vergence` is 1 / distance
     and `errors` are its standard errors in 1 / m, inf if depth is unknown. `lens_errors`
     are those stated of f-number and foci, `included` in standard errors or not, and `noise` is the noise estimated
-    from the images, if none was stated, with `excess` times the variance of the finest details; `rounding` is
-    the fraction of rounding in it, and `light` the mean light relative to white.
+    from the images, if none was stated, with `excess` times the variance of the finest details.
     """
     known = np.isfinite(errors)
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
@@ -434,8 +425,6 @@ def judge_frames(
         included=included,
         noise=noise,
         excess=excess,
-        rounding=rounding,
-        light=light,
         shift=frame_shift(images[brightest], valid, engine.task.blur) if noise else (),
         magnifications=certain,
         undone=undone,

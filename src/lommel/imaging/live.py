@@ -30,7 +30,7 @@ from lommel.imaging.focal_engine import (
     processors,
 )
 from lommel.imaging.focal_tables import SharpTables, Taps
-from lommel.imaging.pair_noise import residual_variance, starting_noise
+from lommel.imaging.pair_noise import EstimatedNoise, residual_variance, starting_noise
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
@@ -578,7 +578,7 @@ class LiveDepth:
             for blocks in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
-        noise = self.noise if self._estimates else None
+        noise = EstimatedNoise(self.noise) if self._estimates and self.noise else None
         maps = images, valid, errors, misfit, vergence
         return judge_frames(level.engine, *maps, stated, noise, excess=self._excess, included=False)
 

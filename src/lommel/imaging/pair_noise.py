@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from scipy.ndimage import correlate1d
@@ -107,18 +108,27 @@ def rounding_variances(levels: int, encoding: Encoding) -> tuple[Array, Array]:
     return light, np.gradient(light) ** 2 / 12.0
 
 
-def without_rounding(noise: Noise, light: Values, levels: int, encoding: Encoding) -> tuple[Noise, float]:
-    """Return a noise without that of rounding to integers, and the fraction of its variance that is rounding.
+class EstimatedNoise(NamedTuple):
+    """Noise estimated from images, the fraction of rounding in its variance, and mean light, 1 for white, or NaN."""
+
+    noise: Noise
+    rounding: float = 0.0
+    light: float = math.nan
+
+
+def without_rounding(noise: Noise, light: Values, levels: int, encoding: Encoding) -> EstimatedNoise:
+    """Return a noise without that of rounding to integers.
 
     Rounding that is most of the noise is not taken out: electrons at 1 are a lower bound. `light` is that of the
     pixels, 1 for white; floats have 0 `levels`.
     """
+    mean_light = float(light.mean())
     if not levels:
-        return noise, 0.0
+        return EstimatedNoise(noise, 0.0, mean_light)
     white, read = float(np.mean(noise.white or 1.0)), float(np.mean(noise.read))
     variance = np.interp(light, *rounding_variances(levels, encoding)).mean()
     total = light.mean() / white + (read / white) ** 2
     share = min(float(variance / total), 1.0)
-    if share > MOSTLY_ROUNDING:
-        return noise, share
-    return Noise(white=white / (1.0 - share), read=read / math.sqrt(1.0 - share)), share
+    if share <= MOSTLY_ROUNDING:
+        noise = Noise(white=white / (1.0 - share), read=read / math.sqrt(1.0 - share))
+    return EstimatedNoise(noise, share, mean_light)

@@ -15,7 +15,7 @@ from lommel.cli.video_faults import loss_note
 from lommel.imaging.defocus_depth import depth_from_defocus
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.frame_phases import frame_shift
-from lommel.imaging.pair_noise import is_compressed
+from lommel.imaging.pair_noise import EstimatedNoise, is_compressed
 from lommel.recorded.noise import Noise
 from scenes import ThinLens, lommel_lens, plane, texture
 
@@ -78,7 +78,7 @@ def test_depth_of_a_plain_area_in_jpeg_is_none(contrast):
 
 
 def test_a_verdict_by_which_nothing_is_tested_is_not_reliable():
-    noise = Noise(white=5e3, read=2.0)
+    noise = EstimatedNoise(Noise(white=5e3, read=2.0))
     verdict = DefocusVerdict.of(1.0, noise=noise, compressed=True)
     assert not verdict.reliable
     assert verdict.findings.get("undetermined").severity == "doubt"
@@ -89,7 +89,7 @@ def test_a_verdict_by_which_nothing_is_tested_is_not_reliable():
 
 @pytest.mark.parametrize(("excess", "code"), [(25.0, "undetermined"), (40.0, "misfit")])
 def test_a_difference_that_jpeg_explains_is_put_down_to_it(excess, code):
-    verdict = DefocusVerdict.of(1.0, noise=Noise(white=5e3, read=2.0), excess=excess, compressed=True)
+    verdict = DefocusVerdict.of(1.0, noise=EstimatedNoise(Noise(white=5e3, read=2.0)), excess=excess, compressed=True)
     assert {"undetermined", "misfit"} & set(verdict.findings.codes) == {code}
     assert ("JPEG" in verdict.findings.get(code).text) == (code == "undetermined")
 
@@ -142,7 +142,7 @@ def test_a_doubt_is_not_called_a_contradiction():
 
 @pytest.mark.parametrize(("stated", "measured"), [(None, False), (0.04, True)])
 def test_a_lens_whose_errors_are_stated_is_not_to_be_calibrated_again(stated, measured):
-    verdict = DefocusVerdict.of(1.0, noise=Noise(white=5e3, read=2.0), stated=stated)
+    verdict = DefocusVerdict.of(1.0, noise=EstimatedNoise(Noise(white=5e3, read=2.0)), stated=stated)
     assert ("calibrate" in verdict.message) != measured
 
 

@@ -14,6 +14,7 @@ import lommel as lm
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import Magnified, Registration
 from lommel.imaging.frame_phases import frame_scales, frame_shift
+from lommel.imaging.pair_noise import EstimatedNoise
 from lommel.recorded.noise import Noise
 
 SIDE = 240
@@ -81,10 +82,12 @@ def test_unknown_pixels_do_not_count():
 
 
 def test_a_magnification_is_an_error_where_the_noise_is_estimated_or_the_frames_differ():
-    estimated = DefocusVerdict.of(1.0, noise=Noise(white=1e4, read=3.0), magnifications=[(1.0, 0.0), (0.99, 1e-3)])
+    estimated = DefocusVerdict.of(
+        1.0, noise=EstimatedNoise(Noise(white=1e4, read=3.0)), magnifications=[(1.0, 0.0), (0.99, 1e-3)]
+    )
     assert "magnified 0.9900 +- 0.0010 times the first" in estimated.findings.get("misfit").text
     assert estimated.status == "misfit"
-    noise = Noise(white=1e4, read=3.0)
+    noise = EstimatedNoise(Noise(white=1e4, read=3.0))
     unsure = DefocusVerdict.of(1.0, noise=noise, excess=20.0, likely=[(1.0, 0.0), (0.984, 1e-3)]).findings.get(
         "misfit"
     )

@@ -11,6 +11,7 @@ from scipy.ndimage import gaussian_filter
 import lommel as lm
 from lommel.imaging import defocus_verdict
 from lommel.imaging.defocus_verdict import DefocusVerdict
+from lommel.imaging.pair_noise import EstimatedNoise
 from scenes import POINTS, ThinLens, before, lommel_lens, plane, record, texture
 
 FOCI, PIXEL, LIGHT = (1.35, 1.8), 4e-6, 5000.0
@@ -176,7 +177,7 @@ def test_denoised_frames_frames_of_something_else_and_flat_ones_do_not_agree(pai
 
 @pytest.mark.parametrize(("excess", "severity"), [(4.0, None), (6.0, "doubt"), (12.0, "error")])
 def test_estimated_noise_far_above_that_of_the_finest_details_is_told(excess, severity):
-    verdict = DefocusVerdict.of(1.0, noise=lm.Noise(white=900.0, read=3.0), excess=excess)
+    verdict = DefocusVerdict.of(1.0, noise=EstimatedNoise(lm.Noise(white=900.0, read=3.0)), excess=excess)
     finding = verdict.findings.get("misfit")
     assert (finding and finding.severity) == severity
     if finding:

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
+from lommel.optics.wavefront import opd_residual
 from lommel.special import zernike
 
 TERMS = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)]
@@ -447,6 +448,65 @@ def test_a_missing_degree_is_named_with_what_it_moves_and_no_pixel_is_an_outlier
         assert fit.findings[0].numbers["rms"] == pytest.approx(size, rel=0.02)
         assert fit.findings[0].numbers["strehl"] == pytest.approx(1 - math.exp(-((2 * np.pi * size) ** 2)), rel=0.05)
         assert lm.fit_opd(opd + size * trefoil, unit="waves", degree=5).findings == ()
+
+
+def smoothed_noise(side: int, width: float, seed: int) -> np.ndarray:
+    """Noise of rms 1 after circular convolution with a Gaussian of `width` pixels."""
+    k = np.fft.fftfreq(side)
+    transfer = np.exp(-2 * (np.pi * width) ** 2 * (k[:, None] ** 2 + k**2))
+    noise = np.fft.ifft2(np.fft.fft2(np.random.default_rng(seed).normal(size=(side, side))) * transfer).real
+    return noise / noise.std()
+
+
+@pytest.mark.parametrize(("ripple", "noise"), [(0.06, 0.0), (0.06, 0.02), (0.02, 0.1), (0.3, 0.0)])
+@pytest.mark.parametrize("turned", [False, True])
+def test_structure_that_no_term_has_is_a_doubt_with_what_it_takes_from_the_strehl_ratio(ripple, noise, turned):
+    opd, x, y = sampled((64, 64), (31.5, 31.5), 32.0, 0.6)
+    exact = opd + ripple * np.cos(2 * np.pi * 5 * (y if turned else x))
+    inside = np.isfinite(opd)
+    strehl = [abs(np.exp(2j * np.pi * one[inside]).mean()) ** 2 for one in (opd, exact)]
+    values = exact + noise * np.random.default_rng(2).normal(size=opd.shape)
+    unit, size = ("radians", 2 * np.pi) if turned else ("waves", 1.0)
+    finding = lm.fit_opd(size * values, unit=unit).findings.get("misfit")
+    lost = 1 - strehl[1] / strehl[0]
+    if lost < 0.01:
+        assert finding is None
+    else:
+        assert finding.severity == "doubt"
+        assert finding.numbers["strehl"] == pytest.approx(lost, rel=0.1)
+        assert f"by about {100 * finding.numbers['strehl']:.1f} %" in finding.text
+
+
+@pytest.mark.parametrize(
+    ("side", "rms", "width"),
+    [
+        (16, 0.05, 0.0),
+        (32, 0.2, 0.0),
+        (64, 0.01, 0.0),
+        (64, 0.1, 0.0),
+        (64, 0.4, 0.0),
+        (64, 0.01, 2.0),
+        (64, 0.01, 4.0),
+    ],
+)
+def test_noise_that_is_white_or_small_is_no_structure(side, rms, width):
+    opd, _, _ = sampled((side, side), ((side - 1) / 2, (side - 1) / 2), side / 2)
+    stack = np.stack([opd + rms * smoothed_noise(side, width, seed) for seed in range(4)])
+    options = {"unit": "waves", "degree": 6, "radius": side / 2, "center": ((side - 1) / 2, (side - 1) / 2)}
+    if rms < 0.3:  # more noise wraps
+        assert lm.fit_opd(stack, **options).reliable
+    lost = [opd_residual._structure(2 * np.pi * (one - opd)) for one in stack]
+    assert max(lost) < 0.01
+    assert (max(lost) > 0.0) == (width > 0.0)
+    large = np.where(np.isfinite(opd), 5 * smoothed_noise(side, width, 0), np.nan)  # phases at random
+    assert width or opd_residual._structure(large) == 0.0
+
+
+def test_structure_needs_pairs_of_neighbours():
+    phase = np.random.default_rng(1).normal(size=(40, 40))
+    phase[1::2] = np.nan
+    phase[:, 1::2] = np.nan
+    assert opd_residual._structure(phase) == 0.0
 
 
 @pytest.mark.parametrize(("smoothed", "lowest", "highest"), [(0.0, 0.85, 1.15), (2.0, 0.6, 1.1)])

@@ -133,8 +133,8 @@ class WavefrontFit(Judged):
     "outliers" (pixels far from their neighbours; a doubt if they move coefficients by a standard error or more),
     "estimated" (the circle of the pupil is that of the samples), "undetermined" (the samples do not tell the circle,
     and another one would move coefficients by a standard error or more), "contradiction" (the stated centre is not
-    that of the samples) and "misfit" (terms of higher degree are missing; a doubt if they change a Strehl ratio by
-    1 %).
+    that of the samples) and "misfit" (terms of higher degree are missing, or the residual has other structure than
+    white noise; a doubt if they change a Strehl ratio by 1 %).
 
     Attributes
     ----------
@@ -322,11 +322,8 @@ def fit_opd(
     ]
     if Findings(findings).converged:  # a fit to jumps leaves their outlines
         findings += opd_residual.outliers(residual, floor)
-    rms = np.sqrt(np.nanmean(residual**2, axis=(1, 2)))
-    found = [(one, float(left)) for one, left in zip(missing, rms, strict=True) if one is not None and left > floor]
-    if found and Findings(findings).converged:
-        worst, left = max(found, key=lambda pair: pair[0].rms)
-        findings.append(opd_residual.missing_finding(worst, left, unit, wave))
+    if Findings(findings).converged:
+        findings += opd_residual.misfits(missing, residual, floor, unit, wave)
     return _fit_result(terms, coefficients, covariance, residual, condition, maps.shape[:-2], unit, scale, findings)
 
 

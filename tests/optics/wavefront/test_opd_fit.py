@@ -361,14 +361,16 @@ def test_the_pupil_of_the_usual_grids_is_that_of_their_samples(grid, side, vanes
     opd, x, y = sampled((side, side), center, radius)
     if vanes and side > 16:
         opd = np.where((np.hypot(x, y) < 0.3) | (np.abs(x) < 0.03), np.nan, opd)
-    fit = lm.fit_opd(opd, unit="waves", degree=4)
+    hole = 0.3 if vanes else 0.0
+    fit = lm.fit_opd(opd, unit="waves", degree=4, obscuration=hole)
     assert coefficients_are_right(fit)
     assert fit.reliable
     assert fit.findings.codes == (() if grid == "pixels" else ("estimated",))
     if grid != "pixels":
         numbers = fit.findings[0].numbers
         assert (numbers["row"], numbers["column"], numbers["radius"]) == (*center, radius)
-        other = lm.fit_opd(opd, unit="waves", degree=4, center=(middle, middle), radius=side / 2).coefficients
+        other = lm.fit_opd(opd, unit="waves", degree=4, center=(middle, middle), radius=side / 2, obscuration=hole)
+        other = other.coefficients
         assert numbers["moved"] == pytest.approx(max(abs(other[k] - fit.coefficients[k]) for k in other), rel=1e-6)
 
 
@@ -400,7 +402,68 @@ def test_masks_that_do_not_tell_the_circle_are_doubted_unless_it_is_stated():
     for shape in (hexagon, rectangle):
         fit = lm.fit_opd(opd, unit="waves", degree=4, mask=shape)
         assert coefficients_are_right(fit)
-        assert fit.reliable == (shape is hexagon)  # the rectangle lies in both circles
+        # The rectangle lies in both circles.
+        assert fit.findings.codes == (("left_out",) if shape is hexagon else ("undetermined", "left_out"))
+
+
+def mtf(field: np.ndarray) -> np.ndarray:
+    """Modulation by an autocorrelation of twice the side."""
+    side = 2 * len(field)
+    return np.abs(np.fft.ifft2(np.abs(np.fft.fft2(field, (side, side))) ** 2)) / (np.abs(field) ** 2).sum()
+
+
+@pytest.mark.parametrize(
+    ("part", "obscuration", "severity"),
+    [
+        (lambda x, y: np.hypot(x, y) >= 0.3, 0.3, "doubt"),
+        (lambda x, y: np.hypot(x, y) >= 0.12, 0.12, "note"),
+        (lambda x, y: x**2 + (y / 0.9) ** 2 <= 1, None, "doubt"),
+        (lambda x, y: x**2 + (y - 0.3) ** 2 <= 1, None, "doubt"),
+        (lambda x, y: np.abs(x - 0.4) > 0.02, None, None),
+        (lambda x, y: np.random.default_rng(1).random(x.shape) > 0.06, None, None),
+    ],
+)
+@pytest.mark.parametrize("size", [0.0, 0.6])
+def test_areas_without_samples_are_named_with_the_strehl_ratio_and_mtf_that_they_change(
+    part, obscuration, severity, size
+):
+    opd, x, y = sampled((96, 96), (47.5, 47.5), 48.0, size)
+    seen = np.isfinite(opd) & part(x, y)
+    options = {"unit": "waves", "degree": 4, "center": (47.5, 47.5), "radius": 48.0}
+    finding = lm.fit_opd(np.where(seen, opd, np.nan), **options).findings.get("left_out")
+    whole, left = (np.where(one, np.exp(2j * np.pi * np.nan_to_num(opd)), 0) for one in (np.isfinite(opd), seen))
+    strehl = np.abs(left[seen].mean() / whole[np.isfinite(opd)].mean()) ** 2 - 1
+    changed = np.abs(mtf(whole) - mtf(left)).max()
+    if severity is None:
+        assert finding is None
+        assert abs(strehl) < 0.01
+        return
+    assert finding.severity == severity
+    assert finding.numbers["strehl"] == pytest.approx(strehl, abs=1e-10)
+    assert 0.8 * changed < finding.numbers["mtf"] < 2.5 * changed
+    assert finding.numbers.get("obscuration") == (obscuration and pytest.approx(obscuration, abs=0.02))
+    if obscuration:
+        again = lm.fit_opd(np.where(seen, opd, np.nan), **options, obscuration=obscuration)
+        assert "left_out" not in again.findings.codes
+
+
+def test_a_mask_of_the_residual_has_the_strehl_ratio_of_the_map():
+    opd, x, y = sampled((64, 64), (31.5, 31.5), 32.0, 0.6)
+    seen = np.isfinite(opd) & (np.hypot(x, y) > 0.3)
+    exact = opd + 0.06 * np.cos(2 * np.pi * 5 * x)
+    fit = lm.fit_opd(np.where(seen, exact, np.nan), unit="waves", degree=4)
+    phase = 2 * np.pi * np.nan_to_num(fit.residual)
+    found = float(lm.strehl(lm.Pupil(fit.wavefront, mask=lm.Mask(np.where(seen, np.exp(1j * phase), 0.0)))))
+    assert found == pytest.approx(abs(np.exp(2j * np.pi * exact[seen]).mean()) ** 2, rel=0.02)
+    assert float(lm.strehl(lm.Pupil(fit.wavefront))) > 1.08 * found
+
+
+def test_the_worst_of_maps_without_samples_in_areas_is_named():
+    opd, x, y = sampled((48, 48), (23.5, 23.5), 24.0)
+    stack = np.stack([np.where(np.hypot(x, y) < hole, np.nan, opd) for hole in (0.0, 0.5, 0.3)])
+    finding = lm.fit_opd(stack, unit="waves", degree=4, center=(23.5, 23.5), radius=24.0).findings.get("left_out")
+    assert finding.numbers["obscuration"] == pytest.approx(0.5, abs=0.03)
+    assert finding.text.endswith("pass obscuration=0.5")
 
 
 def test_a_stated_centre_that_is_not_that_of_the_samples_is_doubted():

@@ -19,7 +19,7 @@ from lommel.base.quantities import is_angle, stated_unit
 from lommel.base.units import percent
 from lommel.fit.findings import Finding, Findings, Judged
 from lommel.optics.wavefront import opd_residual
-from lommel.optics.wavefront.pupil_circle import Circle, Outline, conversion, outline, stated_circle
+from lommel.optics.wavefront.pupil_circle import Circle, Outline, blank_area, conversion, outline, stated_circle
 from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront, radians_per
 from lommel.special import zernike
 
@@ -40,6 +40,10 @@ _MIN_BLANK_PIXELS, _MIN_BLANK_FRACTION, _MIN_BLANK_RATIO = 8, 0.002, 8
 # A stated centre is in doubt if the samples fill a circle of the same radius, within this fraction, whose centre is
 # apart by more pixels than the second number.
 _SAME_RADIUS, _LEAST_SHIFT = 0.05, 0.25
+# Areas without samples are named from this fraction of the pupil on, and a doubt if the MTF changes by the second
+# number, or the Strehl ratio by the third, relative to it or to the number after that.
+_NAMED_AREA, _DOUBTFUL_MTF, _LEAST_STREHL, _LOW_STREHL = 0.01, 0.05, 0.01, 0.1
+_HOLE_MTF = 1.6  # largest change of the MTF by a hole in the middle, divided by its area; 1 at most for edges
 _BLOCK = 16384  # samples processed together; bounds the memory of fits to large maps
 
 
@@ -131,10 +135,11 @@ class WavefrontFit(Judged):
 
     The findings have the codes "other_explanation" (jumps of waves in the map, as of errors of phase unwrapping),
     "outliers" (pixels far from their neighbours; a doubt if they move coefficients by a standard error or more),
-    "estimated" (the circle of the pupil is that of the samples), "undetermined" (the samples do not tell the circle,
-    and another one would move coefficients by a standard error or more), "contradiction" (the stated centre is not
-    that of the samples) and "misfit" (terms of higher degree are missing, or the residual has other structure than
-    white noise; a doubt if they change a Strehl ratio by 1 %).
+    "estimated" (the circle of the pupil is that of the samples), "left_out" (areas of the circle have no samples, as
+    of an obscuration or vignetting; a doubt if this changes the Strehl ratio by 1 % or the MTF by 0.05),
+    "undetermined" (the samples do not tell the circle, and another one would move coefficients by a standard error or
+    more), "contradiction" (the stated centre is not that of the samples) and "misfit" (terms of higher degree are
+    missing, or the residual has other structure than white noise; a doubt if they change a Strehl ratio by 1 %).
 
     Attributes
     ----------
@@ -291,7 +296,7 @@ def fit_opd(
     residual = np.full(flat_maps.shape, np.nan)
     covariance = np.empty((len(flat_maps), len(terms), len(terms)))
     missing: list[opd_residual.Missing | None] = [None] * len(flat_maps)
-    condition = 1.0
+    condition, areas = 1.0, list[tuple[float, Finding]]()
     # Maps with the same valid pixels share their normal equations.
     groups: dict[bytes, list[int]] = {}
     for i, pattern in enumerate(in_pupil.reshape(flat_maps.shape)):
@@ -307,6 +312,7 @@ def fit_opd(
             residual[member][pixels] = map_residual
             covariance[member], missing[member] = map_noise
         condition = max(condition, group_condition)
+        areas += _area_findings(x, y, clear, pixels, terms, scale * coefficients[members])
     floor = _RESIDUE * float(np.abs(maps[in_pupil]).max())
     if around is not None:
         # The circle's errors are those of all maps alike.
@@ -318,6 +324,7 @@ def fit_opd(
     wave = 2.0 * math.pi / scale
     findings = [
         *_circle_findings(filled, stated, free, around, terms, coefficients, np.fmax(errors, floor), unit),
+        *(finding for _, finding in sorted(areas, key=lambda one: one[0])[-1:]),
         *opd_residual.jumps(flat_maps, np.isfinite(residual), wave),
     ]
     if Findings(findings).converged:  # a fit to jumps leaves their outlines
@@ -378,6 +385,39 @@ def _circle_findings(
             text = f"the samples fill the circle of {found.circle} pixels, whose centre is {apart:.2g} pixels from "
             text += f"the stated center=({stated.row:.5g}, {stated.column:.5g}), and which would {words}"
             yield Finding("contradiction", "doubt", text, {**found.circle._asdict(), **numbers})
+
+
+def _area_findings(
+    x: Array,
+    y: Array,
+    clear: NDArray[np.bool_],
+    samples: NDArray[np.bool_],
+    terms: list[tuple[int, int]],
+    radians: Array,
+) -> Iterator[tuple[float, Finding]]:
+    """Yield the finding on areas of the clear pupil without samples, for coefficients (maps, terms), and its size."""
+    share = blank_area(clear, samples)
+    if share < _NAMED_AREA:
+        return
+    rho, theta, seen = np.hypot(x, y)[clear], np.arctan2(y, x)[clear], samples[clear]
+    sums = np.zeros((2, len(radians)), dtype=np.complex128)
+    for block, basis in _basis(rho, theta, terms, None):
+        field = np.exp(1j * (radians @ basis))
+        sums += [field.sum(axis=1), field @ seen[block]]
+    whole, part = np.abs(sums / [[seen.size], [seen.sum()]]) ** 2
+    changes = np.abs(part - whole) / np.maximum(np.maximum(part, whole), _LOW_STREHL)
+    worst = int(np.argmax(changes))
+    change, strehl = float(changes[worst]), float(part[worst] / max(whole[worst], 1e-12)) - 1.0
+    hole = float(np.hypot(x, y)[samples].min())
+    is_hole = hole**2 > 0.5 * share
+    mtf = (_HOLE_MTF if is_hole else 1.0) * share
+    text = f"{percent(share, 1)} of the pupil has no samples: over the samples the Strehl ratio is "
+    text += f"{percent(abs(strehl), 1)} {'lower' if strehl < 0.0 else 'higher'} than over the whole pupil, and the "
+    text += f"MTF differs by up to about {mtf:.2g}: "
+    text += f"pass obscuration={hole:.2g}" if is_hole else "give the Pupil this aperture (vignetting=, stop=, mask=)"
+    numbers = {"area": share, "strehl": strehl, "mtf": mtf} | ({"obscuration": hole} if is_hole else {})
+    doubt = mtf > _DOUBTFUL_MTF or change > _LEAST_STREHL
+    yield max(change, mtf), Finding("left_out", "doubt" if doubt else "note", text, numbers)
 
 
 def opd_map(

@@ -114,6 +114,18 @@ def _contradicted(values: Array, inside: Array, outside: Array) -> float:
     return float((beyond | within).mean())
 
 
+def blank_area(clear: NDArray[np.bool_], samples: NDArray[np.bool_]) -> float:
+    """Return the fraction of `clear` pixels in areas without samples; not single pixels, thin lines or the rim."""
+
+    def any_near(pixels: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        padded = np.pad(pixels, 1)
+        return pixels | padded[:-2, 1:-1] | padded[2:, 1:-1] | padded[1:-1, :-2] | padded[1:-1, 2:]
+
+    blank = clear & ~samples
+    inner = blank & ~any_near(clear & samples)
+    return float((any_near(any_near(inner)) & blank).sum() / clear.sum())
+
+
 def conversion(terms: list[tuple[int, int]], old: Circle, new: Circle) -> Array:
     """Return the matrix that converts coefficients over one circle to those of the same wavefront over another."""
     highest = max(n for n, _ in terms)

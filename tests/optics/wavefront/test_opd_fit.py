@@ -460,7 +460,7 @@ def test_a_mask_of_the_residual_has_the_strehl_ratio_of_the_map():
 
 def test_the_worst_of_maps_without_samples_in_areas_is_named():
     opd, x, y = sampled((48, 48), (23.5, 23.5), 24.0)
-    stack = np.stack([np.where(np.hypot(x, y) < hole, np.nan, opd) for hole in (0.0, 0.5, 0.3)])
+    stack = np.stack([np.where(np.hypot(x, y) < hole, np.nan, opd) for hole in (0.0, 0.3, 0.5, 0.4)])
     finding = lm.fit_opd(stack, unit="waves", degree=4, center=(23.5, 23.5), radius=24.0).findings.get("left_out")
     assert finding.numbers["obscuration"] == pytest.approx(0.5, abs=0.03)
     assert finding.text.endswith("pass obscuration=0.5")
@@ -511,6 +511,33 @@ def test_a_missing_degree_is_named_with_what_it_moves_and_no_pixel_is_an_outlier
         assert fit.findings[0].numbers["rms"] == pytest.approx(size, rel=0.02)
         assert fit.findings[0].numbers["strehl"] == pytest.approx(1 - math.exp(-((2 * np.pi * size) ** 2)), rel=0.05)
         assert lm.fit_opd(opd + size * trefoil, unit="waves", degree=5).findings == ()
+
+
+@pytest.mark.parametrize("sides", [(1, 1), (2, 2), (3, 3), (2, 4)])
+def test_groups_of_pixels_that_jump_are_outliers(sides):
+    opd, _, _ = sampled((64, 64), (31.5, 31.5), 32.0)
+    opd += 0.002 * np.random.default_rng(1).normal(size=opd.shape)
+    opd[20 : 20 + sides[0], 30 : 30 + sides[1]] += (
+        1.0 if sides <= (2, 2) else 0.7
+    )  # longer jumps of a wave are an error
+    finding = lm.fit_opd(opd, unit="waves").findings.get("outliers")
+    assert finding.severity == "doubt"
+    assert finding.numbers["pixels"] == math.prod(sides)
+
+
+@pytest.mark.parametrize("digits", [5, 7])
+def test_rounding_structure_and_edges_of_steps_are_no_outliers(digits):
+    opd, x, y = sampled((64, 64), (32, 32), 31.0)
+    rho2 = x * x + y * y
+    spherical = np.where(
+        rho2 <= 1, 0.05 * (2 * rho2 - 1) + 0.12 * (6 * rho2**2 - 6 * rho2 + 1), np.nan
+    )  # values of several decades
+    listing = np.array([float(f"{value:.{digits - 1}e}") for value in spherical.ravel()]).reshape(opd.shape)
+    assert lm.fit_opd(listing, unit="waves").findings.codes == ("estimated",)
+    noise = 0.002 * np.random.default_rng(1).normal(size=opd.shape)
+    bump = 0.2 * np.exp(-((x - 0.1) ** 2 + (y - 0.2) ** 2) / 0.02)  # 7 pixels at half its height
+    for change in (0.1 * np.cos(2 * np.pi * 5 * x), 0.4 * (x > 0.2), bump):
+        assert "outliers" not in lm.fit_opd(opd + noise + change, unit="waves").findings.codes
 
 
 def smoothed_noise(side: int, width: float, seed: int) -> np.ndarray:

@@ -328,7 +328,7 @@ def fit_opd(
         *opd_residual.jumps(flat_maps, np.isfinite(residual), wave),
     ]
     if Findings(findings).converged:  # a fit to jumps leaves their outlines
-        findings += opd_residual.outliers(residual, floor)
+        findings += opd_residual.outliers(residual, wave)
     if Findings(findings).converged:
         findings += opd_residual.misfits(missing, residual, floor, unit, wave)
     return _fit_result(terms, coefficients, covariance, residual, condition, maps.shape[:-2], unit, scale, findings)

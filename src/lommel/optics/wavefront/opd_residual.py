@@ -15,9 +15,10 @@ from lommel.base.units import percent
 from lommel.fit.findings import Finding
 from lommel.special import zernike
 
-# A pixel is an outlier if it differs from the median of itself and its four neighbours by this multiple of the
-# typical difference from their mean, and by the second multiple of these differences around it.
-_OUTLIER, _CURVED = 5.0, 4.0
+# A pixel is an outlier if it differs from the median of itself and its eight neighbours at distance 2, so that groups
+# of up to 3 x 3 are seen, by this multiple of the typical difference from their mean, by the second multiple of the
+# spread of these neighbours, and by the third number in waves (files of few digits).
+_OUTLIER, _SPREAD, _LEAST_OUTLIER = 5.5, 4.0, 1e-4
 # Jumps between neighbours count from this fraction of a wave on, if they are along this many pixels, relative to the
 # square root of all.
 _STEP, _STEP_LENGTH = 0.5, 0.15
@@ -90,24 +91,9 @@ def _jumps_of(waves: Array) -> tuple[int, int, int]:
     return count, row, column
 
 
-def outliers(residual: Array, floor: float) -> Iterator[Finding]:
-    """Yield the finding on outliers of residuals (axis 0; NaN: unused) with rounding errors below `floor`."""
-    # The median includes the pixel itself, so that both sides of a step have medians of their own.
-    padded = np.pad(residual, ((0, 0), (3, 3), (3, 3)), constant_values=np.nan)
-    height, width = residual.shape[1:]
-
-    def shifted(values: Array, row: int, column: int) -> Array:
-        return values[:, 3 + row : 3 + row + height, 3 + column : 3 + column + width]
-
-    neighbors = [shifted(padded, *step) for step in ((1, 0), (-1, 0), (0, 1), (0, -1))]
-    apart = np.abs(residual - np.median([residual, *neighbors], axis=0))
-    # A pixel of a smooth map differs as much as the pixels around it do from the mean of their neighbours.
-    curved = np.full_like(padded, np.nan)
-    shifted(curved, 0, 0)[...] = np.abs(residual - np.mean(neighbors, axis=0))
-    typical = np.nanpercentile(curved, 68.0, axis=(1, 2), keepdims=True)
-    far = apart > _OUTLIER * np.fmax(typical, floor)
-    ring = [shifted(curved, *step) for step in ((1, 1), (1, -1), (-1, 1), (-1, -1), (2, 0), (-2, 0), (0, 2), (0, -2))]
-    far[far] = ~(apart[far] <= _CURVED * _median_of([one[far] for one in ring]))
+def outliers(residual: Array, wave: float) -> Iterator[Finding]:
+    """Yield the finding on outliers of residuals (axis 0; NaN: unused), in units of which a wave is so many."""
+    far = np.array([_outliers_of(one, _LEAST_OUTLIER * wave) for one in residual])
     if far.any():
         square = float(np.nansum(residual[~far] ** 2))
         moved = math.sqrt(float((residual[far] ** 2).sum()) / max(square, 1e-300))
@@ -117,13 +103,27 @@ def outliers(residual: Array, floor: float) -> Iterator[Finding]:
         yield Finding("outliers", "doubt" if moved > 1.0 else "note", text, numbers)
 
 
-def _median_of(values: list[Array]) -> Array:
-    """Return the median of each place, NaN where no value is known."""
-    stacked = np.array(values)
-    known = np.isfinite(stacked).any(axis=0)
-    medians = np.full(known.shape, np.nan)
-    medians[known] = np.nanmedian(stacked[:, known], axis=0)
-    return medians
+def _outliers_of(residual: Array, least: float) -> NDArray[np.bool_]:
+    """Return the pixels of a map that differ from their surroundings by at least `least`."""
+    height, width = residual.shape
+    padded = np.pad(residual, 2, constant_values=np.nan)
+    steps = [(row, column) for row in (0, 2, 4) for column in (0, 2, 4) if (row, column) != (2, 2)]
+    neighbors = [padded[row : row + height, column : column + width] for row, column in steps]
+    differences = np.abs(residual - sum(neighbors) / len(neighbors))
+    if not np.isfinite(differences).any():
+        return np.zeros(residual.shape, dtype=np.bool_)
+    limit = max(_OUTLIER * float(np.nanpercentile(differences, 68.0)), least)
+    # The median of nine values, one of them the pixel, is as far as five others on one side.
+    above, below = (
+        np.count_nonzero([sign * (residual - one) > limit for one in neighbors], axis=0) for sign in (1.0, -1.0)
+    )
+    far = np.asarray(np.maximum(above, below) > len(neighbors) // 2)
+    # Where a map is curved, and at the edges of steps, the neighbours differ as well.
+    around = np.array([one[far] for one in neighbors])
+    median = np.nanmedian([residual[far], *around], axis=0)
+    spread = np.nanmedian(np.abs(around - median), axis=0)
+    far[far] = np.abs(residual[far] - median) > _SPREAD * spread
+    return far
 
 
 class Missing(NamedTuple):

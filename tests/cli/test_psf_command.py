@@ -117,6 +117,14 @@ def test_the_report_is_on_the_place_that_is_stated(call_lommel, tmp_path):
     assert "--at (0.0, 0.009) must lie in the map" in beyond.stderr
 
 
+def test_a_place_beyond_the_sensor_is_named(call_lommel, tmp_path):
+    (tmp_path / "lens.toml").write_text(MEASURED.replace('"17.6 mm", "17.6 mm"', '"10 mm", "14 mm"'))
+    for place, beyond in ((("0mm", "5.5mm"), True), (("-7.2mm", "1mm"), True), (("5.5mm", "-5.01mm"), False)):
+        result = call_lommel("psf", "lens.toml", "--at", *place, folder=tmp_path)
+        assert result.returncode == 0, result.stderr
+        assert ("beyond the sensor of 10 mm x 14 mm (height x width)" in result.stdout) == beyond
+
+
 def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, lenses, tmp_path):
     lens = lenses["camera-field"]
     options = ["--at", "15mm", "-10mm", "--jitter", "2", "--shape", "33", "-o", "corner.npz"]

@@ -188,6 +188,7 @@ def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
     return mask[0] if len(mask) == 1 else mask
 
 
+_ROUNDED = 1.005  # lengths with three digits
 _LENS_OPTIONS = {"f_number": Lens.stopped, "wavelength": Lens.in_light, "focus_distance": Lens.focused}
 
 
@@ -215,7 +216,13 @@ def instrument_of(path: Path, **options: object) -> Instrument:
         lens = _LENS_OPTIONS[name](lens, value)
     if stated and math.isclose(instrument.object_distance, instrument.lens.focus_distance, rel_tol=1e-9):
         changes = {"object_distance": lens.focus_distance} | changes
-    return dataclasses.replace(instrument, lens=lens, **changes)
+    changed = dataclasses.replace(instrument, lens=lens, **changes)
+    if changed.sensor is not None:
+        height, width = changed.sensor
+        if abs(changed.place[0]) > 0.5 * width * _ROUNDED or abs(changed.place[1]) > 0.5 * height * _ROUNDED:
+            sides = f"{format_length(height)} x {format_length(width)} (height x width)"
+            validation.tell(f"--at is {changed.place_in_words}, beyond the sensor of {sides}")
+    return changed
 
 
 def radial_instrument(lens: Path, **options: object) -> Instrument:

@@ -52,6 +52,37 @@ def test_the_numbers_are_those_of_the_library(facts, phone):
         assert row["unaberrated"] == pytest.approx(ideal.encircled_energy(row["radius"], of="optics"), abs=1e-6)
 
 
+def diameters_80(wavefront: lm.Wavefront) -> tuple[float, float]:
+    """Return the diameters of 80 % of the light about the axis and about the centroid, lambda*N, by an FFT."""
+    side, across = 512, 64
+    x = (np.arange(across) - (across - 1) / 2) * 2 / across
+    rho, theta = np.hypot(x, x[:, None]), np.arctan2(x[:, None], x[None])
+    field = np.where(rho <= 1, np.exp(1j * wavefront.phase(np.minimum(rho, 1), theta)), 0)
+    # The middle of the pupil is between pixels: only phases of the field depend on it.
+    light = np.fft.fftshift(np.abs(np.fft.fft2(field, (side, side))) ** 2)
+    v = (np.arange(side) - side // 2) * across / side
+    light /= light.sum()
+    middle = [(light.sum(axis=axis) * v).sum() for axis in (0, 1)]
+    found = []
+    for center in ((0.0, 0.0), middle):
+        r = np.hypot(v - center[0], v[:, None] - center[1]).ravel()
+        order = np.argsort(r)
+        found.append(2 * r[order][np.searchsorted(np.cumsum(light.ravel()[order]), 0.8)])
+    return found[0], found[1]
+
+
+def test_the_diameter_is_about_the_axis_and_of_comatic_lenses_also_about_the_centroid(phone):
+    coma = lm.Wavefront.zernike({(1, 1): 0.2, (3, 1): 0.15, (3, -1): 0.1}, unit="waves")
+    lens = dataclasses.replace(phone.lens, aberrations=coma)
+    comatic = dataclasses.replace(phone, lens=lens, object_distance=lens.focus_distance)
+    found, pupil = describe_lens(comatic).facts, comatic.pupil()
+    for key, true in zip(("diameter_80", "diameter_80_about_centroid"), diameters_80(pupil.wavefront), strict=True):
+        assert found[key] == pytest.approx(true * pupil.scale, rel=0.03), key
+    assert found["diameter_80"] > 1.1 * found["diameter_80_about_centroid"]
+    assert found["diameter_80"] == pytest.approx(lm.psf(pupil, 1, 2e-6).energy_diameter(0.8, of="optics"))
+    assert "diameter_80_about_centroid" not in describe_lens(phone).facts
+
+
 @pytest.mark.parametrize("focus", [0.5, 3.0, math.inf])
 def test_at_the_ends_of_the_depth_of_field_the_blur_is_of_two_pixels(phone, focus):
     lens = phone.lens.focused(focus)

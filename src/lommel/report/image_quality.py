@@ -215,17 +215,25 @@ def _focus_tolerance(instrument: Instrument, least: float = 0.3) -> tuple[float,
 
 
 def _widths(instrument: Instrument, attempt: _Attempts) -> Json:
-    """Return FWHM and diameter of 80 % of the light, without the pixel and with it (None for a wide blur)."""
+    """Return FWHM and diameter of 80 % of the light, without the pixel and with it (None for a wide blur).
+
+    The circle is about the axis, as that of encircled energies, and of pupils that are not symmetric also about the
+    centroid.
+    """
     # In a window of one pixel: the measures refer to the continuous image.
-    image = attempt(psf, instrument.pupil(), 1, instrument.pixel, integrate=True, fill=instrument.fill)
+    pupil = instrument.pupil()
+    image = attempt(psf, pupil, 1, instrument.pixel, integrate=True, fill=instrument.fill)
     measures: dict[str, Callable[..., Numbers]] = {
         "fwhm": spot.fwhm,
-        "diameter_80": partial(spot.energy_diameter, fraction=0.8, about="centroid"),
+        "diameter_80": partial(spot.energy_diameter, fraction=0.8),
     }
+    if not pupil.radial:
+        measures["diameter_80_about_centroid"] = partial(spot.energy_diameter, fraction=0.8, about="centroid")
     result: Json = {
         name: None if image is None else attempt(measure, image, of="optics") for name, measure in measures.items()
     }
-    is_wide = (result["diameter_80"] or math.inf) > _MAX_WIDTH * min(instrument.pitch)
+    diameter = result.get("diameter_80_about_centroid", result["diameter_80"])  # without the shift of a tilt
+    is_wide = (diameter or math.inf) > _MAX_WIDTH * min(instrument.pitch)
     for name, measure in measures.items():
         omitted = result[name] is None or is_wide
         result[f"{name}_with_pixel"] = None if omitted else attempt(measure, image, of="image")

@@ -28,7 +28,8 @@ _FORMS: dict[str, Callable[[float], str]] = {
 _KEYS = {
     "m": "focal_length aperture_diameter focus_distance sensor_distance object_distance pixel pixel_in_object "
     "pixel_in_sample in_focus hyperfocal_distance near far blur airy_radius dark_ring_radius geometric_radius "
-    "circle_of_confusion fwhm fwhm_with_pixel diameter_80 diameter_80_with_pixel radius focus_tolerance sensor x y z "
+    "circle_of_confusion fwhm fwhm_with_pixel diameter_80 diameter_80_with_pixel diameter_80_about_centroid "
+    "diameter_80_about_centroid_with_pixel radius focus_tolerance sensor x y z "
     "distance reach wavelength wavelengths working_distance thickness depth step lateral axial paraxial brightest "
     "axial_fwhm lateral_fwhm focus focus_in_the_middle focus_distances between standard_error depth_scale distances "
     "distance_errors",
@@ -48,6 +49,8 @@ _BLURS = (
     "fwhm_with_pixel",
     "diameter_80",
     "diameter_80_with_pixel",
+    "diameter_80_about_centroid",
+    "diameter_80_about_centroid_with_pixel",
     "circle_of_confusion",
     "geometric_radius",
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import functools
 import pickle
 import threading
@@ -107,6 +108,25 @@ def test_what_zarr_cannot_read_is_named(tmp_path, name):
     (room / "new" / name).write_bytes(b"{}")
     with pytest.raises(ValueError, match=r"\.a\.zarr\.unfinished is damaged \(.*\); remove it"):
         restored(ONE[0], there)
+
+
+def test_zarr_has_chunks_in_a_single_thread(tmp_path, monkeypatch):
+    """Each of several would keep the memory that it freed."""
+    seen, begin = set(), asyncio.to_thread
+
+    async def to_thread(function, *given, **options):
+        def call():
+            seen.add((begun_by, threading.current_thread().name))
+            return function(*given, **options)
+
+        begun_by = threading.current_thread().name
+        return await begin(call)
+
+    monkeypatch.setattr("asyncio.to_thread", to_thread)
+    restored(ONE[0], tmp_path / "a.zarr")
+    of_chunks = {names for names in seen if names[0] != "zarr_io"}  # metadata are read by zarr alone
+    assert of_chunks
+    assert all(loop == other for loop, other in of_chunks)
 
 
 @pytest.mark.parametrize("error", [MemoryError(), RuntimeError("can't start new thread")])

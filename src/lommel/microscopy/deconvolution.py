@@ -494,7 +494,7 @@ def _restored(
             "level, 0 for none."
         )
     report = _within(report, min(last_fraction, 0.5), 1.0)
-    _conclude(outcome, floor, context, options, remarks, shared, comparison, report)
+    _conclude(outcome, floor, context, options, remarks, shared, comparison, workers, report)
     return RestoredChannel(
         discrepancy=outcome.deviance_after / outcome.voxels,
         before=outcome.deviance_before / outcome.voxels,
@@ -575,6 +575,7 @@ def _conclude(
     remarks: Remarks,
     shared: _Shared,
     comparison: HeldOut | None,
+    workers: Workers | None,
     report: Report,
 ) -> None:
     """Add the findings of the restoration. A misfit lists the alternative PSFs that fit the stack better."""
@@ -594,9 +595,8 @@ def _conclude(
         findings.append(uneven)
     if outcome.is_structured and model.keeps_light:
         background = float(np.mean(outcome.background))
-        findings += plane_light_findings(
-            context.stack, context.camera, background, context.saturation, reverse=model.is_reversed
-        )
+        check = partial(plane_light_findings, reverse=model.is_reversed)
+        findings += called(workers, check, context.stack, context.camera, background, context.saturation)
     if isinstance(model, GivenPSF) and not model.is_contained:
         rim = f"{percent(model.rim)} on its rim"
         side = model.window[1]

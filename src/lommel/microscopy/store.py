@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import asyncio
 import hashlib
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Awaitable, Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
@@ -21,6 +23,7 @@ from lommel.recorded import stack_files
 from lommel.recorded.counts import Stack
 from lommel.recorded.frames import Frames
 
+_Value = TypeVar("_Value")
 Chunk = tuple[Any, ...]
 """The place of a chunk: time in a series, channel, planes, rows, columns."""
 
@@ -53,7 +56,10 @@ class Target:
     def _is_unchanged(self, request: str, chunk: Chunk) -> bool:
         assert self.unfinished is not None
         with _zarr_errors(self.unfinished):
-            return self.unfinished.is_complete(_chunk_name(chunk), request, np.asarray(self._array[chunk]))
+            return self.unfinished.is_complete(_chunk_name(chunk), request, self._stored(chunk))
+
+    def _stored(self, chunk: Chunk) -> Values:
+        return np.asarray(_awaited(lambda: self._array.async_array.getitem(chunk)))
 
     def put(self, request: str, chunk: Chunk, values: Values) -> None:
         """Write a chunk, and record its request."""
@@ -62,7 +68,7 @@ class Target:
             return
         self.unfinished.require_there()
         with _zarr_errors(self.unfinished):
-            self._array[chunk] = values
+            _awaited(lambda: self._array.async_array.setitem(chunk, values))
         self.unfinished.record(_chunk_name(chunk), request, values)
         self._complete_chunks.append((request, chunk))
 
@@ -84,6 +90,29 @@ class Target:
             _open_group(self.unfinished.new, "r+").attrs["lommel"] = {"description": description}
         self.unfinished.finish()
         return _open_group(self.unfinished.place, "r")["0"]  # with an axis of channels, as stored
+
+
+class _Immediate(ThreadPoolExecutor):
+    """Executor that calls functions at once, in the thread that submits them."""
+
+    def submit(self, function: Callable[..., Any], /, *given: Any, **options: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        try:
+            future.set_result(function(*given, **options))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+
+def _awaited(call: Callable[[], Awaitable[_Value]]) -> _Value:
+    """Return what zarr reads or writes in one thread: each of its own, some per processor, keeps freed memory."""
+
+    async def run() -> _Value:
+        asyncio.get_running_loop().set_default_executor(_Immediate())
+        return await call()
+
+    with ThreadPoolExecutor(1) as thread:  # the calling one may run a loop already, as in a notebook
+        return thread.submit(asyncio.run, run()).result()
 
 
 @contextmanager

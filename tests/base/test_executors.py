@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import pickle
+import re
 import socket
 import threading
 import time
@@ -210,6 +211,7 @@ def test_an_address_without_a_scheduler_is_named(answer, monkeypatch):
         address = f"tcp://127.0.0.1:{server.getsockname()[1]}"
 
         def serve():
+            server.accept()[0].close()  # of a try whether anybody listens
             with server.accept()[0] as connection:
                 connection.sendall(answer)
                 connection.recv(4096)
@@ -218,11 +220,34 @@ def test_an_address_without_a_scheduler_is_named(answer, monkeypatch):
             server.close()  # nobody listens
         elif answer:
             threading.Thread(target=serve, daemon=True).start()
-        reason = {None: "Timed out", b"": "no answer within 0.1 s"}.get(answer, "another program does")
+        reason = {None: "Connection refused", b"": "no answer within 0.1 s"}.get(answer, "another program does")
         begun = time.monotonic()
         with pytest.raises(ConnectionError, match=rf"no scheduler .* '{address}': {reason}"), connected(address):
             pass
         assert time.monotonic() - begun < 5.0
+
+
+@pytest.mark.parametrize("address", ["", "tcp://", "host", "tcp://host", ":8786", "host:port", "http://host:8786"])
+def test_an_address_without_host_or_port_is_refused(address):
+    pytest.importorskip("distributed")
+    message = f"client must be the address of a scheduler with its port, such as tcp://host:8786, got '{address}'"
+    with pytest.raises(ValueError, match=re.escape(message)), connected(address):
+        pass
+
+
+def test_the_name_of_a_host_is_not_waited_for(monkeypatch):
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(executors, "_PATIENCE", 0.05)
+    end = threading.Event()
+    monkeypatch.setattr(socket, "getaddrinfo", lambda *_, **__: end.wait(20.0) and [])
+    begun = time.monotonic()
+    with (
+        pytest.raises(ConnectionError, match=r"answers at 'tcp://name:8786': no answer"),
+        connected("tcp://name:8786"),
+    ):
+        pass
+    assert time.monotonic() - begun < 10.0
+    end.set()
 
 
 @pytest.mark.parametrize("status", ["running", "connecting"])
@@ -240,6 +265,7 @@ def test_a_client_without_its_scheduler_ends_without_a_traceback(status, monkeyp
         return SimpleNamespace(abort=lambda: None)
 
     monkeypatch.setattr(distributed, "Client", Client)
+    monkeypatch.setattr(executors, "_knock", lambda *_: None)
     monkeypatch.setattr(distributed.comm, "connect", connect)
     for _ in range(2):  # the second time, the level of the log is as before
         with pytest.raises(ExecutorError), connected("tcp://scheduler:8786"):

@@ -9,11 +9,14 @@ import pytest
 from lommel.cli import output
 
 
-@pytest.mark.parametrize(("share", "expected"), [(1.0, 30.0), (0.25, 120.0), (0.01, 40.0)])
-def test_the_remaining_time_is_that_of_the_processor_at_the_recent_share(share, expected, monkeypatch):
+@pytest.mark.parametrize(
+    ("share", "expected", "elsewhere"),
+    [(1.0, 30.0, False), (0.25, 120.0, False), (0.01, 40.0, False), (0.25, 75.0, True)],
+)
+def test_the_remaining_time_is_that_of_the_processor_at_the_recent_share(share, expected, elsewhere, monkeypatch):
     clock = [0.0, 0.0]
     monkeypatch.setattr(output.Steps, "_clock", staticmethod(lambda: tuple(clock)))
-    steps = output.Steps(None, "reading", None)
+    steps = output.Steps(None, "reading", None, elsewhere=elsewhere)
     clock[:] = 50.0, 3.0
     steps("fitting")  # the time before does not count
     for k in range(1, 11):
@@ -52,7 +55,7 @@ def test_without_a_terminal_the_time_that_is_left_is_printed_once_of_long_steps(
     monkeypatch.setattr(output.Steps, "_clock", staticmethod(lambda: tuple(clock)))
     steps = output.Steps(None, "reading", None)
     steps("fitting")
-    for seconds in range(30):  # one of a hundred steps in a second
-        clock[:] = seconds, seconds
+    for seconds in range(30):  # one of a hundred steps in a second, after preparations
+        clock[:] = 40 + seconds, 40 + seconds
         steps("chi2 2", 0.01 * seconds)
-    assert capsys.readouterr().err == "chi2 2: about 0:01:29 left.\n"
+    assert capsys.readouterr().err == "chi2 2: about 0:01:28 left.\n"

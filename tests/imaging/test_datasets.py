@@ -211,6 +211,8 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
         rendered(files, "x")
     Image.fromarray(np.full(SHAPE, 200, np.uint8)).save(files / "depths" / "c.png")
     assert len(pair_files(files / "photos", files / "depths")) == 3
+    with pytest.raises(FileNotFoundError, match="nodepths"):
+        pair_files(files / "photos", files / "nodepths")
     with pytest.raises(ValueError, match=r"c\.png is an integer image; give the scale"):
         rendered(files, "y")
     assert len(list((files / "y").glob("*.json"))) == 5  # those before it are kept

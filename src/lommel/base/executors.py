@@ -11,6 +11,7 @@ import logging
 import os
 import pickle
 import secrets
+import socket
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent import futures
 from contextlib import contextmanager, nullcontext
@@ -98,6 +99,11 @@ class Workers:
             threads_of = client.nthreads().values()
             return cls(client, 2 * max(1, sum(threads_of)), client, min(threads_of, default=1))
         raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
+
+    @property
+    def at_once(self) -> int:
+        """Number of tasks that are computed at the same time."""
+        return self.slots if self.executor is None else max(1, self.slots // 2)
 
     def run(
         self,
@@ -282,6 +288,21 @@ def _unpickled(data: bytes | Path) -> Any:
     return pickle.loads(data.read_bytes() if isinstance(data, Path) else data)
 
 
+def _knock(host: str, port: int) -> None:
+    """Raise OSError at once if no program listens: distributed would try again, and wait for the name of a host."""
+    answer: futures.Future[None] = futures.Future()
+
+    def connect() -> None:
+        try:
+            socket.create_connection((host, port), _PATIENCE).close()
+            answer.set_result(None)
+        except Exception as error:  # also UnicodeError of a name
+            answer.set_exception(OSError(getattr(error, "strerror", None) or str(error)))
+
+    Thread(target=connect, daemon=True).start()
+    answer.result(_PATIENCE)
+
+
 @contextmanager
 def connected(address: str | None) -> Iterator[Any]:
     """Yield a client of the cluster at an address, such as tcp://scheduler:8786, or None without an address."""
@@ -290,12 +311,23 @@ def connected(address: str | None) -> Iterator[Any]:
         return
     distributed = library("distributed", "a cluster needs", "")
 
+    try:
+        scheme, place = distributed.comm.parse_address(address)
+        distributed.comm.registry.get_backend(scheme)
+        host, port = distributed.comm.addressing.parse_host_port(place)
+    except ValueError:
+        host, port = "", 0
+    if not host:
+        form = "the address of a scheduler with its port, such as tcp://host:8786"
+        raise ValueError(f"client must be {form}, got {validation.shown(address)}")
+
     async def reach() -> None:
         security = distributed.Security().get_connection_args("client")
-        comm = distributed.comm.connect(address, timeout=0.8 * _PATIENCE, **security)
+        comm = distributed.comm.connect(address, timeout=_PATIENCE, **security)
         (await asyncio.wait_for(comm, _PATIENCE)).abort()
 
     try:
+        _knock(host, port)
         asyncio.run(reach())  # a client that fails to connect would take 20 s more to close
     except Exception as error:  # also of programs that answer otherwise, such as MemoryError
         known = isinstance(error, OSError | ValueError)

@@ -167,7 +167,7 @@ def deconvolve(
     start = clock.perf_counter()
     try:
         with (
-            progress("reading") as report_progress,
+            progress("reading", elsewhere=client is not None) as report_progress,
             open_frames(stack) as frames,
             connected(client) as cluster,
         ):

@@ -112,7 +112,7 @@ def localize(
     microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
     start = time.perf_counter()
     with (
-        progress("table of images") as report_progress,
+        progress("table of images", elsewhere=client is not None) as report_progress,
         open_frames(movie) as movie_file,
         connected(client) as cluster,
     ):

@@ -31,11 +31,12 @@ _FIRST_FRACTION, _MOST_LEFT = 0.02, 1e6  # fraction from which the remaining tim
 class Steps:
     """Progress of a command in `total` steps, or as a fraction; `bar` is None if there is no terminal.
 
-    A terminal or a reader of a pipe that is gone is no error: it must not end a recording.
+    With `elsewhere`, workers of a cluster do the work. A terminal or a reader of a pipe that is gone is no error: it
+    must not end a recording.
     """
 
-    def __init__(self, bar: Progress | None, description: str, total: int | None) -> None:
-        self._bar, self._total = bar, total
+    def __init__(self, bar: Progress | None, description: str, total: int | None, *, elsewhere: bool = False) -> None:
+        self._bar, self._total, self._elsewhere = bar, total, elsewhere
         self._count, self._fraction, self._begun = 0, 0.0, -1.0  # begun: where the current step begins, if known
         self._start, self._recent, self._load = self._clock(), self._clock(), 1.0
         self._is_told = False
@@ -57,7 +58,8 @@ class Steps:
         if now[0] - self._recent[0] > _RECENT:
             self._recent = now
         elapsed, used = now[0] - self._start[0], now[1] - self._start[1]
-        passed = used * self._load if used > _LEAST_SHARE * elapsed else elapsed  # other processes may do the work
+        here = used > _LEAST_SHARE * elapsed and not self._elsewhere  # else other processes do the work
+        passed = used * self._load if here else elapsed
         return passed * (1.0 - fraction) / max(fraction - max(self._begun, 0.0), 1e-6)
 
     def __call__(self, name: str, fraction: float | None = None) -> None:
@@ -65,7 +67,7 @@ class Steps:
         self._count += fraction is None
         if fraction is not None:
             self._fraction = min(max(fraction, self._fraction), 1.0)  # estimates of the remaining time may increase
-            if self._begun < 0.0:  # what an earlier call did took no time
+            if self._begun <= 0.0:  # what an earlier call did took no time, and preparations are not in proportion
                 self._begun, self._start = fraction, self._clock()
                 self._recent = self._start
         elif self._total:
@@ -99,17 +101,19 @@ def _in_time(seconds: float | None) -> str:
 
 
 @contextmanager
-def progress(description: str, total: int | None = None, *, endless: bool = False) -> Iterator[Steps]:
+def progress(
+    description: str, total: int | None = None, *, endless: bool = False, elsewhere: bool = False
+) -> Iterator[Steps]:
     """Yield a function that reports steps on a bar, if standard error is a terminal, else one line of a long job.
 
-    With `endless`, for video, no fraction is known, and the bar is omitted.
+    With `endless`, for video, no fraction is known, and the bar is omitted; `elsewhere` is that of :class:`Steps`.
     """
     from rich.console import Console
 
     console = Console(stderr=True)
     if not console.is_terminal:
         # Even a disabled bar may leave an end of line.
-        yield Steps(None, description, total)
+        yield Steps(None, description, total, elsewhere=elsewhere)
         return
     from rich import progress as bars
 
@@ -122,7 +126,7 @@ def progress(description: str, total: int | None = None, *, endless: bool = Fals
             bars.TextColumn("[cyan]{task.fields[left]}"),
         ]
     with bars.Progress(*columns, console=console, transient=True) as bar:
-        yield Steps(bar, description, total)
+        yield Steps(bar, description, total, elsewhere=elsewhere)
 
 
 def written(paths: Iterable[Path | None], note: Callable[[Path], str] = lambda _: "") -> Report:

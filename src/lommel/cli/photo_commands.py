@@ -220,7 +220,8 @@ def _render(
     failed: list[Facts] = []
     rendered: list[Facts] = []
     try:
-        with progress("reading") as status, connected(data.client) as cluster:
+        elsewhere = data.client is not None or data.workers > 1
+        with progress("reading", elsewhere=elsewhere) as status, connected(data.client) as cluster:
             pictures = imaging.render_dataset(
                 photos, depths, folder, lenses, seed=data.seed, options=data.options(depth_map, cluster)
             )

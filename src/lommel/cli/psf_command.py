@@ -83,14 +83,14 @@ def stack(
     distances[0], distances[-1] = near, far
     window, start, steps = instrument.window, time.perf_counter(), 0
     with (
-        progress(f"{count} PSFs of {window[0]} x {window[1]} pixels") as report_progress,
+        progress(f"{count} PSFs of {window[0]} x {window[1]} pixels", elsewhere=client is not None) as report,
         connected(client) as cluster,
     ):
 
         def report_chunk(chunks: int, total: int) -> None:
             nonlocal steps
             steps += 1
-            report_progress(f"chunk {chunks} of {total}", chunks / total)
+            report(f"chunk {chunks} of {total}", chunks / total)
 
         store = psf_to(
             output,

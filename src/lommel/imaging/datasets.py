@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import math
 import multiprocessing
@@ -159,12 +160,15 @@ class DatasetPicture:
 def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[PathOf]) -> list[tuple[Path, Path]]:
     """Return pairs of photo and depth map: sequences are paired in order, files of two folders by name.
 
-    Names are compared without suffix. Raise ValueError if a file has no partner, or two files have the same name.
+    Names are compared without suffix. Raise FileNotFoundError if a folder is missing, ValueError if a file has no
+    partner, or two files have the same name.
     """
     listed = []
     for name, source in (("photos", photos), ("depths", depths)):
         if isinstance(source, str | PathLike):
             folder = validation.path(name, source)
+            if not folder.exists():
+                raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(folder))
             if not folder.is_dir():
                 raise ValueError(f"{name} must be a folder or a list of files, got {validation.shown(str(folder))}")
             by_name: dict[str, Path] = {}
@@ -313,7 +317,8 @@ def render_dataset(
         call, or made from other arguments or files. With ``on_error="raise"``, during the iteration, if a photo or
         depth map cannot be used or the blur is too large; complete pictures are kept.
     OSError
-        If a file cannot be written or, with ``on_error="raise"``, cannot be read.
+        If a folder of photos or depth maps is missing, or a file cannot be written or, with ``on_error="raise"``,
+        cannot be read.
     RuntimeError
         If the client cancels pictures, as when the scheduler of its cluster ends. The same call, with a new client,
         continues.

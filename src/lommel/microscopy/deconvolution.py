@@ -445,7 +445,7 @@ def _restored(
     """Restore a prepared channel: orient, solve, check."""
     shape = context.stack.shape
     crop = called(workers, select_crop, context.stack, context.model.window[1], context.saturation)
-    stages = _progress_parts(shape, crop, options)
+    stages = _progress_parts(shape, crop, options, workers)
     context = oriented(context, crop, shared.direction, remarks.notes, _within(report, 0.0, stages[0]))
     model = context.model
     shared.direction, shared.noise = "down" if model.is_reversed else "up", context.camera
@@ -631,13 +631,14 @@ def _within(report: Report, begin: float, end: float, name: str = "") -> Report:
 
 
 def _progress_parts(
-    shape: tuple[int, ...], crop: tuple[slice, slice], options: DeconvolveOptions
+    shape: tuple[int, ...], crop: tuple[slice, slice], options: DeconvolveOptions, workers: Workers | None
 ) -> tuple[float, float]:
-    """Return the progress, 0 to 1, after each of the estimates: direction of z, held-out photons."""
+    """Return the progress, 0 to 1, after each of the estimates, by this process: direction of z, held-out photons."""
     part = math.prod(pixels.stop - pixels.start for pixels in crop) / (shape[1] * shape[2])
     oriented = part * DIRECTION_STEPS if options.direction == "auto" else 0.0
     compared = estimated_held_out_steps(shape) if options.diagnosis else 0.0
-    total = oriented + compared + _USUAL_STEPS
+    steps = options.method.steps if options.method.target == 0.0 else min(_USUAL_STEPS, options.method.steps)
+    total = oriented + compared + steps / (1 if workers is None else workers.at_once)
     return oriented / total, (oriented + compared) / total
 
 

@@ -116,6 +116,14 @@ def test_integers_of_less_than_half_of_their_type_are_told_with_what_is_white(la
     assert bool(text) == bool(told)
 
 
+def test_the_value_of_few_bits_that_is_taken_as_saturated_is_told():
+    photo = np.full((8, 8), 1000, np.uint16)
+    photo[2, :5] = 4095
+    assert photo_commands._white_of([photo, photo // 2]).endswith(": 4095 is taken as saturated (--mask)")
+    photo[2, 1:5] = 1000
+    assert photo_commands._white_of([photo]).endswith(": no smaller value is taken as saturated (--mask)")
+
+
 def test_precision_is_a_table_and_a_picture(folder, call_lommel):
     options = ["lens.toml", "--focus", "1.5 m", "--photons", 1e4]
     result = call_lommel("precision", *options, "--pair", 0.1, "--plot", "precision.png", folder=folder)

@@ -43,6 +43,7 @@ from lommel.io.registry import suffixes
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.optics.lens import Lens
 from lommel.psf import PSF
+from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
 from lommel.report import Facts, Report, Wrapped, finite
 from lommel.report.table import described, records_of, told
@@ -605,9 +606,9 @@ def _white_of(photos: Sequence[Values]) -> str:
     largest, white = max(int(photo.max()) for photo in photos), int(np.iinfo(photos[0].dtype).max)
     if 2 * largest > white:
         return ""
-    return (
-        f"; the largest is {largest}, but white (--white) is {white}: no smaller value is taken as saturated (--mask)"
-    )
+    limit = min(full_value([photo], None)[0] for photo in photos)
+    taken = f"{limit:.0f} is" if limit < white else "no smaller value is"
+    return f"; the largest is {largest}, but white (--white) is {white}: {taken} taken as saturated (--mask)"
 
 
 def output_type(photograph: imaging.Photograph, output: Path) -> tuple[np.dtype[np.generic], Encoding]:

@@ -51,5 +51,5 @@ def test_beads_of_a_field_begin_half_a_window_before_their_places(monkeypatch):
 
     spots = Spots(places=np.array([[9, 20], [30, 41]]), windows=np.zeros((2, 3, 5, 7)), refused=[])
     monkeypatch.setattr(fit_commands.detection, "find_spots", lambda *_, **__: spots)
-    found = fit_commands._beads(fit_commands._Source("a.tif", "", 5e-7, ""), np.zeros((3, 60, 60)), None, 7, [])
+    found = fit_commands._beads(fit_commands._Source("a.tif", 5e-7, ""), "a.tif", np.zeros((3, 60, 60)), None, 7, [])
     assert [(bead.name, bead.corner) for bead in found] == [("a.tif [0]", (7, 17)), ("a.tif [1]", (28, 38))]

@@ -571,7 +571,8 @@ def beads(
             masked = StackView(recorded_planes, math.inf if saturation is None else saturation, mask=ignored)
             hot = hot_pixels(masked, noise, sharpest[wave], masked.limit)
             channel = f", {stack.metadata['names'][stack.metadata['channel']]}" if "channel" in stack.metadata else ""
-            prefix = f"{line(file)}{channel}: " if len(read) > 1 else ""
+            title = f"{line(file)}{channel}"
+            prefix = f"{title}: " if len(read) > 1 else ""
             findings += [replace(found, text=f"{prefix}{found.text}") for found in hot_pixel_findings(hot)]
             hidden = ignored | hot
             top, count = flat_top(recorded_planes, ~hidden, noise)
@@ -585,9 +586,9 @@ def beads(
                 status.tell(f"{text}.")
             values = np.ma.masked_array(recorded_planes, hidden) if hidden.any() else recorded_planes
             counts = Counts.of(values, noise=noise, saturation=saturation)
-            source = _Source(file, channel, wave, dates.get(file, ""))
+            source = _Source(file, wave, dates.get(file, ""))
             try:
-                windows += _beads(source, values, counts, window, notes)
+                windows += _beads(source, title, values, counts, window, notes)
             except ValueError as failure:
                 missing.append((source, failure))
         if not windows:
@@ -635,8 +636,7 @@ def beads(
             raise ValueError("; ".join(one.text for one in refusals.findings))
         if refusals.rows and folder is not None:
             rows += report.write(folder, refusals.rows, _earlier(folder))["table"]
-    (day, wave), report = list(told.items())[-1]
-    result = report.result
+    day, wave, result = *list(told)[-1], report.result
     if several_days:
         notes.append(f"Each date has its own fit, of which that of {day} is told.")
     if several:
@@ -652,11 +652,10 @@ def beads(
     found_all = [*contradicted.values(), *findings, *result.findings, *others, *refusals.findings]
     result = replace(result, findings=Findings(found_all))
     fitted = {light: of.result for (_, light), of in told.items()}
-    outputs, figures = ({_of_channel(path, light, several): light for light in fitted} for path in (output, figure))
+    outputs, figures = ({_of_channel(path, one, several): one for one in fitted if path} for path in (output, figure))
     saved = fitted | {wave: result}
     for path, light in outputs.items():
-        if path is not None:
-            _fitted(devices[light], saved[light], used_step).save(path)
+        _fitted(devices[light], saved[light], used_step).save(path)
     for path, light in figures.items():
         save_figure(saved[light].plot, path)
     facts = result.to_dict() | {"wavelength": wave, "noise": recorded, "notes": notes, "fwhm": None}
@@ -677,11 +676,10 @@ def beads(
     doubts = {path: f", of a fit that has not converged: {status}" for path, status in doubts.items()}
     files = written([*outputs, *figures, *pages], lambda path: doubts.get(path, ""))
     parts = [Wrapped(f"{_nanometres(light)}: {fitted[light].message}") for light in sorted(fitted) if light != wave]
-    shown = _fitted_tables(facts, result)
-    return report_findings(facts, *verdict_lines(facts, result.summary), *parts, *shown, "") + files
+    return report_findings(facts, *verdict_lines(facts, result.summary), *parts, *_tables(facts, result), "") + files
 
 
-def _fitted_tables(facts: Facts, result: BeadFit) -> Parts:
+def _tables(facts: Facts, result: BeadFit) -> Parts:
     """Return the tables of the coefficients, of the places of beads, and of the FWHM if there is a focus."""
     from lommel.estimation.bead_images import CONSTANTS
     from lommel.estimation.star_images import label
@@ -706,11 +704,9 @@ def _nanometres(wavelength: float) -> str:
     return f"{1e9 * wavelength:.0f} nm"
 
 
-def _of_channel(path: Path | None, wavelength: float, several: bool) -> Path | None:
+def _of_channel(path: Path, wavelength: float, several: bool) -> Path:
     """Return the path of the file of a channel, of `several` with the wavelength in its name."""
-    if path is None or not several:
-        return path
-    return path.with_name(f"{path.stem}-{1e9 * wavelength:.0f}nm{path.suffix}")
+    return path.with_name(f"{path.stem}-{1e9 * wavelength:.0f}nm{path.suffix}") if several else path
 
 
 def _emission(stack: Frames, stated: tuple[float, ...], microscope: Microscope) -> float:
@@ -782,10 +778,9 @@ def _sharpest(microscope: Microscope, z: Values, options: BeadOptions) -> float:
 
 
 class _Source(NamedTuple):
-    """A channel of a file: its name in words, its emission, and the date of its fit, "" without a report."""
+    """A channel of a file by its emission, and the date of its fit, "" without a report."""
 
     file: str
-    channel: str
     wavelength: float
     date: str
 
@@ -946,10 +941,8 @@ class _Fits:
     total: int
     done: int = 0
 
-    def fit(
-        self, beads: list[_Bead], model: Microscope, factor: float = 1.0, name: str = "", **known: Any
-    ) -> BeadFit:
-        """Return the fit of beads together; the step between planes is `factor` times the stated step."""
+    def fit(self, beads: list[_Bead], model: Microscope, times: float = 1.0, name: str = "", **known: Any) -> BeadFit:
+        """Return the fit of beads together; the step between planes is `times` the stated step."""
         from lommel.estimation.beads import fit_beads
 
         before, part, windows = self.done, min(len(beads), self.options.joint), [bead.window for bead in beads]
@@ -959,23 +952,22 @@ class _Fits:
             self.status(f"{name}chi2 {chi2:.3g}", (before + part * share) / self.total)
 
         counts = counts_of("stacks", windows, self.noise, sides=(4,), shape=_SHAPE, saturation=self.saturation)
-        return fit_beads(counts, model, z=factor * self.z, options=replace(self.options, progress=show, **known))
+        return fit_beads(counts, model, z=times * self.z, options=replace(self.options, progress=show, **known))
 
     def of_each(self, report: _BeadReport, refusals: _Refusals) -> Iterator[BeadFit]:
         """Yield the fit of each bead alone; one that shows two beads, or has none, is left out of the report."""
-        result, beads = report.result, report.windows
+        result, beads, diameter = report.result, report.windows, report.result.diameter
         # Bad constants are bad for each bead: fits of single beads would find that again.
         if not result.converged or len(beads) == 1:
             yield from (replace(result, beads=(bead,)) for bead in result.beads)
             return
         # The constants of all beads are nearer to the truth than the stated ones.
-        alone, factor = report.microscope.fitted(result), float(result.coefficients.get("step", 1.0))
+        alone, times = report.microscope.fitted(result), float(result.coefficients.get("step", 1.0))
         for k, (bead, fitted) in enumerate(zip(beads, result.beads, strict=True), 1):
             of_bead = replace(result, beads=(fitted,))
             if fitted.used:
-                name = f"bead {k} of {len(beads)}, "
                 try:
-                    of_bead = self.fit([bead], alone, factor, name, diameter=result.diameter)
+                    of_bead = self.fit([bead], alone, times, f"bead {k} of {len(beads)}, ", diameter=diameter)
                 except ValueError as error:
                     of = refusals.of(bead.name, bead.source)
                     found = refusals.tell(f"{of}, left out, though part of the fit of all beads: {error}")
@@ -983,20 +975,19 @@ class _Fits:
             yield of_bead
 
 
-def _beads(source: _Source, planes: Values, counts: Counts, window: int, notes: list[str]) -> list[_Bead]:
-    """Return the beads of a stack, and add to `notes` how many were refused.
+def _beads(source: _Source, title: str, planes: Values, counts: Counts, window: int, notes: list[str]) -> list[_Bead]:
+    """Return the beads of a stack, and add to `notes`, with a title, how many were refused.
 
     A stack that shows a single bead is returned as a whole.
     """
-    file, channel, *_ = source
     if max(planes.shape[1:]) <= _FIELD_FACTOR * window:
-        return [_Bead(f"{file} [0]", planes, (0, 0), source)]
+        return [_Bead(f"{source.file} [0]", planes, (0, 0), source)]
     spots = detection.find_spots(counts, window=window)
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "check --offset and --gain"
-        raise ValueError(f"{line(file)}{channel}: no isolated bead; {spots.message}: {advice}")
+        raise ValueError(f"{title}: no isolated bead; {spots.message}: {advice}")
     if spots.refused:
-        notes.append(f"{line(file)}{channel}: {spots.message}. Beads need {window} pixels for themselves (--window).")
+        notes.append(f"{title}: {spots.message}. Beads need {window} pixels for themselves (--window).")
     corners = (spots.places - [side // 2 for side in spots.windows.shape[-2:]]).tolist()
     numbered = enumerate(zip(spots.windows, corners, strict=True))
-    return [_Bead(f"{file} [{k}]", values, (row, column), source) for k, (values, (row, column)) in numbered]
+    return [_Bead(f"{source.file} [{k}]", values, (row, column), source) for k, (values, (row, column)) in numbered]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -179,3 +180,38 @@ def test_a_fault_of_json_is_told_with_its_key(load, old, new, told):
 def test_a_fault_of_csv_is_told_with_its_line(load, old, new, told):
     assert old in CSV
     assert any(fault.startswith(told) for fault in faults(load, ".csv", CSV.replace(old, new)))
+
+
+@pytest.mark.parametrize("stated", ["(waves rms)", "[rms waves]", "_waves"])
+def test_columns_may_state_unit_and_normalization(load, stated):
+    text = f"noll,coeff {stated}\n4,0.25\n".replace(" _", "_")
+    if "rms" not in stated:
+        told = faults(load, ".csv", text)
+        assert told == ["normalization: is missing; it is one of rms, edge: state it in a line # normalization: rms"]
+        text = told[0].rpartition("a line ")[2] + "\n" + text
+    assert load(".csv", text) == ZernikeTable({4: 0.25}, "noll", "waves", "rms")
+    # One wave of Noll's defocus is 2 sqrt(3) rho^2 less its mean.
+    phase = load(".csv", text).wavefront().phase([0.0, 1.0], 0.0)
+    assert phase[1] - phase[0] == pytest.approx(0.25 * 2 * math.pi * 2 * math.sqrt(3))
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("osa,value (waves rms)\n4,1\n", ["line 1: the columns must be index,value, got osa, value (waves rms)"]),
+        ("noll,value (waves nm)\n4,1\n", ["line 1: the columns must be index,value, got noll, value (waves nm)"]),
+        ("noll,value (waves peak)\n4,1\n", ["line 1: the columns must be index,value, got noll, value (waves peak)"]),
+        ("# order: osa\nj,c (um rms)\n4,1\n", ["order (line 1): must be one of nm, noll, ansi, fringe, got 'osa'"]),
+        (
+            "# normalization: edge\nnoll,c (um rms)\n4,1\n",
+            ["line 2: the columns state the normalization rms, line 1"],
+        ),
+    ],
+)
+def test_names_of_other_programs_are_told_once_with_the_name_here(load, text, told):
+    found = faults(load, ".csv", text)
+    assert len(found) == len(told)
+    assert found[0].startswith(told[0])
+    if "osa" in text:
+        assert "OSA" in found[0]
+        assert "ansi" in found[0]

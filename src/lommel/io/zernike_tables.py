@@ -226,13 +226,14 @@ _PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
 
 
 def build(
-    settings: Json, terms: Sequence[tuple[str, object, str]], where: Callable[[str], str]
+    settings: Json, terms: Sequence[tuple[str, object, str]], where: Callable[[str], str], example: str = ""
 ) -> tuple[ZernikeTable | None, list[str]]:
     """Build a table from settings and terms (index, value, place in the file), or return all errors.
 
-    `where` maps the name of a setting to its place in the file.
+    `where` maps the name of a setting to its place in the file; `example`, formatted with a name and a value, is how
+    the file states it.
     """
-    errors = _setting_errors(settings, where)
+    errors = _setting_errors(settings, where, example)
     wavelength, obscuration = None, 0.0
     if "wavelength" in settings:
         with text_files.collected(errors, where("wavelength")):
@@ -258,7 +259,7 @@ def build(
         return None, [f"{where('obscuration')}: {error}"]
 
 
-def _setting_errors(settings: Json, where: Callable[[str], str]) -> list[str]:
+def _setting_errors(settings: Json, where: Callable[[str], str], example: str) -> list[str]:
     """Return errors for unknown keys, and for order, unit and normalization if they are missing or not allowed."""
     keys = [key for key in settings if key not in SETTINGS]
     errors = [
@@ -268,9 +269,12 @@ def _setting_errors(settings: Json, where: Callable[[str], str]) -> list[str]:
     allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
     for key, options in allowed.items():
         if key not in settings:
-            errors.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
+            stated = example.format(key, options[0])
+            errors.append(f"{where(key)}: is missing; it is one of {', '.join(options)}{stated}")
         elif settings[key] not in options:
-            errors.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
+            name = zernike.NAMES_ELSEWHERE.get(str(settings[key]), "") if key == "order" else ""
+            text = f"must be one of {', '.join(options)}, got {validation.shown(settings[key])}"
+            errors.append(f"{where(key)}: {text}{name and f'; {name}'}")
     return errors
 
 
@@ -321,7 +325,7 @@ def _parse_index(text: str, order: str) -> Index:
 _INDEX_COLUMNS = ("index", "term", "j", "z", "zernike")  # names of columns
 _VALUE_COLUMNS = ("value", "coefficient", "coeff", "c")
 _NAME_COLUMNS = ("name", "aberration", "description")  # names of ignored columns
-_COLUMN = re.compile(r"([a-z]+)(?:\s*[(\[]\s*(\S+?)\s*[)\]]|_([^\s_]+))?")
+_COLUMN = re.compile(r"([a-z]+)(?:\s*[(\[]\s*([^)\]]+?)\s*[)\]]|_([^\s_]+))?")
 _NUMBERED_NAME = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
 
 
@@ -362,20 +366,17 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     (head, columns), *rows = [*text_files.rows(text, separator)] or [(0, [])]
     names = [cell.lower() for cell in columns]
     columns_used = [k for k, name in enumerate(names) if name not in _NAME_COLUMNS]
-    index, _, unit = _find_columns([names[k] for k in columns_used], order)
+    index, stated = _find_columns([names[k] for k in columns_used], order)
     if columns and not index:
         expected = "n,m,value" if order == "nm" else "index,value"
         others = (
-            "" if order == "nm" else "; index may be called term, j, z, noll, ansi or fringe, value coeff (waves)"
+            ""
+            if order == "nm"
+            else "; index may be called term, j, z, noll, ansi (OSA) or fringe, value coeff (waves rms)"
         )
-        errors.append(f"line {head}: the columns must be {expected}, got {_shorten_row(columns)}{others}")
-        rows = []
-    if index == ["n", "m"]:
-        settings.add("order", "nm", head)
-    elif index and index[0] in zernike.ORDERS:
-        settings.add("order", index[0], head)
-    if unit:
-        settings.add("unit", unit, head)
+        return None, [*errors, f"line {head}: the columns must be {expected}, got {_shorten_row(columns)}{others}"]
+    for key, value in stated.items():
+        settings.add(key, value, head)
     terms = []
     for place, row in rows:
         if len(row) != len(names):
@@ -386,21 +387,27 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
             number = number.replace(",", ".")  # a decimal comma
         match = _NUMBERED_NAME.fullmatch(index_cells[0])
         terms.append((match[1] if match else ",".join(index_cells), text_files.number(number), f"line {place}"))
-    table, table_errors = build(settings.values, terms, settings.where)
+    table, table_errors = build(settings.values, terms, settings.where, ": state it in a line # {}: {}")
     return (None if errors else table), [*errors, *table_errors]
 
 
-def _find_columns(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
-    """Return (1) index columns, (2) value column, (3) its unit (or ""); ([], "", "") if a column is unknown."""
+def _find_columns(columns: Sequence[str], order: str | None) -> tuple[list[str], dict[str, str]]:
+    """Return the index columns and the settings that the names state; no columns if one is unknown."""
     *index, value_column = columns or [""]
     value = _COLUMN.fullmatch(value_column)
     pair = index == ["n", "m"] and order in (None, "nm")
     one_index = len(index) == 1 and order != "nm" and index[0] in (*_INDEX_COLUMNS, *zernike.ORDERS[1:])
     if not value or value[1] not in _VALUE_COLUMNS or not (pair or one_index):
-        return [], "", ""
-    stated = value[2] or value[3] or ""
-    unit = UNIT_NAMES.get(stated, stated)
-    return (index, value[1], unit) if not unit or unit in UNITS else ([], "", "")
+        return [], {}
+    stated = {"order": "nm"} if pair else {"order": index[0]} if index[0] in zernike.ORDERS else {}
+    for word in (value[2] or value[3] or "").split():
+        if word in NORMALIZATIONS:
+            stated["normalization"] = word
+        elif (unit := UNIT_NAMES.get(word, word)) in UNITS and "unit" not in stated:
+            stated["unit"] = unit
+        else:
+            return [], {}
+    return index, stated
 
 
 def _shorten_row(row: Sequence[str]) -> str:
@@ -570,7 +577,7 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
 
     For the other orders, the columns are ``index,value``. The index column may also be called term, j, or noll, ansi
     or fringe, which states the order; its cells may be written Z4. The value column may be called coefficient, coeff
-    or c, and may state the unit: ``coeff (waves)``. A column of names is ignored.
+    or c, and may state the unit, and the normalization: ``coeff (waves rms)``. A column of names is ignored.
 
     ``.txt``: a listing of Zernike Standard, Fringe or Annular coefficients as OpticStudio writes it.
     ``.int``, ``.zfr``: a wavefront of Code V (ZRN or ZFR), converted to waves by the SSZ and WVL of the file. These

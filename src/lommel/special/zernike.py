@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 
 ORDERS = ("nm", "noll", "ansi", "fringe")
-_NAMES_ELSEWHERE = {"osa": "OSA's is 'ansi'", "OSA": "OSA's is 'ansi'", "standard": "Zernike Standard is 'noll'"}
+NAMES_ELSEWHERE = {"osa": "OSA's is 'ansi'", "OSA": "OSA's is 'ansi'", "standard": "Zernike Standard is 'noll'"}
 MAX_DEGREE = 60
 """Highest degree n of a term."""
 
@@ -35,9 +35,9 @@ def check_term(n: object, m: object) -> tuple[int, int]:
 
 def check_order(order: object) -> None:
     """Raise ValueError unless the order of Zernike terms is known, with the name that it has here."""
-    if isinstance(order, str) and order in _NAMES_ELSEWHERE:
+    if isinstance(order, str) and order in NAMES_ELSEWHERE:
         raise ValueError(
-            f"order must be one of {', '.join(map(repr, ORDERS))}, got {order!r}; {_NAMES_ELSEWHERE[order]}"
+            f"order must be one of {', '.join(map(repr, ORDERS))}, got {order!r}; {NAMES_ELSEWHERE[order]}"
         )
     validation.choice("order", order, ORDERS)
 

@@ -318,3 +318,16 @@ def test_transfer_function_of_a_disc_is_that_of_its_chords():
     place = np.sin(0.5 * np.pi * node)  # the chord at this place is cos(pi node / 2) times the diameter
     chords = np.cos(np.pi * 3.0 * f[:, None] * place) @ (weight * np.cos(0.5 * np.pi * node) ** 2)
     np.testing.assert_allclose(disc_transfer(3.0, f), chords, atol=1e-12)
+
+
+def test_frequencies_that_are_probably_per_millimetre_are_told():
+    camera = lm.Pupil(lm.Wavefront(0.5), wavelength=550e-9, f_number=4.0)
+    psf = lm.psf(camera, 3, 1e-6)
+    for measure in (lambda f: lm.mtf(camera, f), lambda f: lm.otf(camera, 0.0, [0.0, f]), psf.mtf):
+        with pytest.warns(UserWarning, match=r"cycles per metre: 50 is 0.0001 of the cutoff.*cycles/mm give 50e3"):
+            measure(50)
+        measure(50e3)  # warnings are errors
+        measure(0.0)
+    lm.mtf(camera, [50.0, 50e3])
+    lm.mtf(camera, 50.0, blur=lm.Motion(8e-3))  # a blur of millimetres has such frequencies
+    lm.mtf(lm.Pupil(), 1e-4)

@@ -23,6 +23,7 @@ from lommel.measures.continuous_image import ImageModel, sampled_transfer
 from lommel.measures.overlap import autocorrelation
 from lommel.measures.psf_like import Measurable, PSFLike
 from lommel.methods.polychromatic import Polychromatic
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
@@ -32,6 +33,7 @@ Complexes = np.complex128 | NDArray[np.complex128]
 
 Pitch = float | tuple[float, float]
 """Pixel pitch: one number, or height and width."""
+_NEAR_ONE = 0.99
 
 
 class Sensor(TypedDict, total=False):
@@ -126,6 +128,7 @@ def otf(
             weight * autocorrelation(part, f, tolerance) * np.prod([np.ravel(factor) for factor in factors], axis=0)
         )
     result: Complexes = (total.reshape(pupil.shape + x_f.shape) * pixel_transfer)[()]
+    _tell_low(pupil, x_f, y_f, result)
     return result
 
 
@@ -165,7 +168,19 @@ def image_otf(
     x_f, y_f = frequencies(fx, fy, pupil.unit)
     scaled = x_f.ravel() * pupil.scale, y_f.ravel() * pupil.scale
     result: Complexes = sampled_transfer(ImageModel.of(psf, of), *scaled).reshape(pupil.shape + x_f.shape)[()]
+    _tell_low(pupil, x_f, y_f, result)
     return result
+
+
+def _tell_low(pupil: BasePupil, fx: Array, fy: Array, values: Complexes) -> None:
+    """Tell that frequencies are probably per millimetre: far below the cutoff, and with an OTF near 1."""
+    highest = float(np.hypot(fx, fy).max(initial=0.0))
+    # In cycles per millimetre numbers of frequencies are below a thousandth of the cutoff in cycles per metre.
+    if pupil.unit == "m" and 0.0 < highest < 1e-3 * pupil.cutoff and np.abs(values).min(initial=1.0) > _NEAR_ONE:
+        validation.tell(
+            f"frequencies are in cycles per metre: {highest:g} is {highest / pupil.cutoff:.1g} of the cutoff, where "
+            f"the MTF is near 1; for {highest:g} cycles/mm give {highest:g}e3"
+        )
 
 
 def _pixel_transfer(pupil: Pupil, x_f: Array, y_f: Array, pixel: Pitch | None, fill: Pitch) -> Array:

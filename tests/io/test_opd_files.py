@@ -200,6 +200,30 @@ POSITIONS = "".join(
 )
 
 
+@pytest.mark.parametrize("head", ["", "px,py,W (waves)\n", "# unit: waves\nx,y,W\n"])
+@pytest.mark.parametrize(("side", "digits"), [(33, 4), (64, 4), (129, 3)])
+def test_a_list_of_positions_and_values_is_a_map(head, side, digits, tmp_path):
+    axis = np.linspace(-1, 1, side)
+    x, y = np.meshgrid(axis, axis)
+    waves = 0.3 * (3 * (x**2 + y**2) - 2) * y + 0.2 * (x**2 - y**2) - 0.1 * x * y
+    inside = (x**2 + y**2 <= 1 + 1e-9) & (np.abs(x - 0.3) > 0.05)  # a vane
+    order = np.random.default_rng(1).permutation(inside.sum())
+    rows = np.column_stack([x[inside], y[inside], waves[inside]])[order]
+    text = "".join(f"{a:.{digits}f},{b:.{digits}f},{c:.6f}\n" for a, b, c in rows)
+    (tmp_path / "a.csv").write_text(head + text)
+    opd = lm.load_opd(tmp_path / "a.csv", unit="waves", wavelength=WAVE)
+    # Without the rows and columns at the rim that have no position.
+    first, last = (axis.min() for axis in np.nonzero(inside)), (axis.max() + 1 for axis in np.nonzero(inside))
+    known = tuple(map(slice, first, last))
+    expected_map = np.where(inside, waves * WAVE, np.nan)[known]
+    np.testing.assert_allclose(opd.values, expected_map, atol=1e-6 * WAVE)
+    found = lm.fit_opd(opd, degree=3).coefficients
+    expected = {(3, -1): 0.3 / math.sqrt(8), (2, 2): 0.2 / math.sqrt(6), (2, -2): -0.05 / math.sqrt(6)}
+    for term, value in found.items():
+        if term[0] > 1:
+            assert value / WAVE == pytest.approx(expected.get(term, 0.0), abs=1e-5)
+
+
 @pytest.mark.parametrize(
     ("name", "data", "told"),
     [
@@ -218,8 +242,13 @@ POSITIONS = "".join(
         bad("a.fits.gz", b"\x1f\x8b\x08" + b"\0" * 30, "cannot be read"),
         bad("a.csv", "1,2\n3\n", "it must hold rows with the same number of values, got 1 in line 2, and 2 before"),
         bad("a.csv", "1,2\n3,x\n", "it must hold rows with the same number of values, got '3, x' in line 2"),
-        bad("a.csv", POSITIONS, "got a list of 59 positions x, y and values: put them into an array"),
-        bad("a.csv", f"x (mm),y (mm),W (waves)\n{POSITIONS}", "got a list of 59 positions x, y and values"),
+        bad("a.csv", POSITIONS.replace("0.2500,", "0.3000,"), "x, y and a value on a square grid, got 59 on none"),
+        bad(
+            "a.csv",
+            f"{POSITIONS}x,y,W\n",
+            "it must hold rows with the same number of values, got 'x, y, W' in line 60",
+        ),
+        bad("a.csv", "x,y,W\n1,2,3\n", "it must hold rows with the same number of values, got 'x, y, W' in line 1"),
         bad("a.csv", "", "it must hold rows with the same number of values"),
         bad("a.csv", "# unit: furlong\n1,2\n", "it has the unknown unit 'furlong'"),
         bad("a.csv", "# Unit: nm\n1,2\n", "it states 'Unit', which is unknown"),

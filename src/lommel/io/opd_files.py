@@ -33,6 +33,7 @@ _HEADER = np.dtype(
         "itemsize": _HEADER_SIZES[0],
     }
 )  # fmt: skip
+_OFF_GRID = 0.05  # largest distance of positions from those of a grid, in steps
 _INVALID = 2147483640  # phase from which on a point is not measured
 _STEPS_PER_FRINGE = {0: 4096, 1: 32768, 2: 131072}  # phase steps per fringe for each code of the phase resolution
 
@@ -134,8 +135,8 @@ def load_opd(
     ``.fits``, ``.fit``, also ``.gz``: an image, in the unit of BUNIT, with the spacing of PUPLSCAL (metres, as
     POPPY and WebbPSF write it) or of CDELT1 and CUNIT1, and WAVELEN in metres. ``.dat``: MetroPro's binary files.
     ``.datx``: files of Zygo Mx. ``.int``: a wavefront grid of Code V (GRD). ``.npy``: an array. ``.csv``: rows of
-    numbers, with empty cells for missing numbers; lines such as ``# unit: nm``, ``# spacing: 0.1 mm`` and
-    ``# wavelength: 632.8 nm`` may precede the rows.
+    numbers, with empty cells for missing numbers, or x, y and a value in each row, on a square grid; lines such as
+    ``# unit: nm``, ``# spacing: 0.1 mm`` and ``# wavelength: 632.8 nm`` may precede the rows.
 
     Values that a file marks as missing become NaN. Rows, columns and signs are not changed. A map of a surface holds
     its height: half of the path difference in reflection.
@@ -287,24 +288,25 @@ def _read_csv(data: bytes) -> Measured:
     stated_values = {key: value for _, key, value in text_files.settings(text)}
     if unknown_keys := [key for key in stated_values if key not in ("unit", "spacing", "wavelength")]:
         raise ValueError(f"it states {', '.join(map(validation.shown, unknown_keys[:3]))}, which is unknown")
-    values, width, fault = array("d"), 0, ""
+    values, width, fault, names = array("d"), 0, "", ""
     for place, row in text_files.rows(text):
-        if width and len(row) != width:
+        is_first = not width
+        if not is_first and len(row) != width:
             fault = fault or f", got {len(row)} in line {place}, and {width} before"
         width = len(row)
         try:
             values.extend([math.nan if cell == "" else float(cell) for cell in row])
         except ValueError:
-            fault = fault or f", got {validation.shown(', '.join(row[:3]))} in line {place}"
-    if width == 3 and len(values) % 3 == 0 and _lists_positions(np.array(values).reshape(-1, 3)):
-        raise ValueError(
-            f"it must hold a row of values for each row of pixels, got a list of {len(values) // 3} positions x, y "
-            "and values: put them into an array, NaN where there is none"
-        )
-    if fault or not width:
-        raise ValueError(f"it must hold rows with the same number of values{fault}")
+            told = f", got {validation.shown(', '.join(row[:3]))} in line {place}"
+            names, fault = (told, "") if is_first else (names, fault or told)
+    if width == 3 and not fault and _lists_positions(np.array(values).reshape(-1, 3)):
+        grid = _on_grid(np.array(values).reshape(-1, 3))  # under the names of columns, or none
+    elif names or fault or not width:
+        raise ValueError(f"it must hold rows with the same number of values{names or fault}")
+    else:
+        grid = np.array(values).reshape(-1, width)
     lengths = {name: parse_length(stated_values[name]) for name in ("spacing", "wavelength") if name in stated_values}
-    return Measured(np.array(values).reshape(-1, width), _find_unit(stated_values.get("unit", "")), **lengths)
+    return Measured(grid, _find_unit(stated_values.get("unit", "")), **lengths)
 
 
 def _lists_positions(rows: Values) -> bool:
@@ -315,6 +317,27 @@ def _lists_positions(rows: Values) -> bool:
     columns, lines = np.unique(x), np.unique(y)
     is_grid = min(columns.size, lines.size) > 2 and columns.size * lines.size <= 3 * len(rows)
     return bool(is_grid and len(np.unique(rows[:, :2], axis=0)) == len(rows))
+
+
+def _on_grid(rows: Values) -> Values:
+    """Return the map of a list of x, y and values on a square grid, NaN where there is none; ValueError otherwise."""
+    places, steps = [], []
+    for one in rows[:, :2].T:
+        gaps = np.diff(np.unique(one))
+        # Positions are rounded, and columns may be missing: a gap has the width of one or more steps.
+        steps.append(float(np.ptp(one) / np.rint(gaps / np.median(gaps)).sum()))
+        exact = (one - one.min()) / steps[-1]
+        places.append(np.rint(exact).astype(np.int64))
+        if np.abs(exact - places[-1]).max() > _OFF_GRID or abs(steps[-1] / steps[0] - 1.0) > _OFF_GRID:
+            raise ValueError(
+                f"it must hold rows of pixels, or x, y and a value on a square grid, got {len(rows)} on none: "
+                "interpolate them to one (scipy.interpolate.griddata)"
+            )
+    width, height = (int(one.max()) + 1 for one in places)
+    reading.pixels(width, height)
+    values = np.full((height, width), np.nan)
+    values[places[1], places[0]] = rows[:, 2]
+    return values
 
 
 def _write_csv(opd: OPDMap) -> bytes:

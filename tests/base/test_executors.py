@@ -301,6 +301,15 @@ def test_results_within_patience_need_no_workers_asked(monkeypatch):
     assert len(list(Workers(Immediate(), 2, Client()).run(str, numbers(3)))) == 3
 
 
+def test_the_freed_memory_of_each_result_of_a_cluster_is_released(monkeypatch):
+    calls, release = [], executors._release_freed_memory
+    monkeypatch.setattr(executors, "_release_freed_memory", lambda: calls.append(release()))
+    for client, count in ((SimpleNamespace(status="running"), 3), (None, 0)):
+        calls.clear()
+        assert len(list(Workers(Immediate(), 2, client).run(str, numbers(3)))) == 3
+        assert len(calls) == count
+
+
 def test_tasks_of_a_cluster_are_cancelled_in_silence(caplog):
     """While their results arrive, of which the executor of the client would log tracebacks."""
     distributed = pytest.importorskip("distributed")

@@ -7,6 +7,7 @@ may outlive the call: a task must therefore write parts that are complete or abs
 from __future__ import annotations
 
 import asyncio
+import ctypes
 import logging
 import os
 import pickle
@@ -14,7 +15,7 @@ import secrets
 import socket
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent import futures
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from importlib import import_module
@@ -144,6 +145,8 @@ class Workers:
                             continue
                         queue.remove(each)
                         yield each.task, result
+                        if self.client is not None:
+                            _release_freed_memory()
             finally:
                 if self._is_connected():
                     for each in queue:
@@ -193,6 +196,12 @@ class Workers:
                 workers = {}
             if not workers:
                 validation.tell("no worker is connected to the cluster of the client: waiting for workers", Waiting)
+
+
+def _release_freed_memory() -> None:
+    """Return freed memory to the system: glibc keeps that of the threads of a client, more with each result."""
+    with suppress(AttributeError, OSError, TypeError):  # of other C libraries
+        ctypes.CDLL(None).malloc_trim(0)
 
 
 def _itself(value: _Value) -> _Value:

@@ -8,6 +8,7 @@ import pickle
 import threading
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import nullcontext
 
 import dask.array
 import numpy as np
@@ -238,6 +239,23 @@ def test_chunks_of_workers_are_those_of_this_process(tmp_path, is_lazy):
     assert set(loads.values()) <= {1}
     np.testing.assert_array_equal(found, restored(ONE, tmp_path / "b.zarr")[0])
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.zarr", "b.zarr"]
+
+
+@pytest.mark.parametrize("offset", [0.0, 20.0])
+@pytest.mark.parametrize("kind", ["array", "folder"])
+def test_missing_chunks_of_a_recording_are_a_doubt_unless_they_may_be_empty(tmp_path, kind, offset):
+    group = zarr.create_group(str(tmp_path / "a.zarr"), zarr_format=3)
+    axes = [{"name": name, "type": "space"} for name in "zyx"]
+    group.attrs["ome"] = {"multiscales": [{"axes": axes, "datasets": [{"path": "0"}]}]}
+    array = group.create_array("0", data=ONE[0], chunks=(2, 16, 16))
+    (tmp_path / "a.zarr" / "0" / "c" / "1" / "0" / "2").unlink()
+    given = GIVEN | {"noise": lm.Noise(white=0.5, read=1.0, offset=offset)}
+    with nullcontext() if kind == "folder" else pytest.warns(UserWarning, match="1 of the 6 chunks"):
+        found = deconvolved(array if kind == "array" else tmp_path / "a.zarr", OIL_60X, **given)
+    (finding,) = [finding for finding in found.findings if finding.code == "missing_chunks"]
+    assert (finding.severity, finding.numbers) == ("doubt" if offset else "note", {"missing": 1, "chunks": 6})
+    assert "are missing and count as 0: c/1/0/2; " in finding.text
+    assert not [note for note in found.notes if "below the offset" in note or "missing" in note]
 
 
 def test_workers_need_an_output():

@@ -63,7 +63,9 @@ def test_chunks_that_are_missing_are_counted(tmp_path):
     for chunk in chunks(path)[:3]:
         chunk.unlink()
     found = open_frames(path).as_channels()
-    assert found.notes[0].startswith("3 of the 4 chunks of the folder are missing and count as 0: ")
+    assert found.notes[0].startswith(
+        "3 of the 4 chunks of the folder are missing and count as 0: c/0/0/0, c/0/0/1, c/1/0/0; "
+    )
     assert not found[0][:2].any()
 
 

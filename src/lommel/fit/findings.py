@@ -42,6 +42,7 @@ CODES: Mapping[str, str] = {
     "many_rejected": "many sources do not follow the fit",
     "missed_light": "the model misses a part of the light: errors hold between exposures of the same set-up",
     "measured_psf": "the PSF is a measured one: number of beads, noise, voxel and light on the rim",
+    "missing_chunks": "chunks of a Zarr folder are missing, and count as dark",
     "misfit": "the images differ from the model by more than noise",
     "model_error": "images of the search differ from images with a proven error bound",
     "moved": "planes are shifted relative to the other planes",
@@ -92,6 +93,7 @@ _DATA = ("flat_top", "multiples", "no_counts", "unit_sum")
 _CAUSES = (
     "contradiction", "pixel_pitch", "reversed_z", "exchanged", "opposite_astigmatism", "excess_noise",
     "gain", "other_explanation", "hot_pixels", "pattern", "lens_scale", "one_focus", "left_out",
+    "missing_chunks",
 )  # fmt: skip
 _MOST_CHARACTERS = 800  # of the texts of findings that are printed: ten lines
 _MOST_LINES = 12  # of a result

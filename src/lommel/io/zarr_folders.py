@@ -24,6 +24,7 @@ from lommel.base import reading, validation
 from lommel.base.arrays import Json, Values
 from lommel.io.registry import Description
 
+_NAMED = 3  # largest number of missing chunks that are named
 _CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")  # last component of the path of a chunk file
 
 
@@ -35,6 +36,14 @@ def files_of(folder: Path) -> list[Path]:
     return files
 
 
+class Missing(NamedTuple):
+    """Missing chunks: a sentence that names them, their number, and that of all."""
+
+    text: str
+    number: int
+    total: int
+
+
 class Chunks:
     """Chunk files of a zarr array in a folder `root`."""
 
@@ -44,18 +53,25 @@ class Chunks:
         codecs = [*getattr(array.metadata, "codecs", ()), getattr(array.metadata, "compressor", None)]
         self._has_blosc = any("blosc" in type(codec).__name__.lower() for codec in codecs)
 
-    def missing(self, files: Sequence[Path]) -> list[str]:
-        """Return a sentence on chunk files that are missing among `files`, as a list; ValueError if all are."""
-        total = math.prod(
-            math.ceil(side / part) for side, part in zip(self._array.shape, self._file_chunks, strict=True)
-        )
+    def missing(self, files: Sequence[Path]) -> list[Missing]:
+        """Return what is missing among the chunk `files`, as a list of at most one; ValueError if all are."""
+        counts = [math.ceil(side / part) for side, part in zip(self._array.shape, self._file_chunks, strict=True)]
+        total = math.prod(counts)
         found = sum(bool(_CHUNK.fullmatch(file.name)) for file in files if file.is_relative_to(self._folder))
         if not found and total:
             raise ValueError(f"it lacks all of its {total} chunks: copy the whole folder")
-        return [
+        if found >= total:
+            return []
+        keys = map(self._array.metadata.encode_chunk_key, itertools.product(*map(range, counts)))
+        absent = (key for key in keys if not (self._folder / key).is_file())
+        names = ", ".join(itertools.islice(absent, _NAMED)) + f" and {total - found - _NAMED} more" * (
+            total - found > _NAMED
+        )
+        text = (
             f"{total - found} of the {total} chunks of the folder are missing and count as {self._array.fill_value}: "
-            "they were empty, or the copy is not complete."
-        ] * (found < total)
+            f"{names}; they were empty, or the copy is not complete"
+        )
+        return [Missing(f"{text}.", total - found, total)]
 
     def check(self, ranges: list[range]) -> None:
         """Raise ValueError for a truncated chunk of Blosc, which would read on, in `ranges` (one per axis)."""
@@ -71,8 +87,8 @@ class Chunks:
                     raise ValueError(f"its chunk {key} is truncated: its header states more bytes")
 
 
-def missing_chunks(images: Any) -> list[str]:
-    """Return sentences on missing chunks of an array of Zarr, or of those that an array of dask reads."""
+def missing_chunks(images: Any) -> list[Missing]:
+    """Return what is missing of the chunks of an array of Zarr, or of those that an array of dask reads."""
     arrays = [array for array in stored_arrays(images) if type(array).__module__.partition(".")[0] == "zarr"]
     folders = [(folder_of(array), array) for array in arrays]
     lists = [Chunks(root, array).missing(files_of(root / array.path)) for root, array in folders if root is not None]

@@ -22,7 +22,8 @@ from lommel.base.options import HIDDEN, In, Options, Shown, listed
 from lommel.base.units import camera_pixel, format_length, percent
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background
-from lommel.fit.findings import Finding, Findings, in_words
+from lommel.fit.findings import Finding, Findings, Severity, in_words
+from lommel.io.zarr_folders import Missing
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.microscopy.chunks import Course, Outcome, chunk_side, restore_chunks
 from lommel.microscopy.depth_model import MAX_RIM, DepthModel, GivenPSF, PSFs
@@ -299,9 +300,10 @@ def run(
         moments = [recording.one_of("T", k) for k in range(recording.shape[0])] if series else [recording]
         if noise is not None and not header:  # counts are complete
             noise, saturation = with_header(noise, saturation, recording.metadata)
-        notes = list(recording.notes)
+        missing = recording.metadata.get("missing", [])
+        notes = [note for note in recording.notes if note not in [chunks.text for chunks in missing]]
         found = sampled(moments[0], microscope, stated, tuning.window, notes)
-        doubts = told_early(found.findings)
+        doubts = told_early(found.findings) + _missing_findings(missing, noise)
         used = replace(recording, metadata=found.recording.metadata)
         ignored = _mask_of(mask, array_mask, moments[0].shape)
         names = used.metadata["names"]
@@ -321,7 +323,7 @@ def run(
             remarks = Remarks(notes if k == 0 else [])  # only the first channel adds notes
             if isinstance(model, GivenPSF):
                 remarks.findings += model.findings
-            prepare = partial(prepared, saturation=saturation, threads=tuning.threads)
+            prepare = partial(prepared, saturation=saturation, threads=tuning.threads, complete=not missing)
             hidden = None if ignored is None else unrepeated(ignored[number])
             task = stacks[number], model, shared[number].noise, remarks, hidden
             # Variances and hot pixels of whole planes take the memory of a worker, not of the client.
@@ -358,6 +360,16 @@ def run(
     ]
     summary = _summary(results, len(names) if series else 0)
     return RestoredStack(values, tuple(results), used, tuple(notes), findings=Findings(findings), summary=summary)
+
+
+def _missing_findings(missing: Sequence[Missing], noise: Noise | None) -> list[Finding]:
+    """Return the finding on missing chunks: a doubt, unless the values that they count as may have been recorded."""
+    severity: Severity = "note" if noise is not None and np.all(np.asarray(noise.offset) == 0.0) else "doubt"
+    wrong = "then restored light is wrong there, and up to half of a PSF beyond"
+    return [
+        Finding("missing_chunks", severity, f"{text[:-1]}: {wrong}", {"missing": number, "chunks": total})
+        for text, number, total in missing
+    ]
 
 
 def _require_here(home: Placement, options: DeconvolveOptions) -> None:

@@ -54,8 +54,12 @@ def prepared(
     *,
     saturation: float | None = None,
     threads: int = 0,
+    complete: bool = True,
 ) -> tuple[StackContext, Remarks]:
-    """Return a stack without saturated, masked or hot voxels, with its noise; and the remarks, which are added to."""
+    """Return a stack without saturated, masked or hot voxels, with its noise; and the remarks, which are added to.
+
+    Stated noise is compared with a `complete` stack: missing chunks count as dark.
+    """
     limit = _saturation_limit(stack, saturation, remarks.notes)
     if mask is not None:
         mask = np.broadcast_to(mask, stack.shape)
@@ -73,7 +77,8 @@ def prepared(
         )
     else:
         noise.require_shape(stack.shape)
-        _check_noise(stack, noise, remarks.notes)
+        if complete:
+            _check_noise(stack, noise, remarks.notes)
     return _without_hot(StackContext(stack, model, noise, limit, threads), remarks), remarks
 
 

@@ -98,9 +98,9 @@ class RestoredStack(FitReport):
     findings : Findings
         Results of the checks of all channels. Errors: "misfit", "too_quiet", and "not_settled" and "interrupted",
         where the steps ended above the noise. Doubts: "psf_doubtful", where held-out photons agree better with
-        another PSF; "misfit" where no other PSF fits better; "hot_pixels"; "contradiction" and "pixel_pitch", where
-        the file states another step, emission or pixel than the one in use. All other findings are notes. Findings
-        set ``converged``, ``reliable`` and ``status``.
+        another PSF; "misfit" where no other PSF fits better; "hot_pixels"; "missing_chunks" of a Zarr folder, which
+        count as dark; "contradiction" and "pixel_pitch", where the file states another step, emission or pixel than
+        the one in use. All other findings are notes. Findings set ``converged``, ``reliable`` and ``status``.
     summary : str
         Discrepancy and number of steps of each channel, of a time series the range of its time points.
     """

@@ -1038,7 +1038,9 @@ def _zarr_frames(path: Path, part: str | None) -> Frames:
         sides = {letter: length(size, unit) for letter, size, unit in stated}
     metadata = zarr_metadata(image.attributes, sides)
     planes = _ZarrPlanes(path, array, tuple(letters.index(letter) for letter in order))
-    notes += planes.chunks.missing(files)
+    if missing := planes.chunks.missing(files):
+        metadata["missing"] = missing
+        notes += [chunks.text for chunks in missing]
     stack_shape = tuple(array.shape[letters.index(letter)] for letter in order[:-2])
     numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
     return Frames(planes, numbers, order, metadata | {"format": "OME-Zarr"}, tuple(notes))
@@ -1250,7 +1252,7 @@ def _with_used_metadata(frames: Frames) -> Frames:
     lens = {key: usable_value(key, key, metadata.get(key), None) for key in ("NA", "magnification", "immersion")}
     stated_names = metadata.get("names", [])
     names = tuple((stated_names[k] if k < len(stated_names) else None) or f"channel {k}" for k in range(count))
-    camera = {key: metadata[key] for key in _CAMERA if key in metadata}
+    camera = {key: metadata[key] for key in (*_CAMERA, "missing") if key in metadata}
     camera |= {"modality": metadata.get("modality")}
     used = camera | lengths | {"names": names, "unusable": unusable} | waves | lens
     return replace(frames, metadata=used, notes=tuple(notes))

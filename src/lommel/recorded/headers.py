@@ -263,10 +263,11 @@ def metadata_of(name: str, images: Any) -> Metadata:
     if type(images) in BARE:
         return {}
     try:
-        for note in missing_chunks(images):
-            validation.tell(f"{name}: {note}")
+        missing = missing_chunks(images)
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from None
+    for chunks in missing:
+        validation.tell(f"{name}: {chunks.text}")
     header = getattr(images, "header", getattr(images, "meta", None))
     cards = {str(key).upper(): value for key, value in header.items()} if isinstance(header, Mapping) else {}
     if (unit := stated_unit(images)) is not None:
@@ -283,7 +284,7 @@ def metadata_of(name: str, images: Any) -> Metadata:
         if wave in getattr(images, "coords", ()):
             axis = images.coords[wave]
             metadata["emission"] = [length(value, stated_unit(axis) or "") for value in np.ravel(axis).tolist()]
-    return metadata
+    return metadata | ({"missing": missing} if missing else {})
 
 
 _HEADER_VALUES = {

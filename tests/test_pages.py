@@ -630,7 +630,7 @@ def test_what_the_readme_says_of_ffts_pairs_of_frames_and_fits_is_that_of_the_pa
     first = f"{results} results of {len(runs)} worlds: {good} called good, {wrong} of them wrong ("
     assert f"\n{first}" in pages["trust"]
     called = f"Of [{good} fits](docs/trust.md) of simulated data without a warning, {wrong} were off by over four "
-    assert f"{called}standard errors; {named} outputs list" in readme
+    assert f"{called}standard errors: {named} by faults such data cannot show" in readme
 
 
 def test_the_readme_says_by_how_much_the_other_model_lowers_the_peak_of_its_psf():
@@ -638,7 +638,7 @@ def test_the_readme_says_by_how_much_the_other_model_lowers_the_peak_of_its_psf(
     lens = {"focal_length": 50e-3, "f_number": 1.8, "focus_distance": 2.0, "wavelength": 550e-9}
     lenses = (lm.Lens(**lens), lm.Lens(**lens, model="aplanatic"))
     first, other = (lm.psf(each.pupil(object_distance=1.9), 101, 0.5e-6).values.max() for each in lenses)
-    assert f"it peaks {100.0 * (1.0 - other / first):.0f} % lower" in readme
+    assert f"its peak is {100.0 * (1.0 - other / first):.0f} % lower" in readme
 
 
 def test_the_page_of_benchmarks_is_that_of_the_results():

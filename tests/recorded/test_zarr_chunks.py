@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import struct
 
@@ -97,6 +98,18 @@ def test_a_chunk_that_is_cut_names_the_folder(packer, tmp_path):
         for chunk in chunks(path):
             chunk.write_bytes(chunk.read_bytes()[: int(share * chunk.stat().st_size)])
         refused(path, r"a\.zarr")
+
+
+@pytest.mark.parametrize("packer", PACKERS)
+def test_a_chunk_of_an_array_that_is_cut_is_named_and_ends_the_reading(packer, tmp_path):
+    """The loop of zarr would go on with the other chunks, which it tells at the end of the process."""
+    values = np.random.default_rng(1).integers(0, 99, (4, 128, 128)).astype(np.uint16)
+    array = zarr.create_array(str(tmp_path / "a.zarr"), data=values, chunks=(1, 16, 16), compressors=PACKERS[packer])
+    chunk = tmp_path / "a.zarr" / "c" / "0" / "0" / "1"
+    chunk.write_bytes(chunk.read_bytes()[:20])
+    with pytest.raises(RecordingError, match=r"\[0\] of <Array file:.*a\.zarr"):
+        open_frames(array)[...]
+    assert not asyncio.all_tasks(zarr.core.sync.loop[0])
 
 
 def test_pipes_are_not_read(tmp_path):

@@ -5,6 +5,7 @@ Zarr core specification, version 3.0, https://zarr-specs.readthedocs.io/en/lates
 
 from __future__ import annotations
 
+import asyncio
 import itertools
 import json
 import math
@@ -12,10 +13,11 @@ import os
 import re
 import stat
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Awaitable, Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +26,7 @@ from lommel.base import reading, validation
 from lommel.base.arrays import Json, Values
 from lommel.io.registry import Description
 
+_Value = TypeVar("_Value")
 _NAMED = 3  # largest number of missing chunks that are named
 _CHUNK = re.compile(r"c|c?[./]?\d+([./]\d+)*")  # last component of the path of a chunk file
 
@@ -34,6 +37,33 @@ def files_of(folder: Path) -> list[Path]:
     for file in files:
         reading.size(file)
     return files
+
+
+def awaited(call: Callable[[], Awaitable[_Value]], executor: ThreadPoolExecutor | None = None) -> _Value:
+    """Return what an asynchronous call of zarr returns, in an event loop of its own, whose threads are an `executor`.
+
+    The loop of zarr goes on with other chunks after an error, up to the end of the process.
+    """
+
+    async def run() -> _Value:
+        if executor is not None:
+            asyncio.get_running_loop().set_default_executor(executor)
+        return await call()
+
+    with ThreadPoolExecutor(1) as thread:  # the calling one may run a loop already, as in a notebook
+        return thread.submit(asyncio.run, run()).result()
+
+
+def values_of(array: Any, part: Any) -> Any:
+    """Return a part of an array, which may be one of Zarr; RuntimeError if chunks of that are damaged."""
+    if type(array).__module__.partition(".")[0] != "zarr":
+        return array[part]
+    try:
+        return awaited(lambda: array.async_array.getitem(part))
+    except (OSError, MemoryError, IndexError):
+        raise
+    except Exception as error:  # codecs raise many types
+        raise RuntimeError(str(error) or type(error).__name__) from None
 
 
 class Missing(NamedTuple):

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import asyncio
 import hashlib
 import tempfile
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, TypeVar
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,11 +18,11 @@ from lommel.base.arrays import Values
 from lommel.base.atomic import Unfinished
 from lommel.base.optional import version
 from lommel.base.validation import line, shown
+from lommel.io import zarr_folders
 from lommel.recorded import stack_files
 from lommel.recorded.counts import Stack
 from lommel.recorded.frames import Frames
 
-_Value = TypeVar("_Value")
 Chunk = tuple[Any, ...]
 """The place of a chunk: time in a series, channel, planes, rows, columns."""
 
@@ -59,7 +58,7 @@ class Target:
             return self.unfinished.is_complete(_chunk_name(chunk), request, self._stored(chunk))
 
     def _stored(self, chunk: Chunk) -> Values:
-        return np.asarray(_awaited(lambda: self._array.async_array.getitem(chunk)))
+        return np.asarray(zarr_folders.awaited(lambda: self._array.async_array.getitem(chunk), _Immediate()))
 
     def put(self, request: str, chunk: Chunk, values: Values) -> None:
         """Write a chunk, and record its request."""
@@ -68,7 +67,7 @@ class Target:
             return
         self.unfinished.require_there()
         with _zarr_errors(self.unfinished):
-            _awaited(lambda: self._array.async_array.setitem(chunk, values))
+            zarr_folders.awaited(lambda: self._array.async_array.setitem(chunk, values), _Immediate())
         self.unfinished.record(_chunk_name(chunk), request, values)
         self._complete_chunks.append((request, chunk))
 
@@ -93,7 +92,7 @@ class Target:
 
 
 class _Immediate(ThreadPoolExecutor):
-    """Executor that calls functions at once, in the thread that submits them."""
+    """Executor that calls functions at once: each of the threads of zarr, some per processor, keeps freed memory."""
 
     def submit(self, function: Callable[..., Any], /, *given: Any, **options: Any) -> Future[Any]:
         future: Future[Any] = Future()
@@ -102,17 +101,6 @@ class _Immediate(ThreadPoolExecutor):
         except Exception as error:
             future.set_exception(error)
         return future
-
-
-def _awaited(call: Callable[[], Awaitable[_Value]]) -> _Value:
-    """Return what zarr reads or writes in one thread: each of its own, some per processor, keeps freed memory."""
-
-    async def run() -> _Value:
-        asyncio.get_running_loop().set_default_executor(_Immediate())
-        return await call()
-
-    with ThreadPoolExecutor(1) as thread:  # the calling one may run a loop already, as in a notebook
-        return thread.submit(asyncio.run, run()).result()
 
 
 @contextmanager

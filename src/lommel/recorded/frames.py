@@ -611,7 +611,9 @@ class _ArrayPlanes(Planes):
         """Return a part of the array."""
         try:
             # Refuses masks, which dask shows only here.
-            return validation.array(self._name, self._values[part], "counts").astype(self.dtype, copy=False)
+            return validation.array(self._name, zarr_folders.values_of(self._values, part), "counts").astype(
+                self.dtype, copy=False
+            )
         except RuntimeError as error:  # of damaged chunks, which codecs do not name
             ranges = (f"{k.start}:{k.stop}" if isinstance(k, slice) else str(k) for k in np.atleast_1d(part))
             message = f"[{', '.join(ranges)}] of {validation.line(self._values)}: {error}"
@@ -732,7 +734,7 @@ class _ZarrPlanes(Planes):
         """Return a part of the array; the caller holds the lock."""
         stored = tuple(part[self._order.index(axis)] for axis in range(len(part)))
         self.chunks.check([range(one.start, one.stop) for one in stored])
-        return np.asarray(self._array[stored], self.dtype).transpose(self._order)
+        return np.asarray(zarr_folders.values_of(self._array, stored), self.dtype).transpose(self._order)
 
     def _read(self, number: int) -> Values:
         *leading_indices, last_index = np.unravel_index(number, self._stack_shape) if self._stack_shape else (0,)

@@ -47,7 +47,7 @@ class Part:
         if self.at_worker:
             _check_seen(source)
         try:
-            images: Any = source[self._within]
+            images: Any = zarr_folders.values_of(source, self._within)
             if self.at_worker and _is_dask(images):
                 images = images.compute(scheduler="synchronous")  # not by the cluster, which waits for this worker
         except RuntimeError as error:  # of damaged chunks, which codecs do not name

@@ -17,7 +17,7 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent import futures
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from importlib import import_module
 from pathlib import Path
 from threading import Lock, Thread
@@ -60,16 +60,7 @@ class _Call(Generic[_Result]):
     def __call__(self, *shared: Any) -> _Result:
         # In a thread that is not dask's: it samples the stacks of its own 100 times a second, and keeps those of the
         # last hour, 0.1 MB a second.
-        future: futures.Future[_Result] = futures.Future()
-
-        def call() -> None:
-            try:
-                future.set_result(self.function(*shared, *self.task))
-            except BaseException as error:
-                future.set_exception(error)
-
-        Thread(target=call, daemon=True).start()
-        return future.result()
+        return _begun(partial(self.function, *shared, *self.task)).result()
 
     def __dask_tokenize__(self) -> str:
         return secrets.token_hex(16)
@@ -198,6 +189,20 @@ class Workers:
                 validation.tell("no worker is connected to the cluster of the client: waiting for workers", Waiting)
 
 
+def _begun(function: Callable[[], _Result]) -> futures.Future[_Result]:
+    """Begin a call in a thread of its own, which the end of the process does not wait for."""
+    future: futures.Future[_Result] = futures.Future()
+
+    def call() -> None:
+        try:
+            future.set_result(function())
+        except BaseException as error:
+            future.set_exception(error)
+
+    Thread(target=call, daemon=True).start()
+    return future
+
+
 def _release_freed_memory() -> None:
     """Return freed memory to the system: glibc keeps that of the threads of a client, more with each result."""
     with suppress(AttributeError, OSError, TypeError):  # of other C libraries
@@ -299,17 +304,14 @@ def _unpickled(data: bytes | Path) -> Any:
 
 def _knock(host: str, port: int) -> None:
     """Raise OSError at once if no program listens: distributed would try again, and wait for the name of a host."""
-    answer: futures.Future[None] = futures.Future()
 
     def connect() -> None:
         try:
             socket.create_connection((host, port), _PATIENCE).close()
-            answer.set_result(None)
         except Exception as error:  # also UnicodeError of a name
-            answer.set_exception(OSError(getattr(error, "strerror", None) or str(error)))
+            raise OSError(getattr(error, "strerror", None) or str(error)) from None
 
-    Thread(target=connect, daemon=True).start()
-    answer.result(_PATIENCE)
+    _begun(connect).result(_PATIENCE)
 
 
 @contextmanager

@@ -365,8 +365,8 @@ def _sides(edges: list[ChartEdge]) -> list[Finding]:
     alike = [np.ones(x.size), far, far**2, radial, far * radial, np.cos(2.0 * turn), np.sin(2.0 * turn)]
     steps = [np.sign(place) * (np.abs(place) > _BETWEEN * np.max(np.abs(place))) for place in (x, y)]
     functions, values = np.array([*alike, *steps]).T, np.log(mtf50)
-    inverse, _, rank, _ = np.linalg.lstsq(functions, np.eye(x.size))
-    fitted, free = inverse @ values, x.size - int(rank)
+    inverse = np.linalg.pinv(functions, max(functions.shape) * np.finfo(np.float64).eps)
+    fitted, free = inverse @ values, x.size - round(float(np.trace(inverse @ functions)))
     if free < _LEAST_FREE:
         return []
     # The larger of the standard errors and of the scatter, which has what the functions do not follow.

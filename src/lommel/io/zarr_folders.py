@@ -39,6 +39,11 @@ def files_of(folder: Path) -> list[Path]:
     return files
 
 
+def is_zarr(array: Any) -> bool:
+    """Return whether an array is one of Zarr, without the import of zarr."""
+    return type(array).__module__.partition(".")[0] == "zarr"
+
+
 def awaited(call: Callable[[], Awaitable[_Value]], executor: ThreadPoolExecutor | None = None) -> _Value:
     """Return what an asynchronous call of zarr returns, in an event loop of its own, whose threads are an `executor`.
 
@@ -56,7 +61,7 @@ def awaited(call: Callable[[], Awaitable[_Value]], executor: ThreadPoolExecutor 
 
 def values_of(array: Any, part: Any) -> Any:
     """Return a part of an array, which may be one of Zarr; RuntimeError if chunks of that are damaged."""
-    if type(array).__module__.partition(".")[0] != "zarr":
+    if not is_zarr(array):
         return array[part]
     try:
         return awaited(lambda: array.async_array.getitem(part))
@@ -67,7 +72,7 @@ def values_of(array: Any, part: Any) -> Any:
 
 
 class Missing(NamedTuple):
-    """Missing chunks: a sentence that names them, their number, and that of all."""
+    """Missing chunks: a sentence, without its full stop, that names them, their number, and that of all."""
 
     text: str
     number: int
@@ -93,7 +98,8 @@ class Chunks:
         if found >= total:
             return []
         keys = map(self._array.metadata.encode_chunk_key, itertools.product(*map(range, counts)))
-        absent = (key for key in keys if not (self._folder / key).is_file())
+        present = set(files)
+        absent = (key for key in keys if self._folder / key not in present)
         names = ", ".join(itertools.islice(absent, _NAMED)) + f" and {total - found - _NAMED} more" * (
             total - found > _NAMED
         )
@@ -101,7 +107,7 @@ class Chunks:
             f"{total - found} of the {total} chunks of the folder are missing and count as {self._array.fill_value}: "
             f"{names}; they were empty, or the copy is not complete"
         )
-        return [Missing(f"{text}.", total - found, total)]
+        return [Missing(text, total - found, total)]
 
     def check(self, ranges: list[range]) -> None:
         """Raise ValueError for a truncated chunk of Blosc, which would read on, in `ranges` (one per axis)."""
@@ -119,7 +125,7 @@ class Chunks:
 
 def missing_chunks(images: Any) -> list[Missing]:
     """Return what is missing of the chunks of an array of Zarr, or of those that an array of dask reads."""
-    arrays = [array for array in stored_arrays(images) if type(array).__module__.partition(".")[0] == "zarr"]
+    arrays = [array for array in stored_arrays(images) if is_zarr(array)]
     folders = [(folder_of(array), array) for array in arrays]
     lists = [Chunks(root, array).missing(files_of(root / array.path)) for root, array in folders if root is not None]
     return list(dict.fromkeys(itertools.chain.from_iterable(lists)))

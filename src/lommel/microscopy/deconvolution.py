@@ -301,7 +301,7 @@ def run(
         if noise is not None and not header:  # counts are complete
             noise, saturation = with_header(noise, saturation, recording.metadata)
         missing = recording.metadata.get("missing", [])
-        notes = [note for note in recording.notes if note not in [chunks.text for chunks in missing]]
+        notes = [note for note in recording.notes if note not in [f"{chunks.text}." for chunks in missing]]
         found = sampled(moments[0], microscope, stated, tuning.window, notes)
         doubts = told_early(found.findings) + _missing_findings(missing, noise)
         used = replace(recording, metadata=found.recording.metadata)
@@ -367,7 +367,7 @@ def _missing_findings(missing: Sequence[Missing], noise: Noise | None) -> list[F
     severity: Severity = "note" if noise is not None and np.all(np.asarray(noise.offset) == 0.0) else "doubt"
     wrong = "then restored light is wrong there, and up to half of a PSF beyond"
     return [
-        Finding("missing_chunks", severity, f"{text[:-1]}: {wrong}", {"missing": number, "chunks": total})
+        Finding("missing_chunks", severity, f"{text}: {wrong}", {"missing": number, "chunks": total})
         for text, number, total in missing
     ]
 

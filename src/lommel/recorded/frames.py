@@ -1042,7 +1042,7 @@ def _zarr_frames(path: Path, part: str | None) -> Frames:
     planes = _ZarrPlanes(path, array, tuple(letters.index(letter) for letter in order))
     if missing := planes.chunks.missing(files):
         metadata["missing"] = missing
-        notes += [chunks.text for chunks in missing]
+        notes += [f"{chunks.text}." for chunks in missing]
     stack_shape = tuple(array.shape[letters.index(letter)] for letter in order[:-2])
     numbers = np.arange(math.prod(stack_shape)).reshape(stack_shape)
     return Frames(planes, numbers, order, metadata | {"format": "OME-Zarr"}, tuple(notes))

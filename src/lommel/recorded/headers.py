@@ -267,7 +267,7 @@ def metadata_of(name: str, images: Any) -> Metadata:
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from None
     for chunks in missing:
-        validation.tell(f"{name}: {chunks.text}")
+        validation.tell(f"{name}: {chunks.text}.")
     header = getattr(images, "header", getattr(images, "meta", None))
     cards = {str(key).upper(): value for key, value in header.items()} if isinstance(header, Mapping) else {}
     if (unit := stated_unit(images)) is not None:

@@ -65,7 +65,7 @@ class Part:
 
     def __reduce__(self) -> tuple[type[Part], tuple[Any, ...]]:
         images, numbers = self.images, (self.first, self.last)
-        if self.at_worker or type(images).__module__.partition(".")[0] == "zarr":
+        if self.at_worker or zarr_folders.is_zarr(images):
             return Part, (images, *numbers, self.start, True)
         if isinstance(images, Frames) and images.planes.source is not None:
             return Part, (_InFile(images.planes.source, images.numbers[self._within]), *numbers, self.first, True)

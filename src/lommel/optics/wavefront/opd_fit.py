@@ -399,16 +399,16 @@ def _area_findings(
     share = blank_area(clear, samples)
     if share < _NAMED_AREA:
         return
-    rho, theta, seen = np.hypot(x, y)[clear], np.arctan2(y, x)[clear], samples[clear]
+    rho, theta, seen = np.hypot(x, y), np.arctan2(y, x)[clear], samples[clear]
     sums = np.zeros((2, len(radians)), dtype=np.complex128)
-    for block, basis in _basis(rho, theta, terms, None):
+    for block, basis in _basis(rho[clear], theta, terms, None):
         field = np.exp(1j * (radians @ basis))
         sums += [field.sum(axis=1), field @ seen[block]]
     whole, part = np.abs(sums / [[seen.size], [seen.sum()]]) ** 2
     changes = np.abs(part - whole) / np.maximum(np.maximum(part, whole), _LOW_STREHL)
     worst = int(np.argmax(changes))
     change, strehl = float(changes[worst]), float(part[worst] / max(whole[worst], 1e-12)) - 1.0
-    hole = float(np.hypot(x, y)[samples].min())
+    hole = float(rho[samples].min())
     is_hole = hole**2 > 0.5 * share
     mtf = (_HOLE_MTF if is_hole else 1.0) * share
     text = f"{percent(share, 1)} of the pupil has no samples: over the samples the Strehl ratio is "

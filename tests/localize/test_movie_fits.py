@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
 
 import h5py
 import numpy as np
@@ -223,6 +224,25 @@ def test_gaussian_widths_are_those_of_gaussians_fitted_to_the_images(table):
         assert wide[k] == pytest.approx(abs(sx), rel=0.2)
     assert tall[0] > 2 * wide[0]
     assert wide[-1] > 1.5 * tall[-1]
+
+
+@pytest.mark.parametrize("kind", ["array", "folder"])
+def test_missing_chunks_of_a_movie_are_a_doubt_and_blamed_on_no_offset(kind, table, counts, tmp_path):
+    zarr = pytest.importorskip("zarr")
+    group = zarr.create_group(str(tmp_path / "a.zarr"), zarr_format=3)
+    axes = [{"name": name, "type": "space", "unit": "micrometer"} for name in "zyx"]
+    sizes = [{"type": "scale", "scale": [1.0, PIXEL * 1e6, PIXEL * 1e6]}]
+    datasets = [{"path": "0", "coordinateTransformations": sizes}]
+    group.attrs["ome"] = {"multiscales": [{"axes": axes, "datasets": datasets}]}
+    array = group.create_array("0", data=counts[:8], chunks=(2, SIDE, SIDE))
+    (tmp_path / "a.zarr" / "0" / "c" / "0" / "0" / "0").unlink()
+    with nullcontext() if kind == "folder" else pytest.warns(UserWarning, match="1 of the 4 chunks"):
+        found = localize_movie(array if kind == "array" else tmp_path / "a.zarr", table, noise=CAMERA)
+    (finding,) = [one for one in found.findings if one.code == "missing_chunks"]
+    assert (finding.severity, finding.numbers) == ("doubt", {"missing": 1, "chunks": 4})
+    assert "missing and count as 0: c/0/0/0; " in finding.text
+    assert "below_offset" not in {one.code for one in found.findings}
+    assert set(found.table["frame"]) == set(range(2, 8))
 
 
 @pytest.mark.parametrize(

@@ -70,11 +70,11 @@ def test_chunks_that_are_missing_are_counted(tmp_path):
     assert not found[0][:2].any()
 
 
-@pytest.mark.parametrize("form", ["array", "counts", "path", "from_zarr", "from_array"])
+@pytest.mark.parametrize("form", ["array", "counts", "from_zarr", "from_array"])
 def test_chunks_that_are_missing_are_told(form, tmp_path):
     path = made(tmp_path / "a.zarr", 2, shards=None)
     chunks(path)[1].unlink()
-    images = path if form == "path" else zarr.open(str(path))["0"]
+    images = zarr.open(str(path))["0"]
     if form == "from_zarr":
         images = dask.array.from_zarr(str(path), "0")
     elif form == "from_array":

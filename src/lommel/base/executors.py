@@ -143,6 +143,12 @@ class Workers:
                     for each in queue:
                         each.remote.cancel()
 
+    def begin(self, function: Callable[..., object], task: _Task, count: int) -> None:
+        """Call ``function(*task)`` so many times, without waiting: errors are not told, and results are lost."""
+        if self.executor is not None:
+            for _ in range(count):
+                self._submit(self.executor, function, task, ())
+
     def _is_connected(self) -> bool:
         """Return False for a client that lost its scheduler, or was closed."""
         return getattr(self.client, "status", "running") == "running"

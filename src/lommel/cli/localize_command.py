@@ -23,7 +23,7 @@ from lommel.localize import Localizations, LocalizeOptions, Table, writer
 from lommel.localize.localizations import MEDIANS, joined
 from lommel.localize.movie_fits import movie_blocks
 from lommel.recorded.frames import open_frames
-from lommel.recorded.headers import SIZES
+from lommel.recorded.headers import SIZES, without_missing
 from lommel.report import Facts, Parts, Report, Wrapped
 from lommel.report.table import described
 
@@ -118,8 +118,8 @@ def localize(
     ):
         frames = movie_file.as_stack()
         noise, saturation, header = camera.resolve(frames.metadata, microscope.camera)
-        header = [*frames.notes, *header]
-        optics = {key: value for key, value in frames.metadata.items() if key in SIZES}
+        header = [*without_missing(frames.notes, frames.metadata), *header]
+        optics = {key: value for key, value in frames.metadata.items() if key in (*SIZES, "missing")}
         mask = camera.mask_of(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, _SIDE, pixel, z=z, along=along, reach=molecules.reach)

@@ -28,7 +28,15 @@ from lommel.localize.table import Table
 from lommel.optics.layers.objective import FocalSurface
 from lommel.recorded.counts import Counts, is_on_demand
 from lommel.recorded.frames import Frames, frames_of
-from lommel.recorded.headers import Metadata, metadata_of, microscope_findings, told_early, with_header
+from lommel.recorded.headers import (
+    Metadata,
+    metadata_of,
+    microscope_findings,
+    missing_findings,
+    told_early,
+    with_header,
+    without_missing,
+)
 from lommel.recorded.noise import Noise
 
 _HEIGHTS, _ITERATIONS = 65, 100  # fit of Gaussians: number of heights z, and number of iterations
@@ -189,7 +197,8 @@ def movie_blocks(
         layers, times = table.pupil.layers, table.pupil.magnification
         facts = {"NA": layers.NA, "immersion": layers.immersion, "emission": layers.wavelength}
         found, remarks = microscope_findings(header, table.pixel, magnification=times, modality="widefield", **facts)
-        contradicted = [finding for finding in told_early(found) if finding.severity == "doubt"]
+        stated = [finding for finding in told_early(found) if finding.severity == "doubt"]
+        stated += missing_findings(header, camera, "molecules there were not found")
         for remark in (*in_words(found, "note"), *remarks):
             validation.tell(remark)
         if surface is not None and (surface.frame != tuple(shape[1:]) or table.along == "depth"):
@@ -199,7 +208,7 @@ def movie_blocks(
         along = "none" if options.flat else table.along
         recording = MovieInfo(*shape, pixel, table.shape, along, name)
         fits = BlockFits(table, camera, width, None if options.client is None else 1)
-        checks = Checks(recording, table, fits.fit_boxes, background, surface, contradicted)
+        checks = Checks(recording, table, fits.fit_boxes, background, surface, stated)
         state = State(saturation, "flat" if background == "auto" else background)
         count, is_tested = 0, False
         with kept_results(options.keep, images, block, fits, mask) as unfinished:
@@ -242,7 +251,7 @@ def _open_images(
         with nullcontext(movie) if isinstance(movie, Frames) else frames_of("movie", movie) as frames:
             stack = frames.as_stack()
             count, rows, columns = stack.shape
-            for note in () if frames is movie else stack.notes:
+            for note in () if frames is movie else without_missing(stack.notes, stack.metadata):
                 validation.tell(f"movie: {note}")
             yield (count, rows, columns), stack, "" if stack.path is None else stack.path.name, stack.metadata
         return

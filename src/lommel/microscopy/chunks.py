@@ -153,6 +153,15 @@ class _Job:
     def __reduce__(self) -> tuple[object, ...]:
         return _Job, self._given
 
+    def blur(self, padded: Window) -> PlaneOperator:
+        """Return the blur of the rows and columns `padded`, which other chunks of this size share."""
+        context, course, *_ = self._given
+        size = (context.stack.shape[0], *(part.stop - part.start for part in padded))
+        if size not in self._blurs:
+            self._blurs.clear()  # keep a single operator in memory
+            self._blurs[size] = context.model.blur(size, course.margin, course.psfs, threads=context.threads)
+        return self._blurs[size]
+
     def restore(
         self,
         padded: Window,
@@ -164,14 +173,10 @@ class _Job:
     ) -> _Restored:
         """Restore the rows and columns `padded`, and return its part `inner`; None for the settings of the first."""
         context, course, mean_light, doubts = self._given
-        stack, model, method = context.stack, context.model, course.method
+        stack, method = context.stack, course.method
         counted = PoissonLikelihood(_load(stack, *padded), context.camera.part(*padded), context.saturation)
         counted.level = counted.level if mean_light is None else mean_light
-        size = (stack.shape[0], *(part.stop - part.start for part in padded))
-        if size not in self._blurs:
-            self._blurs.clear()  # keep a single operator in memory
-            self._blurs[size] = model.blur(size, course.margin, course.psfs, threads=context.threads)
-        blur = self._blurs[size]
+        blur = self.blur(padded)
         if blur.outside is not None:
             blur.outside[...] = counted.level
         is_structured = settings is None and counted.flat() > 1.0 + counted.slack
@@ -181,7 +186,13 @@ class _Job:
             iteration: Iteration = DeviceIteration(course.place, blur, counted, settings, background=background)
         else:
             iteration = iteration_of(
-                method, blur, counted, settings, background=background, aspect=model.aspect, threads=context.threads
+                method,
+                blur,
+                counted,
+                settings,
+                background=background,
+                aspect=context.model.aspect,
+                threads=context.threads,
             )
         iteration.enough = stopping_rule(method, course.best_steps, counted)
         count, stopped, discrepancies = _solve(iteration, method, report, may_interrupt=may_interrupt)
@@ -202,6 +213,12 @@ class _Job:
             iteration.strength,
             finding,
         )
+
+
+def _prepared(job: Shared[_Job], padded: Window) -> None:
+    """Compute what all chunks share in this process."""
+    with job.value.lock:
+        job.value.blur(padded)
 
 
 def _restored_by_worker(
@@ -270,6 +287,8 @@ def restore_chunks(
         def restored(tasks: Iterator[_Tile]) -> Generator[tuple[_Tile, _Restored]]:
             if workers is not None and folder is not None:
                 restore = partial(_restored_by_worker, shared, settings, folder)
+                if settings is None and len(tiles) > 1:  # the other workers are idle up to the end of the first chunk
+                    workers.begin(_prepared, (shared, tiles[0][1]), workers.at_once - 1)
                 for task, found in workers.run(restore, tasks, ordered=True):
                     yield task, found._replace(values=_taken(folder / f"{task[0]}.npy"))
                 return

@@ -22,8 +22,7 @@ from lommel.base.options import HIDDEN, In, Options, Shown, listed
 from lommel.base.units import camera_pixel, format_length, percent
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background
-from lommel.fit.findings import Finding, Findings, Severity, in_words
-from lommel.io.zarr_folders import Missing
+from lommel.fit.findings import Finding, Findings, in_words
 from lommel.measures.measured_psf import MeasuredPSF
 from lommel.microscopy.chunks import Course, Outcome, chunk_side, restore_chunks
 from lommel.microscopy.depth_model import MAX_RIM, DepthModel, GivenPSF, PSFs
@@ -39,12 +38,13 @@ from lommel.recorded.camera_noise import unrepeated
 from lommel.recorded.copies import local_stacks
 from lommel.recorded.counts import LARGEST, Counts
 from lommel.recorded.frames import Frames, frames_of
-from lommel.recorded.headers import Metadata, told_early, with_header
+from lommel.recorded.headers import Metadata, missing_findings, told_early, with_header, without_missing
 from lommel.recorded.noise import Noise
 from lommel.traced.namespaces import Placement
 
 _BACKGROUNDS = {"flat": 1, "uneven": 3}  # points along each side of the field at which levels are estimated
 _MEMORY = 2.0**31  # default memory limit, bytes
+_MISSING = "then restored light is wrong there, and up to half of a PSF beyond"  # effect of missing chunks
 _READ_SHARE = 0.125  # fraction of the memory limit in which chunks of the recording are read together
 _USUAL_STEPS = 60  # typical number of steps of a restoration, for the progress display
 _MIN_MARGIN = 8  # smallest default margin, planes, unless half of the PSF has fewer
@@ -300,10 +300,9 @@ def run(
         moments = [recording.one_of("T", k) for k in range(recording.shape[0])] if series else [recording]
         if noise is not None and not header:  # counts are complete
             noise, saturation = with_header(noise, saturation, recording.metadata)
-        missing = recording.metadata.get("missing", [])
-        notes = [note for note in recording.notes if note not in [f"{chunks.text}." for chunks in missing]]
+        notes = without_missing(recording.notes, recording.metadata)
         found = sampled(moments[0], microscope, stated, tuning.window, notes)
-        doubts = told_early(found.findings) + _missing_findings(missing, noise)
+        doubts = told_early(found.findings) + (missing := missing_findings(recording.metadata, noise, _MISSING))
         used = replace(recording, metadata=found.recording.metadata)
         ignored = _mask_of(mask, array_mask, moments[0].shape)
         names = used.metadata["names"]
@@ -360,16 +359,6 @@ def run(
     ]
     summary = _summary(results, len(names) if series else 0)
     return RestoredStack(values, tuple(results), used, tuple(notes), findings=Findings(findings), summary=summary)
-
-
-def _missing_findings(missing: Sequence[Missing], noise: Noise | None) -> list[Finding]:
-    """Return the finding on missing chunks: a doubt, unless the values that they count as may have been recorded."""
-    severity: Severity = "note" if noise is not None and np.all(np.asarray(noise.offset) == 0.0) else "doubt"
-    wrong = "then restored light is wrong there, and up to half of a PSF beyond"
-    return [
-        Finding("missing_chunks", severity, f"{text}: {wrong}", {"missing": number, "chunks": total})
-        for text, number, total in missing
-    ]
 
 
 def _require_here(home: Placement, options: DeconvolveOptions) -> None:

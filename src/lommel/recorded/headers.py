@@ -15,9 +15,9 @@ from lommel.base import validation
 from lommel.base.arrays import Json
 from lommel.base.quantities import ANGLES, BARE, EVEN, LENGTHS, metres_of, spacings, stated_unit
 from lommel.base.units import ARCSEC, format_length
-from lommel.fit.findings import Finding, in_words
+from lommel.fit.findings import Finding, Severity, in_words
 from lommel.io import fits_images
-from lommel.io.zarr_folders import missing_chunks
+from lommel.io.zarr_folders import Missing, missing_chunks
 from lommel.recorded.noise import Noise
 
 # Names of FITS header cards in common use.
@@ -417,6 +417,21 @@ def told_early(findings: Sequence[Finding]) -> list[Finding]:
     for sentence in in_words(findings):
         validation.tell(sentence, validation.Early)
     return list(findings)
+
+
+def missing_findings(metadata: Metadata, noise: Noise | None, effect: str) -> list[Finding]:
+    """Return the finding on missing chunks: a doubt, unless the values that they count as may have been recorded."""
+    severity: Severity = "note" if noise is not None and np.all(np.asarray(noise.offset) == 0.0) else "doubt"
+    missing: Sequence[Missing] = metadata.get("missing", [])
+    return [
+        Finding("missing_chunks", severity, f"{text}: {effect}", {"missing": number, "chunks": total})
+        for text, number, total in missing
+    ]
+
+
+def without_missing(notes: Sequence[str], metadata: Metadata) -> list[str]:
+    """Return the notes on recorded images other than those on missing chunks, of which there is a finding."""
+    return [note for note in notes if note not in [f"{chunks.text}." for chunks in metadata.get("missing", [])]]
 
 
 def microscope_facts(objective: Any, wavelength: float | None, modality: str = "widefield") -> dict[str, Any]:

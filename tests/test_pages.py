@@ -611,9 +611,9 @@ def test_what_the_readme_says_of_ffts_pairs_of_frames_and_fits_is_that_of_the_pa
     assert {work for work, speed in speeds.items() if speed < 1.0} == set(ends)
     one, other, jwst, vanes, seeing = (1.0 / speeds[end] for end in ends)
     assert (
-        f"Slower than one bare FFT of 128×128: a PSF of JWST ({jwst:.2f} times), a single camera PSF "
-        f"({min(one, other):.2g} to {max(one, other):.2g}), one behind vanes on pixels of 2.6 λN ({vanes:.2g}; with "
-        f"seeing {seeing:.0f})."
+        f"In times of a bare 128×128 FFT, too small for these PSFs: JWST {jwst:.2f}, a camera "
+        f"{min(one, other):.2g} to {max(one, other):.2g}, vanes on pixels of 2.6 λN {vanes:.2g}, with "
+        f"seeing {seeing:.0f}."
     ) in readme
     # Pairs a second in the table of three lenses, the sharp image included.
     rows = re.findall(r"^\| \d+ mm f/[\d.]+ \| \d+ rad \|(?:[^|]+\|){3} (\d+) \|", pages["live-depth"], re.MULTILINE)
@@ -630,7 +630,7 @@ def test_what_the_readme_says_of_ffts_pairs_of_frames_and_fits_is_that_of_the_pa
     first = f"{results} results of {len(runs)} worlds: {good} called good, {wrong} of them wrong ("
     assert f"\n{first}" in pages["trust"]
     called = f"Of [{good} fits](docs/trust.md) of simulated data without a warning, {wrong} were off by over four "
-    assert f"{called}standard errors: {named} by faults such data cannot show" in readme
+    assert f"{called}standard errors. In {named} outputs list the cause" in readme
 
 
 def test_the_readme_says_by_how_much_the_other_model_lowers_the_peak_of_its_psf():
@@ -638,7 +638,7 @@ def test_the_readme_says_by_how_much_the_other_model_lowers_the_peak_of_its_psf(
     lens = {"focal_length": 50e-3, "f_number": 1.8, "focus_distance": 2.0, "wavelength": 550e-9}
     lenses = (lm.Lens(**lens), lm.Lens(**lens, model="aplanatic"))
     first, other = (lm.psf(each.pupil(object_distance=1.9), 101, 0.5e-6).values.max() for each in lenses)
-    assert f"its peak is {100.0 * (1.0 - other / first):.0f} % lower" in readme
+    assert f"has a peak {100.0 * (1.0 - other / first):.0f} % lower" in readme
 
 
 def test_the_page_of_benchmarks_is_that_of_the_results():

@@ -566,7 +566,7 @@ def opd(seed: int, *, step: float = 0.0, island: float = 0.0, outliers: int = 0,
     values = sum(size * zernike(j, rho, theta) for j, size in sizes.items()) + draw.normal(size=rho.shape) * 0.1
     values = values + 2 * np.pi * ((x > step) if step else (np.hypot(x[:, None] - 0.3, x) < island))
     values[tuple(draw.integers(20, 60, (2, outliers)))] += radians
-    found, seconds = timed(lm.fit_opd, values, unit="radians")
+    found, seconds = timed(lm.fit_opd, values, unit="radians", radius=40.0, center=(39.5, 39.5))
     inside = rho <= 1
     terms = np.stack([zernike(j, rho[inside], theta[inside]) for j in range(1, 46)], axis=1)
     fitted = np.linalg.lstsq(terms, (values - found.residual)[inside])[0][1:22]

@@ -73,7 +73,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
         Wrapped(
             f"The {name}, {format_length(facts[name])}, is coarser than Nyquist sampling, "
             f"{format_length(nyquist['axial' if name == 'step' else 'pixel'])}: images lose their finest detail. "
-            "The PSF itself is not affected."
+            "The error bound of the PSF holds all the same."
         )
         for name in facts["too_coarse"]
     ]
@@ -84,7 +84,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
 _FOCUS = (
     "focus: of a freely rotating dipole. paraxial, brightest: stage travel to that focus, from the paraxial focus on "
     "the cover glass; ratio: depth / brightest; FWHM: of the optics, without pixel, along the stage and in the "
-    "sample; peak: intensity at the best focus relative to an ideal lens of scalar theory; collected: light relative "
+    "sample; peak: intensity at the best focus relative to scalar theory without surfaces; collected: light relative "
     "to an emitter far from the glass, above 1 where supercritical light is collected"
 )
 

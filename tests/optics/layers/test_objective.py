@@ -99,6 +99,16 @@ def test_a_dry_objective_of_small_aperture_has_the_widths_of_airy():
     assert focus.brightest == pytest.approx(0.0, abs=1e-3 * focus.axial_fwhm)
 
 
+def test_the_peak_is_that_of_scalar_theory_without_surfaces():
+    # Paraxial light of unit amplitude in air: Fresnel's amplitude of glass, then of water.
+    amplitude = 2.0 / (1.0 + 1.5255) * 2.0 * 1.5255 / (1.5255 + 1.33)
+    assert used(0.02, 1.0, 1.5255, 1.33).focus(5e-6, wavelength=WAVE).peak == pytest.approx(amplitude**2, rel=1e-5)
+    # In one medium: the aplanatic amplitude and the mean of both polarizations.
+    cosine = np.sqrt(1.0 - (1.4 / 1.515) ** 2 * (np.arange(20_000) + 0.5) / 20_000)  # of equal parts of the aperture
+    field = float(np.mean((1.0 + cosine) / (2.0 * np.sqrt(cosine))))
+    assert used(1.4, 1.515, 1.515, 1.515).focus(5e-6, wavelength=WAVE).peak == pytest.approx(field**2, rel=1e-6)
+
+
 def test_layers_of_one_index_move_the_focus_with_the_emitter():
     one = used(1.2, 1.4, 1.4, 1.4)
     focus = one.focus([1e-6, 30e-6], wavelength=WAVE)

@@ -118,7 +118,9 @@ class Focus:
         Stage positions of the paraxial focus and of the maximum intensity on the axis, metres towards the sample,
         relative to the paraxial focus on the surface of the glass.
     peak : float or ndarray
-        Intensity at the brightest focus, relative to the peak of an ideal scalar pupil that collects the same power.
+        Intensity at the brightest focus, for unpolarized light of uniform amplitude in the aperture, relative to
+        scalar theory without surfaces: ``abs(K0)^2`` of :meth:`Objective.fields`. By reciprocity, the images of a
+        freely rotating dipole of constant moment have peaks of the same ratios.
     axial_fwhm, lateral_fwhm : float or ndarray
         Full widths at half maximum at the brightest focus, metres of stage travel and metres in the sample.
     """

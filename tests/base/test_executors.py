@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import logging
+import os
 import pickle
+import platform
 import re
 import socket
+import subprocess
+import sys
 import threading
 import time
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
@@ -308,6 +312,24 @@ def test_the_freed_memory_of_each_result_of_a_cluster_is_released(monkeypatch):
         calls.clear()
         assert len(list(Workers(Immediate(), 2, client).run(str, numbers(3)))) == 3
         assert len(calls) == count
+
+
+_PAGES = """
+import resource
+from lommel.base.executors import _Call
+task = _Call(lambda: [len(bytes(1 << 20)) for _ in range(80)], ())
+task()
+before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+task()
+print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
+"""
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="the setting is one of glibc")
+def test_tasks_reuse_freed_memory_in_spite_of_the_setting_of_dask():
+    setting = os.environ | {"MALLOC_TRIM_THRESHOLD_": "65536"}
+    done = subprocess.run([sys.executable, "-c", _PAGES], env=setting, capture_output=True, check=True)
+    assert int(done.stdout) < 5000  # page faults: 256 for each of 80 blocks that is returned to the system
 
 
 def test_tasks_of_a_cluster_are_cancelled_in_silence(caplog):

@@ -103,7 +103,8 @@ class Floor:
         down, across = (
             at.start + 0.5 * (edge[1:] + edge[:-1]) for at, edge in zip((rows, columns), edges, strict=True)
         )
-        self._means.append((down, across, sums / np.outer(np.diff(edges[0]), np.diff(edges[1]))))
+        means = sums / np.outer(np.diff(edges[0]), np.diff(edges[1])).astype(np.float32)
+        self._means.append((down, across, means))
 
     def finding(self, shape: tuple[int, ...], background: Background) -> Finding | None:
         """Return the finding if an estimated `background` left a floor of more than _MAX_FLOOR of the light."""

@@ -119,12 +119,12 @@ class Checks:
 
     def __init__(
         self, recording: MovieInfo, table: Table, refit: partial[Molecules], background: str,
-        surface: FocalSurface | None, stated: Sequence[Finding],
+        surface: FocalSurface | None, of_recording: Sequence[Finding],
     ) -> None:  # fmt: skip
         self._stated = {} if surface is None else surface.terms
         self._recording, self._table, self._refit, self._background = recording, table, refit, background
         self._noise: Noise = refit.keywords["noise"]
-        self._once = {finding.code: finding for finding in stated}
+        self._once = {finding.code: finding for finding in of_recording}
         self._counts = np.zeros((recording.rows, recording.columns), np.int64)
         self._sums = dict.fromkeys(
             ("spots", "borders", "overlapping", "saturated", "left_out", "ends", "doubtful"), 0
@@ -160,9 +160,8 @@ class Checks:
     def first(self, found: FirstFrames) -> None:
         """Take up the findings of the first block."""
         self._steady = found.steady
-        explained = {"below_offset"} if "missing_chunks" in self._once else set()
         for finding in found.findings:
-            if finding.code not in explained:
+            if finding.code != "below_offset" or "missing_chunks" not in self._once:  # missing chunks count as dark
                 self._once.setdefault(finding.code, finding)
 
     def tilt(self, spots: Spots, molecules: Molecules, *, fitted: bool) -> float:

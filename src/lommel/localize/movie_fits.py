@@ -197,8 +197,8 @@ def movie_blocks(
         layers, times = table.pupil.layers, table.pupil.magnification
         facts = {"NA": layers.NA, "immersion": layers.immersion, "emission": layers.wavelength}
         found, remarks = microscope_findings(header, table.pixel, magnification=times, modality="widefield", **facts)
-        stated = [finding for finding in told_early(found) if finding.severity == "doubt"]
-        stated += missing_findings(header, camera, "molecules there were not found")
+        of_recording = [finding for finding in told_early(found) if finding.severity == "doubt"]
+        of_recording += missing_findings(header, camera, "molecules there were not found")
         for remark in (*in_words(found, "note"), *remarks):
             validation.tell(remark)
         if surface is not None and (surface.frame != tuple(shape[1:]) or table.along == "depth"):
@@ -208,7 +208,7 @@ def movie_blocks(
         along = "none" if options.flat else table.along
         recording = MovieInfo(*shape, pixel, table.shape, along, name)
         fits = BlockFits(table, camera, width, None if options.client is None else 1)
-        checks = Checks(recording, table, fits.fit_boxes, background, surface, stated)
+        checks = Checks(recording, table, fits.fit_boxes, background, surface, of_recording)
         state = State(saturation, "flat" if background == "auto" else background)
         count, is_tested = 0, False
         with kept_results(options.keep, images, block, fits, mask) as unfinished:

@@ -127,8 +127,7 @@ def _further_hot_pixels(
 
 
 def _sorted(values: list[Array]) -> list[Array]:
-    """Return four or eight arrays whose values at each place are sorted; `numpy.sort` takes four times as long."""
-    values = list(values)
+    """Sort the values of four or eight arrays at each place; `numpy.sort` takes four times as long."""
     for low, high in _COMPARISONS:
         if high < len(values):
             lower, higher = values[low], values[high]

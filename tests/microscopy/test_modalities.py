@@ -168,7 +168,8 @@ def test_stacks_of_polarised_light_are_measured_and_kept(tmp_path):
 
 def test_a_sheet_lights_what_is_in_it():
     _, emission = colours(Z)
-    plain, lit = lm.psf(emission, 9, PIXEL), lm.microscopy.light_sheet(emission, 1e-6, 9, PIXEL)
+    plain = lm.psf(emission, 9, PIXEL)
+    lit = lm.microscopy.light_sheet(emission, 1e-6, 9, PIXEL, offset=Z)
     assert lit.values == pytest.approx(plain.values * 2.0 ** -((Z / 0.5e-6) ** 2)[:, None, None], rel=1e-6)
     away = np.array([0.5e-6])
     half = lm.microscopy.light_sheet(emission, 1e-6, 9, PIXEL, offset=away)
@@ -177,6 +178,15 @@ def test_a_sheet_lights_what_is_in_it():
         plain.profile([0.0, 1e-5])[1] * (lit.scale / plain.scale)[:, None]
     )
     assert lit.axial_fwhm() < plain.axial_fwhm()
+
+
+def test_a_sheet_stays_in_focus_where_the_sample_has_another_index():
+    # Of a small aperture, the plane in focus moves by the ratio of the indices.
+    oil = lm.Objective(NA=0.2, magnification=10, immersion=1.518, sample=1.33, working_distance=2e-3)
+    emission = oil.pupil(depth=30e-6, z=[-3e-6, 0.0, 3e-6], wavelength=525e-9)
+    plain, lit = lm.psf(emission, 9, PIXEL), lm.microscopy.light_sheet(emission, 4e-6, 9, PIXEL)
+    part = 2.0 ** -((3.0 * 1.33 / 1.518 / 2.0) ** 2)
+    assert lit.values[[0, 2]] == pytest.approx(part * plain.values[[0, 2]], rel=0.02)
 
 
 def test_a_sheet_takes_dipoles():

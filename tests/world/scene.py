@@ -65,14 +65,14 @@ def confocal(emission: Objective, excitation: Objective, pinhole: float) -> Prof
 
 def sheet(emission: Objective, thickness: float) -> Profile:
     """Return the light per area of a point in a Gaussian light sheet, which stays in the focal plane."""
+    return lambda r, depth, foci: lit(emission, thickness, depth, foci)[:, None] * emission.profile(r, depth, foci)
 
-    def profile(r: np.ndarray, depth: float, foci: np.ndarray) -> np.ndarray:
-        stage, step = emission.brightest(depth), 0.5e-6
-        rate = (emission.brightest(depth + step) - emission.brightest(depth - step)) / (2 * step)
-        lit = np.exp(-4 * np.log(2) * ((foci - stage) / rate / thickness) ** 2)
-        return lit[:, None] * emission.profile(r, depth, foci)
 
-    return profile
+def lit(emission: Objective, thickness: float, depth: float, foci: np.ndarray) -> np.ndarray:
+    """Return the light on a point at a depth, relative to the middle of such a sheet."""
+    stage, step = emission.brightest(depth), 0.5e-6
+    rate = (emission.brightest(depth + step) - emission.brightest(depth - step)) / (2 * step)
+    return np.exp(-4 * np.log(2) * ((foci - stage) / rate / thickness) ** 2)
 
 
 def _pixels(profile: CubicSpline, side: int, row: float, column: float, pixel: float, samples: int) -> np.ndarray:

@@ -399,5 +399,5 @@ def _advice(coma: Facts) -> list[str]:
         f"The sharp star has its tail towards {towards}; the defocused star is narrow and bright at {against}.",
         f"Cassegrain, Schmidt-Cassegrain: move the star towards {towards} by the screws of the secondary mirror.",
         f"Newtonian: move the star towards {against} by the screws of the primary mirror.",
-        "Bring the star back to the middle with the mount, and repeat.",
+        "Bring the star back to the middle with the mount, and repeat. If coma grows, go the other way.",
     ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
@@ -46,6 +46,7 @@ _MIDDLE_SIDE = 1024  # pixels of the middle of a picture in which blocks of JPEG
 _CENTRE, _LEAST_CENTRE = 0.5, 3  # of the field in which both directions are compared, and edges of each
 _APART, _UNLIKE = 4.5, 0.02  # standard errors, and logarithm of the ratio, from which both directions differ
 _LEAST_SIDE, _LEAST_FREE, _LEAST_SHARE = 6, 12, 0.3  # edges of a side, degrees of freedom, share no other explains
+_SIDES = "right_to_left", "bottom_to_top"
 _UNLIKE_SIDES, _BETWEEN = 0.05, 0.2  # logarithm of the ratio of both sides, and share of the field between them
 _LARGEST_CROP = 512  # pixels of a side of a picture of one edge, of which all pixels are used
 
@@ -149,6 +150,15 @@ class EdgeChart(Judged):
                 records.append(plain(record | {"status": one.status, "findings": list(one.findings.codes)}))
         return records
 
+    @property
+    def sides(self) -> dict[str, tuple[float, float]]:
+        """Ratios of MTF50 of opposite sides at like distances from the middle, with their standard errors.
+
+        "right_to_left" and "bottom_to_top" are of the picture as shown; one that the edges do not determine is left
+        out. About 20 edges around the middle determine both.
+        """
+        return _sides(self.edges)
+
     def plot(self, channel: str = "green") -> Figure:
         """Return a matplotlib figure with maps of MTF50, sagittal and tangential, per mm if the pixel is known.
 
@@ -171,7 +181,8 @@ class EdgeChart(Judged):
         """Return the verdict and the records of all edges as plain data."""
         verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable", "message")}
         data: Json = plain(verdict | {"shape": self.shape, "edges": self.rows(), "refused_edges": self.refused})
-        return data | {"findings": plain(self.findings)}
+        sides = {name: {"ratio": ratio, "error": error} for name, (ratio, error) in self.sides.items()}
+        return data | {"sides": plain(sides), "findings": plain(self.findings)}
 
 
 def sfr_chart(
@@ -257,7 +268,12 @@ def sfr_chart(
         refused=tuple(refused),
         shape=(counts.shape[0], counts.shape[1]),
         findings=Findings(
-            [*_findings(counts, edges, compression), *_refusals(refused, len(edges)), *_motion(edges), *_sides(edges)]
+            [
+                *_findings(counts, edges, compression),
+                *_refusals(refused, len(edges)),
+                *_motion(edges),
+                *_unlike_sides(_sides(edges)),
+            ]
         ),
     )
 
@@ -350,15 +366,17 @@ def _motion(edges: list[ChartEdge]) -> list[Finding]:
     return [Finding("unlike_directions", "note", text, {"ratio": ratio})]
 
 
-def _sides(edges: list[ChartEdge]) -> list[Finding]:
-    """Return a finding if MTF50 differs between left and right, or top and bottom, as a list.
+def _sides(edges: Sequence[ChartEdge]) -> dict[str, tuple[float, float]]:
+    """Return the ratios of MTF50 at the right to that at the left, and at the bottom to that at the top, with errors.
+
+    Those that the edges do not determine are left out.
 
     Steps between the sides are fitted to the logarithm of MTF50, beside functions of the distance from the middle and
     of the direction of edges, which lenses of rotational symmetry and motion have on both sides.
     """
     known = [edge for edge in edges if math.isfinite(edge.response.mtf50[0])]
     if not known:
-        return []
+        return {}
     x, y, turn, mtf50, errors = np.array([(e.x, e.y, e.response.angle, *e.response.mtf50) for e in known]).T
     far = (x**2 + y**2) / max(float(np.max(x**2 + y**2)), 1e-30)
     radial = far * np.cos(2.0 * (turn - np.arctan2(y, x)))
@@ -368,21 +386,29 @@ def _sides(edges: list[ChartEdge]) -> list[Finding]:
     inverse = np.linalg.pinv(functions, max(functions.shape) * np.finfo(np.float64).eps)
     fitted, free = inverse @ values, x.size - round(float(np.trace(inverse @ functions)))
     if free < _LEAST_FREE:
-        return []
+        return {}
     # The larger of the standard errors and of the scatter, which has what the functions do not follow.
     scatter = float(np.sum(np.square(values - functions @ fitted))) / free
     spread = max(float(np.mean(np.square(errors / mtf50))), scatter)
-    texts: list[str] = []
-    numbers: dict[str, float] = {}
-    for k, (step, names) in enumerate(zip(steps, (("right", "left"), ("bottom", "top")), strict=True), len(alike)):
+    ratios: dict[str, tuple[float, float]] = {}
+    for k, (step, name) in enumerate(zip(steps, _SIDES, strict=True), len(alike)):
         variance = float(inverse[k] @ inverse[k])  # of the fitted step, relative to that of a value
         # This product is 1 unless the other functions follow the step.
         is_known = float(inverse[k] @ step) > 1.0 - 1e-6 and variance * float(step @ step) <= 1.0 / _LEAST_SHARE
         if not is_known or min((step > 0.0).sum(), (step < 0.0).sum()) < _LEAST_SIDE:
             continue
-        difference, error = 2.0 * float(fitted[k]), 2.0 * math.sqrt(spread * variance)
-        ratio = math.exp(difference)
-        numbers |= {f"{names[0]}_to_{names[1]}": ratio, f"{names[0]}_to_{names[1]}_error": ratio * error}
+        ratio = math.exp(2.0 * float(fitted[k]))
+        ratios[name] = ratio, 2.0 * ratio * math.sqrt(spread * variance)
+    return ratios
+
+
+def _unlike_sides(sides: Mapping[str, tuple[float, float]]) -> list[Finding]:
+    """Return a finding if MTF50 differs between left and right, or top and bottom, as a list."""
+    texts: list[str] = []
+    numbers: dict[str, float] = {}
+    for name, (ratio, absolute) in sides.items():
+        names, difference, error = name.split("_to_"), math.log(ratio), absolute / ratio
+        numbers |= {name: ratio, f"{name}_error": absolute}
         if abs(difference) > max(_APART * error, _UNLIKE_SIDES):
             worse, better = names if difference < 0.0 else names[::-1]
             least = math.exp(-abs(difference))

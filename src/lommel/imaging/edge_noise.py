@@ -197,7 +197,8 @@ def processing_findings(edges: Sequence[Evidence], *, compressed: bool) -> list[
         if misfits[none] - misfits[likely] > _CURVED and moved > _EFFECT:
             text = (
                 "noise of dark and bright areas is that of light behind a tone curve (contrast, a picture style), "
-                f"which changes the response by about {moved:.1g}: take a raw picture"
+                f"which changes the response by about {moved:.1g}: take a raw picture, or "
+                "state another encoding"
             )
             numbers = {"curve": moved, "gain": float(misfits[none] - misfits[likely])}
             return [Finding("tone_curve", "doubt", text, numbers)]

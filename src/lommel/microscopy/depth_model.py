@@ -28,7 +28,7 @@ from lommel.microscopy.stack_blur import (
 )
 from lommel.optics.layers.emitter import Beam, Emitter, emitter_of
 from lommel.optics.layers.modality import WIDEFIELD, Modality
-from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective import Objective, from_focal_plane
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -113,7 +113,7 @@ class DepthModel:
         emission = self._emission(depth)
         if modality.kind == "light sheet":
             assert modality.thickness is not None
-            offset = np.clip(self._z, -_SHEET_END * modality.thickness, _SHEET_END * modality.thickness)
+            offset = modality.thickness * self._from_sheet(emission)
             return light_sheet(emission, modality.thickness, side, self.pixel, offset=offset, tol=_TOL)
         if modality.kind in ("confocal", "spinning disc"):
             # Excitation and detection share the objective: the same stage position relative to the cover glass.
@@ -225,8 +225,13 @@ class DepthModel:
             return np.ones(self.window[0])
         assert self.modality.thickness is not None
         # Gaussian profile of a light sheet, whose thickness is the full width at half maximum.
-        distance = np.clip(self._z / self.modality.thickness, -_SHEET_END, _SHEET_END)
+        distance = self._from_sheet(self._emission(self.depth))
         return np.asarray(np.exp(-4.0 * math.log(2.0) * distance**2))
+
+    def _from_sheet(self, emission: ObjectivePupil) -> Array:
+        """Return the distance of the emitter from a light sheet in the plane in focus, in thicknesses."""
+        assert self.modality.thickness is not None
+        return np.clip(from_focal_plane(emission) / self.modality.thickness, -_SHEET_END, _SHEET_END)
 
     def _laser(self, depth: float | Array, z: Array, origin: str) -> ObjectivePupil:
         assert self.modality.excitation is not None

@@ -14,7 +14,7 @@ from lommel.core.answers import ToleranceError
 from lommel.methods.layers.scanning import Bead, Confocal, Sted, TwoPhoton, crest
 from lommel.methods.method import Method, storing
 from lommel.methods.question import output_type
-from lommel.optics.layers.objective import out_of_focus
+from lommel.optics.layers.objective import from_focal_plane
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF, psf
 
@@ -187,8 +187,7 @@ def light_sheet(
         As in :func:`lommel.psf`; pixel-integrated.
     offset : array_like, optional
         Distance of the emitter from the centre of the sheet in each plane, metres in the sample; broadcasts with the
-        stack. By default the stage position relative to the brightest focus, whatever the `origin` of the pupil: for
-        a sheet that stays in the focal plane, and a sample with the index of the immersion.
+        stack. By default the distance from the plane in focus, for a sheet that stays in it.
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane.
 
@@ -206,14 +205,14 @@ def light_sheet(
     """
     pupil = validation.instance("emission", emission, ObjectivePupil)
     width = validation.real("thickness", thickness, above=0.0, unit="metres")
-    distance = out_of_focus(pupil) if offset is None else offset
+    distance = from_focal_plane(pupil) if offset is None else offset
     distance = validation.real_array("offset", distance, unit="metres")
     distance = validation.broadcast("offset and the stack", distance, pupil.z)[0]
     if distance.shape != pupil.shape:
         raise ValueError(f"offset must broadcast to the stack of shape {pupil.shape}, got shape {distance.shape}")
     if (farthest := float(np.abs(distance).max(initial=0.0))) > _MAX_DISTANCE * width:
         raise ValueError(
-            "offset, by default the stage position relative to the brightest focus, must be within "
+            "offset, by default the distance from the plane in focus, must be within "
             f"{_MAX_DISTANCE:g} times the thickness (dark beyond it), got {farthest:g} m"
         )
     # A Gaussian of full width `width` at half maximum: exp(-4 ln 2 x^2).

@@ -43,6 +43,7 @@ _KEYS = {
 _FORM_OF = {key: _FORMS[unit] for unit, keys in _KEYS.items() for key in keys.split()}
 _WORDS = {"fwhm": "FWHM", "mtf": "MTF", "mtf50": "MTF50", "marechal": "Marechal's estimate", "arcsec": "arcseconds"}
 _WORDS |= {"seconds": "time", "dtype": "type"}
+_LABELS = {"defocus": "defocus C_d", "defocus_of_distances": "C_d of distances", "spherical": "spherical C_s"}
 _INFINITE = ("focus_distance", "object_distance", "far")  # None is infinity
 _BLURS = (
     "fwhm",
@@ -110,7 +111,7 @@ def _in_pixels(key: str, blur: Any, facts: Facts) -> str:
 
 
 def _label(key: str) -> str:
-    return " ".join(_WORDS.get(word, word) for word in key.split("_"))
+    return _LABELS.get(key) or " ".join(_WORDS.get(word, word) for word in key.split("_"))
 
 
 def _text(key: str, value: Any, meanings: Mapping[str, str]) -> str:

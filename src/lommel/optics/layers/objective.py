@@ -158,6 +158,7 @@ class Nyquist:
 
 
 _TOL = 1e-11  # tolerance of field integrals in searches of the focus
+_RATE_STEP = 0.5e-6  # metres of depth over which the travel of the focus is averaged, on both sides
 _STEPS = 16  # steps of a search per depth of focus, see _depth_of_focus(), or laterally per 2 pi in v
 _RADII = 64  # number of radii at which a wavefront is averaged over the pupil
 _DOUBLINGS = 6  # number of ranges that a search tries, each with a margin twice as large
@@ -648,6 +649,15 @@ def best_foci(layers: Layers, depth: Array) -> Array:
 def out_of_focus(pupil: ObjectivePupil) -> Array:
     """Return the stage position relative to the brightest focus: z, whatever the origin of the pupil."""
     return np.asarray(pupil.focus - best_foci(pupil.layers, pupil.depth))
+
+
+def from_focal_plane(pupil: ObjectivePupil) -> Array:
+    """Return the distance in the sample of the emitters from the plane in focus, of opposite sign to z."""
+    start = np.maximum(pupil.depth - _RATE_STEP, 0.0)
+    end = pupil.depth + _RATE_STEP
+    # Stage travel per depth in focus.
+    rate = (best_foci(pupil.layers, end) - best_foci(pupil.layers, start)) / (end - start)
+    return np.asarray(-out_of_focus(pupil) / rate)
 
 
 def _maximum(axis: _Axis, start: float, step: float) -> float:

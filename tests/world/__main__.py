@@ -7,6 +7,7 @@ import json
 import math
 import os
 import sys
+import textwrap
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
@@ -66,12 +67,13 @@ def page(stored: dict[str, list[Run]]) -> str:
     first = (
         f"{runs} results of {len(every)} worlds: {good} called good, {wrong + named} of them wrong "
         f"({_percent(wrong + named, good)}).\n{named} of these are in rows *named*, whose results name it among what "
-        f"they cannot test; of {other} in the other rows {wrong} are wrong ({_percent(wrong, other)}), "
+        f"they cannot test.\nOf {other} in the other rows {wrong} are wrong ({_percent(wrong, other)}), "
         + (f"twice or more in {', '.join(twice)}." if twice else "no world twice.")
     )
     rates = [f"{BY_ROW[row].name} ({one.rms:.2f})" for row, one in judged(stored) if "rms" in " ".join(one.faults)]
     second = f"Errors are not 0.8 to 1.15 standard errors, as far as the runs show, in {len(rates) or 'no'} worlds"
-    return "\n\n".join((first, f"{second}: {', '.join(rates)}." if rates else f"{second}.", "\n".join(rows)))
+    second = textwrap.fill(f"{second}: {'; '.join(rates)}." if rates else f"{second}.", 138)
+    return "\n\n".join((first, second, "\n".join(rows)))
 
 
 def _percent(part: int, whole: int) -> str:

@@ -128,4 +128,4 @@ def test_named_rows_are_counted_and_worlds_that_are_wrong_twice_are_listed():
     wrong, right = (Run(k, True, ["untested"], "", [9.0 * (k < 2)], [], {}, k < 2, 0.5) for k in (1, 3))
     text = table.page({"11": [right, right], "37g": [wrong, right], "32": [wrong, wrong]})
     assert "6 results of 3 worlds: 6 called good, 3 of them wrong (50 %).\n1 of these" in text
-    assert f"of 4 in the other rows 2 are wrong (50 %), twice or more in {table.BY_ROW['32'].name}." in text
+    assert f"\nOf 4 in the other rows 2 are wrong (50 %), twice or more in {table.BY_ROW['32'].name}." in text
